@@ -7,9 +7,12 @@ namespace carina::program
 {
 
 Result<std::optional<TrackerChoice>> askForTracker(const std::filesystem::path& kept,
-                                                   const std::string& conversation, QWidget* parent)
+                                                   const std::string& conversation, QWidget* parent,
+                                                   const HoldTracker& hold)
 {
     TrackerDialog dialog{formOfKept(kept), offeredAddresses(), parent};
+    if (hold)
+        QObject::connect(&dialog, &TrackerDialog::devicesWanted, &dialog, hold);
     if (dialog.exec() != QDialog::Accepted)
         return std::nullopt;
     TrackerChoice chosen = dialog.choice();

@@ -3,6 +3,7 @@
 #include "models/tracker/tracker_form.h"
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 
 class QWidget;
@@ -10,13 +11,18 @@ class QWidget;
 namespace carina::program
 {
 
+using HoldTracker = std::function<void(bool holds)>;
+
 /// Asks a person for the tracker, beginning with the one of the last time.
 /// @param kept a Polaris or server that is chosen is described in this file, or in one like it
 ///             where that is there (keepTracker)
 /// @param conversation of the choice (TrackerChoice)
+/// @param hold is told to let go of the present tracker's device while one is tried, which may be
+///             the same (TrackerDialog::devicesWanted)
 /// @returns std::nullopt where the person cancelled; FileUnwritable for the file.
 [[nodiscard]] Result<std::optional<TrackerChoice>> askForTracker(const std::filesystem::path& kept,
                                                                  const std::string& conversation,
-                                                                 QWidget* parent = nullptr);
+                                                                 QWidget* parent = nullptr,
+                                                                 const HoldTracker& hold = {});
 
 } // namespace carina::program

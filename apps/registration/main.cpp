@@ -10,6 +10,7 @@
 #include "engine/io/files/whole_file.h"
 #include "engine/io/site/site_file.h"
 #include "ui/registration/registration_window.h"
+#include "ui/tracker/recording_end.h"
 
 #include <QApplication>
 #include <QDir>
@@ -114,6 +115,8 @@ constexpr int kAnotherTracker = 100;
 struct Record {
     PoseRecording poses{workplaceNow};
     QString wanted{}; ///< the file of `--record`; empty once it has begun
+
+    ~Record() { finishRecording(poses); }
 };
 
 /// Records the tools of a workplace while both are there.

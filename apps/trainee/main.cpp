@@ -13,6 +13,7 @@
 #include "engine/io/anatomy_set/anatomy_cache.h"
 #include "models/patient/shared_patient.h"
 #include "models/station/own_station.h"
+#include "ui/tracker/recording_end.h"
 #include "ui/trainee/trainee_window.h"
 #include "widgets/scene/figures/figure_shapes.h"
 #include "widgets/scene/view/scene_view.h"
@@ -352,6 +353,7 @@ Result<Left> takePart(const QCommandLineParser& parser, Outfit& outfit, program:
     if (!giver)
         return tl::unexpected(giver.error());
     left.status = showUntilClosed(window, parser, outfit.measure, station);
+    finishRecording(recording);
     if (entered.role == Role::Trainee)
         outfit.tracker = station.tracker();
     return left;

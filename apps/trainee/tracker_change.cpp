@@ -61,7 +61,8 @@ void TrackerChange::ask(TraineeWindow& window, TraineeStation& station,
 {
     const QString beside = m_site.isEmpty() ? wizardsFolder() : m_site;
     const QString kept = QFileInfo{beside}.absoluteDir().filePath(QStringLiteral("tracker.json"));
-    auto chosen = program::askForTracker(kept.toStdString(), m_conversation, &window);
+    auto chosen = program::askForTracker(kept.toStdString(), m_conversation, &window,
+                                         [&station](bool holds) { station.holdTracker(holds); });
     if (!chosen)
         return showProblem(window, chosen.error());
     if (!*chosen)

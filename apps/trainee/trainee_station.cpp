@@ -32,6 +32,11 @@ unsigned simulatedPerson(const SessionNode& node)
     return self == kNobody || self.value == 0 ? 0U : self.value - 1U;
 }
 
+bool hasDeviceOf(const TrackerChoice& tracker)
+{
+    return !tracker.isSimulated() && !std::holds_alternative<PlayedRecording>(tracker.device);
+}
+
 /// @pre the place, if there is one, can be used.
 std::optional<StationRegistration> registrationIn(const TraineeStation::Place& place)
 {
@@ -163,6 +168,15 @@ Result<void> TraineeStation::setTracker(std::optional<TrackerChoice> tracker,
         publish();
     }
     return laid;
+}
+
+void TraineeStation::holdTracker(bool holds)
+{
+    const bool hasDevice = m_device && m_laid->tracking && hasDeviceOf(*m_hardware.tracker);
+    if (hasDevice && holds)
+        m_laid->tracking->stop();
+    else if (hasDevice) // it was started before: what keeps it from tracking is told as ever
+        (void)m_laid->tracking->start();
 }
 
 std::optional<PoseSample> TraineeStation::Published::newest(ToolRole tool) const

@@ -61,6 +61,9 @@ public:
     ///          site. The tracker before is used on then.
     [[nodiscard]] Result<void> setTracker(std::optional<TrackerChoice> tracker,
                                           const std::function<void()>& show);
+    /// Lets go of the device of its tracker, or uses it again: its tools are lost meanwhile. No
+    /// effect on a tracker without a device.
+    void holdTracker(bool holds);
     /// The callback is called after each successful lay().
     void onLaid(std::function<void()> callback) { m_onLaid.push_back(std::move(callback)); }
 

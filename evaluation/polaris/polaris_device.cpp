@@ -17,6 +17,7 @@ constexpr int kFirstRate = 9600;
 constexpr int kBitsOfAByte = 10;
 constexpr Duration kThinking = std::chrono::microseconds{500}; // before it answers
 const std::string kOkay = "OKAY";
+constexpr unsigned kInterference = 0x0002; // of the system
 
 } // namespace
 
@@ -124,7 +125,10 @@ std::optional<std::string> PolarisDevice::changeMode(const std::string& name, Lo
         return kOkay;
     };
     if (name == "INIT") {
-        m_ports.clear();
+        if (m_settings.isStrict && m_mode == Mode::Tracking)
+            return error(0x0C);
+        if (!m_settings.isStrict)
+            m_ports.clear();
         m_mode = Mode::Initialised;
         return kOkay;
     }
@@ -166,10 +170,28 @@ PolarisExposure PolarisDevice::exposureAt(LocalTime now) const
     seen.time = m_trackingSince + fromSeconds(seen.frame / m_settings.exposuresPerSecond);
     for (const auto& [handle, port] : m_ports.all())
         if (port.isEnabled)
-            seen.tools.push_back({handle, port.status(), m_poseOf(port.tool, seen.time)});
+            seen.tools.push_back(toolAt(handle, port, seen.time));
+    seen.system = m_ports.changes() | (m_faults.hasInterference ? kInterference : 0);
     seen.strays_mm = m_settings.strays(seen.time);
     seen.time += m_faults.clockSetBy;
     return seen;
+}
+
+PolarisExposure::Tool PolarisDevice::toolAt(int handle, const PolarisPorts::Port& port,
+                                            LocalTime exposed) const
+{
+    PolarisExposure::Tool tool{.handle = handle, .status = port.status()};
+    tool.isPlugged = port.isOccupied;
+    const auto lost = m_faults.losses.find(port.tool);
+    if (!port.isOccupied)
+        return tool;
+    if (lost != m_faults.losses.end())
+        tool.loss = lost->second;
+    else if (m_faults.hasInterference)
+        tool.loss = PolarisLoss::Interference;
+    else
+        tool.pose = m_poseOf(port.tool, exposed);
+    return tool;
 }
 
 } // namespace carina

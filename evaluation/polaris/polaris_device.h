@@ -16,10 +16,12 @@ namespace carina
 
 /// What goes wrong, on demand.
 struct PolarisFaults {
-    bool isSilent = false;     ///< answers nothing
-    bool corruptsNext = false; ///< one bit of the next reply is wrong
-    bool cutsNext = false;     ///< the second half of the next reply is missing
-    Duration clockSetBy{};     ///< its clock, which BX2 tells, was set by so much
+    bool isSilent = false;        ///< answers nothing
+    bool corruptsNext = false;    ///< one bit of the next reply is wrong
+    bool cutsNext = false;        ///< the second half of the next reply is missing
+    Duration clockSetBy{};        ///< its clock, which BX2 tells, was set by so much
+    bool hasInterference = false; ///< too much other infrared light: no tool has a pose
+    std::map<std::string, PolarisLoss> losses{}; ///< tools without a pose, and why
 };
 
 /// A Polaris without hardware: answers commands as the table of NDI's commands says, and paces the
@@ -42,6 +44,7 @@ public:
         bool hasRate = true;    ///< a serial line; else its bytes take no time
         bool hasBinary = true;  ///< understands BX; else an error, as of the first generation
         bool hasGeneral = true; ///< understands BX2, likewise
+        bool isStrict = false;  ///< INIT neither ends tracking nor frees a port
         std::string serialNumber = "P4-00000";
         /// What it answers to commands that ask for what does not change.
         std::map<std::string, std::string> constants{
@@ -66,6 +69,7 @@ public:
     [[nodiscard]] Reply reset(LocalTime now);
 
     PolarisFaults& faults() { return m_faults; }
+    PolarisPorts& ports() { return m_ports; }
     [[nodiscard]] int rate() const { return m_rate; }
     [[nodiscard]] bool isTracking() const { return m_mode == Mode::Tracking; }
 
@@ -78,6 +82,8 @@ private:
     [[nodiscard]] std::optional<std::string> poses(const std::string& name,
                                                    const std::string& options, LocalTime now) const;
     [[nodiscard]] PolarisExposure exposureAt(LocalTime now) const;
+    [[nodiscard]] PolarisExposure::Tool toolAt(int handle, const PolarisPorts::Port& port,
+                                               LocalTime exposed) const;
     [[nodiscard]] Reply sent(std::string bytes, LocalTime now);
 
     Settings m_settings;

@@ -31,6 +31,9 @@ constexpr unsigned kOccupied = 0x001;
 constexpr unsigned kInitialised = 0x010;
 constexpr unsigned kEnabled = 0x020;
 
+constexpr unsigned kBecameOccupied = 0x0040; // of the system
+constexpr unsigned kBecameUnoccupied = 0x0080;
+
 /// Of PHINF, in the order of the answer.
 constexpr unsigned kTellsInformation = 0x0001;
 constexpr unsigned kTellsElectricalTest = 0x0002;
@@ -70,6 +73,8 @@ std::string informationIn(const std::string& definition)
            + wordIn(definition, kSerialAt);
 }
 
+std::string nameOf(std::size_t wired) { return "wired " + std::to_string(wired); }
+
 bool isWhole(const std::string& definition)
 {
     unsigned sum = 0;
@@ -82,7 +87,8 @@ bool isWhole(const std::string& definition)
 
 unsigned PolarisPorts::Port::status() const
 {
-    return kOccupied | (isInitialised ? kInitialised : 0) | (isEnabled ? kEnabled : 0);
+    return (isOccupied ? kOccupied : 0) | (isInitialised ? kInitialised : 0)
+           | (isEnabled ? kEnabled : 0);
 }
 
 PolarisPorts::PolarisPorts(std::vector<PluggedTool> plugged, std::string serialNumber)
@@ -120,6 +126,21 @@ std::optional<std::string> PolarisPorts::answer(const std::string& name,
     return kDone;
 }
 
+void PolarisPorts::unplug(std::size_t wired)
+{
+    m_out.insert(wired);
+    m_changes |= kBecameUnoccupied;
+    for (auto& [handle, port] : m_ports)
+        if (port.tool == nameOf(wired))
+            port.isOccupied = false;
+}
+
+void PolarisPorts::plugIn(std::size_t wired)
+{
+    m_out.erase(wired);
+    m_changes |= kBecameOccupied;
+}
+
 int PolarisPorts::freeHandle() const
 {
     int handle = 1;
@@ -132,10 +153,11 @@ int PolarisPorts::freeHandle() const
 void PolarisPorts::findPlugged()
 {
     for (std::size_t i = 0; i < m_plugged.size(); ++i) {
-        const std::string name = "wired " + std::to_string(i + 1);
-        const bool isFound = std::ranges::any_of(
-            m_ports, [&](const auto& entry) { return entry.second.tool == name; });
-        if (!isFound)
+        const std::string name = nameOf(i + 1);
+        const bool isFound = std::ranges::any_of(m_ports, [&](const auto& entry) {
+            return entry.second.tool == name && entry.second.isOccupied;
+        });
+        if (!isFound && !m_out.contains(i + 1))
             m_ports[freeHandle()] = {.tool = name, .plugged = m_plugged[i]};
     }
 }
@@ -143,14 +165,17 @@ void PolarisPorts::findPlugged()
 /// 00 all, 01 to be freed, 02 to be initialised, 03 to be enabled, 04 enabled.
 std::string PolarisPorts::list(int which)
 {
+    m_changes = 0;
     if (which == 0 || which == 2)
         findPlugged();
     std::string entries;
     unsigned count = 0;
     for (const auto& [handle, port] : m_ports) {
-        const bool listed = which == 0 || (which == 2 && !port.isInitialised)
-                            || (which == 3 && port.isInitialised && !port.isEnabled)
-                            || (which == 4 && port.isEnabled);
+        const bool isIn = port.isOccupied;
+        const bool listed = which == 0 || (which == 1 && !isIn)
+                            || (which == 2 && isIn && !port.isInitialised)
+                            || (which == 3 && isIn && port.isInitialised && !port.isEnabled)
+                            || (which == 4 && isIn && port.isEnabled);
         if (!listed)
             continue;
         entries += written("%02X%03X", unsigned(handle), port.status());

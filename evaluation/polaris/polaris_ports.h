@@ -2,6 +2,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,7 @@ public:
         std::string tool{};       ///< its name, once it is initialised
         std::string definition{}; ///< of a wireless tool, as loaded
         std::optional<PluggedTool> plugged{};
+        bool isOccupied = true; ///< else its tool was unplugged
         bool isInitialised = false;
         bool isEnabled = false;
 
@@ -37,6 +39,12 @@ public:
 
     /// Forgets all handles. Those of plugged tools are given when ports are asked for.
     void clear() { m_ports.clear(); }
+    /// Unplugs a tool of those that are plugged in, the first is 1; or plugs it in again.
+    void unplug(std::size_t wired);
+    void plugIn(std::size_t wired);
+    /// Bits of the system's status: what was plugged in (0040) and out (0080) since ports were
+    /// asked for.
+    [[nodiscard]] unsigned changes() const { return m_changes; }
     /// The answer to a command on ports, without its checksum; nothing where it is none.
     [[nodiscard]] std::optional<std::string> answer(const std::string& name,
                                                     const std::string& arguments);
@@ -55,6 +63,8 @@ private:
     [[nodiscard]] std::string location(const Port& port) const;
 
     std::vector<PluggedTool> m_plugged; ///< ascending in their ports
+    std::set<std::size_t> m_out;        ///< those that are not, now
+    unsigned m_changes = 0;
     std::string m_serialNumber;
     std::map<int, Port> m_ports; ///< by handle
 };

@@ -3,6 +3,7 @@
 #include "evaluation/polaris/polaris_bytes.h"
 
 #include <cmath>
+#include <map>
 
 namespace carina
 {
@@ -21,8 +22,42 @@ constexpr unsigned kAsksStrays = 0x1000;
 constexpr unsigned kAsksKnown =
     kAsksPoses | kAsksMarkers | kAsksSingleStray | kAsksOutOfVolume | kAsksStrays;
 
-constexpr unsigned kMissingTool = 0x02; // among what is told of its markers
-constexpr int kMarkerBytes = 10;        // four bits for each of twenty
+// What is told of a tool and its markers: bits, and four more for each of twenty markers.
+constexpr unsigned kBadFit = 0x01;
+constexpr unsigned kNotEnoughMarkers = 0x02;
+constexpr int kMarkers = 20;
+constexpr unsigned kWrongPlace = 2; // of a marker
+constexpr unsigned kUsed = 3;
+
+// Of BX2.
+constexpr unsigned kNoPose = 0x0100;
+constexpr unsigned kUnplugged = 33;
+
+unsigned toolBits(const PolarisExposure::Tool& tool)
+{
+    if (tool.pose)
+        return 0;
+    return tool.loss == PolarisLoss::BadFit ? kBadFit : kNotEnoughMarkers;
+}
+
+/// Of each of the last two markers in the list.
+unsigned lastMarkers(const PolarisExposure::Tool& tool)
+{
+    if (tool.pose || tool.loss == PolarisLoss::Hidden || tool.loss == PolarisLoss::Interference)
+        return 0;
+    return tool.loss == PolarisLoss::BadFit ? 0x11 * kWrongPlace : kUsed;
+}
+
+unsigned generalStatus(const PolarisExposure::Tool& tool)
+{
+    static const std::map<PolarisLoss, unsigned> kCodes{{PolarisLoss::Hidden, 31},
+                                                        {PolarisLoss::FewMarkers, 13},
+                                                        {PolarisLoss::BadFit, 17},
+                                                        {PolarisLoss::Interference, 14}};
+    if (!tool.isPlugged)
+        return kNoPose | kUnplugged;
+    return tool.pose ? 0 : kNoPose | kCodes.at(tool.loss);
+}
 
 /// Of TX and BX; nothing where they are not known.
 std::optional<unsigned> known(const std::string& options)
@@ -59,11 +94,14 @@ std::string textPose(const PolarisPose& pose)
 std::string textTool(const PolarisExposure::Tool& tool, unsigned asked, std::uint32_t frame)
 {
     std::string out = written("%02X", unsigned(tool.handle));
+    if (!tool.isPlugged)
+        return out + "UNOCCUPIED\n";
     if ((asked & kAsksPoses) != 0)
         out += (tool.pose ? textPose(*tool.pose) : "MISSING")
                + written("%08X%08X", tool.status, unsigned(frame));
     if ((asked & kAsksMarkers) != 0)
-        out += written("%02X", tool.pose ? 0U : kMissingTool) + std::string(2 * kMarkerBytes, '0');
+        out += written("%02X", toolBits(tool)) + std::string(kMarkers - 2, '0')
+               + written("%02X", lastMarkers(tool));
     if ((asked & kAsksSingleStray) != 0)
         out += "00"; // none
     return out + '\n';
@@ -81,12 +119,16 @@ std::string textStrays(const std::vector<Vec3>& strays_mm)
 
 std::string binaryTool(const PolarisExposure::Tool& tool, unsigned asked, std::uint32_t frame)
 {
-    std::string out = little(std::uint64_t(tool.handle), 1) + little(tool.pose ? 1 : 2, 1);
+    const std::string handle = little(std::uint64_t(tool.handle), 1);
+    if (!tool.isPlugged)
+        return handle + little(4, 1); // disabled
+    std::string out = handle + little(tool.pose ? 1 : 2, 1);
     if ((asked & kAsksPoses) != 0)
         out += (tool.pose ? realPose(*tool.pose) : std::string{}) + little(tool.status, 4)
                + little(frame, 4);
     if ((asked & kAsksMarkers) != 0)
-        out += little(tool.pose ? 0 : kMissingTool, 1) + std::string(kMarkerBytes, '\0');
+        out += little(toolBits(tool), 1) + std::string(kMarkers / 2 - 1, '\0')
+               + little(lastMarkers(tool), 1);
     if ((asked & kAsksSingleStray) != 0)
         out += little(0, 1);
     return out;
@@ -114,7 +156,7 @@ std::string textReply(const PolarisExposure& seen, const std::string& options)
         out += textTool(tool, *asked, seen.frame);
     if ((*asked & kAsksStrays) != 0)
         out += textStrays(seen.strays_mm);
-    return polaris::asText(out + "0000");
+    return polaris::asText(out + written("%04X", seen.system));
 }
 
 std::string binaryReply(const PolarisExposure& seen, const std::string& options)
@@ -127,15 +169,15 @@ std::string binaryReply(const PolarisExposure& seen, const std::string& options)
         out += binaryTool(tool, *asked, seen.frame);
     if ((*asked & kAsksStrays) != 0)
         out += binaryStrays(seen.strays_mm);
-    return polaris::asBinary(out + little(0, 2));
+    return polaris::asBinary(out + little(seen.system, 2));
 }
 
 std::string generalReply(const PolarisExposure& seen)
 {
     std::string tools;
     for (const PolarisExposure::Tool& tool : seen.tools)
-        tools += little(std::uint64_t(tool.handle), 2)
-                 + (tool.pose ? little(0, 2) + realPose(*tool.pose) : little(0x011F, 2));
+        tools += little(std::uint64_t(tool.handle), 2) + little(generalStatus(tool), 2)
+                 + (tool.pose ? realPose(*tool.pose) : std::string{});
     const auto component = [](std::uint64_t type, std::uint64_t items, const std::string& bytes) {
         return little(type, 2) + little(12 + bytes.size(), 4) + little(0, 2) + little(items, 4)
                + bytes;

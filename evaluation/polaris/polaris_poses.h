@@ -17,15 +17,26 @@ struct PolarisPose {
     double error_mm = 0.0;
 };
 
+/// Why a Polaris has no pose of a tool.
+enum class PolarisLoss : std::uint8_t {
+    Hidden,       ///< none of its markers is seen
+    FewMarkers,   ///< too few are
+    BadFit,       ///< they do not fit its definition
+    Interference, ///< other infrared light is seen in their place
+};
+
 /// An exposure as a Polaris saw it.
 struct PolarisExposure {
     struct Tool {
         int handle = 0;
         unsigned status = 0; ///< of its port
         std::optional<PolarisPose> pose{};
+        PolarisLoss loss = PolarisLoss::Hidden; ///< where there is no pose
+        bool isPlugged = true;                  ///< or wireless
     };
     std::vector<Tool> tools{};
     std::vector<Vec3> strays_mm{}; ///< markers of no tool
+    unsigned system = 0;           ///< status
     std::uint32_t frame = 0;
     LocalTime time{};
 };

@@ -10,6 +10,8 @@
 #include "engine/tracking/simulated/simulated_options.h"
 
 #include <QCoreApplication>
+#include <QCryptographicHash>
+#include <QDataStream>
 #include <QFileInfo>
 #include <QStringList>
 
@@ -24,6 +26,7 @@ const QString kSimulated = QStringLiteral("simulated");
 const QString kSimulatedWith = QStringLiteral("simulated:");
 const QString kRecorded = QStringLiteral("recorded:");
 const QString kLooped = QStringLiteral("looped:");
+constexpr qsizetype kDigits = 8; // that tell what a tracker rests on
 
 QString choiceWords(const char* text) { return QCoreApplication::translate("TrackerChoice", text); }
 
@@ -45,6 +48,49 @@ QString nameOf(const TrackerDescription& described)
     return choiceWords(nameOfKind(described.kind)).arg(QString::fromStdString(described.address));
 }
 
+QDataStream& operator<<(QDataStream& stream, const CameraModel& camera)
+{
+    stream << camera.width << camera.height << camera.focal.x() << camera.focal.y()
+           << camera.centre.x() << camera.centre.y();
+    for (const double each : camera.distortion)
+        stream << each;
+    return stream;
+}
+
+QDataStream& operator<<(QDataStream& stream, const MarkedBody& body)
+{
+    stream << int(body.dictionary);
+    for (const BodyMarker& marker : body.markers) {
+        stream << marker.id << marker.side;
+        const Mat4 X_BK = marker.X_BK.matrix();
+        for (const double each : X_BK.reshaped())
+            stream << each;
+    }
+    return stream;
+}
+
+/// What the poses of a device's tools rest on; empty where none of it is known.
+QByteArray groundsOf(const TrackerDescription& described)
+{
+    QByteArray grounds;
+    QDataStream stream{&grounds, QIODevice::WriteOnly};
+    if (described.kind == TrackerKind::Camera)
+        stream << described.camera;
+    for (const ToolRole role : {ToolRole::Stylus, ToolRole::Jaw, ToolRole::Manikin, ToolRole::Tube,
+                                ToolRole::Laryngoscope})
+        for (const DescribedTool& tool : described.tools) {
+            const bool isKnown = tool.role == role && (tool.definition || tool.body);
+            if (isKnown)
+                stream << int(role);
+            if (isKnown && tool.definition)
+                stream.writeRawData(reinterpret_cast<const char*>(tool.definition->bytes().data()),
+                                    int(tool.definition->bytes().size()));
+            if (isKnown && tool.body)
+                stream << *tool.body;
+        }
+    return grounds;
+}
+
 bool hasConversation(const TrackerDescription& described)
 {
     return described.kind != TrackerKind::Camera;
@@ -56,6 +102,18 @@ const TrackerDescription* firstDevice(const TrackerChoice& choice)
     if (const auto* set = std::get_if<DeviceSet>(&choice.device))
         return &set->devices.front().described;
     return std::get_if<TrackerDescription>(&choice.device);
+}
+
+/// The same of all devices.
+QByteArray groundsOf(const TrackerChoice& choice)
+{
+    if (const auto* described = std::get_if<TrackerDescription>(&choice.device))
+        return groundsOf(*described);
+    QByteArray grounds;
+    if (const auto* set = std::get_if<DeviceSet>(&choice.device))
+        for (const PlacedDescription& device : set->devices)
+            grounds += groundsOf(device.described);
+    return grounds;
 }
 
 /// @param conversation of TrackerChoice
@@ -153,7 +211,14 @@ QString trackerIdentity(const TrackerChoice& choice)
     if (std::holds_alternative<PlayedRecording>(choice.device))
         return {};
     const TrackerDescription* device = firstDevice(choice);
-    return device != nullptr ? nameOf(*device) : trackerName(choice);
+    if (device == nullptr)
+        return trackerName(choice);
+    const QByteArray grounds = groundsOf(choice);
+    if (grounds.isEmpty())
+        return nameOf(*device);
+    const QByteArray digest = QCryptographicHash::hash(grounds, QCryptographicHash::Sha256);
+    return QStringLiteral("%1 (%2)").arg(nameOf(*device),
+                                         QString::fromLatin1(digest.toHex().first(kDigits)));
 }
 
 KnownVolume usualVolume(const TrackerChoice& choice)

@@ -70,7 +70,9 @@ struct TrackerChoice {
 [[nodiscard]] QString trackerName(const TrackerChoice& choice);
 
 /// The same for the question whether a site was registered with this tracker: of several devices
-/// that of the first, in whose frame they track; empty for a recording, which may be of any.
+/// that of the first, in whose frame they track; empty for a recording, which may be of any. With a
+/// number for what the poses rest on besides the device, where that is known: the calibration of a
+/// camera, and the markers of the tools that a site is registered and calibrated with.
 [[nodiscard]] QString trackerIdentity(const TrackerChoice& choice);
 
 /// The volume in which such a tracker usually sees; of several devices that of the first.

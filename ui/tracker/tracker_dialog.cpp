@@ -244,12 +244,20 @@ TrackerForm TrackerDialog::form() const
 void TrackerDialog::edited()
 {
     m_trial.end();
+    want(false);
     m_reading.cancel();
     refresh();
 }
 
+void TrackerDialog::want(bool wants)
+{
+    if (std::exchange(m_wants, wants) != wants)
+        Q_EMIT devicesWanted(wants);
+}
+
 void TrackerDialog::tryIt()
 {
+    want(true);
     const auto chosen = choiceOf(form());
     const auto begun = chosen.and_then([this](const TrackerChoice& choice) {
         return m_trial.begin(std::get<TrackerDescription>(choice.device));
@@ -266,7 +274,10 @@ void TrackerDialog::calibrate()
     const auto camera = cameraOf(*chosen);
     if (!camera)
         return m_missing->setText(tr("This file describes a tracker that is no camera."));
-    if (CalibrationDialog{*camera, this}.exec() != QDialog::Accepted)
+    want(true);
+    const bool isCalibrated = CalibrationDialog{*camera, this}.exec() == QDialog::Accepted;
+    want(false);
+    if (!isCalibrated)
         return;
     const auto named =
         nameCalibration(form().description.trimmed().toStdString(), camera->file.toStdString());
@@ -284,6 +295,13 @@ void TrackerDialog::accept()
     m_reading.start(
         [this, chosen = m_asked](const Progress& goesOn) { m_read = choiceOf(chosen, goesOn); });
     refresh();
+}
+
+void TrackerDialog::done(int result)
+{
+    m_trial.end();
+    want(false);
+    QDialog::done(result);
 }
 
 void TrackerDialog::takeRead()

@@ -41,8 +41,15 @@ public:
     /// Takes the choice, if its files can be read; else it says why not. Meanwhile it tells how far
     /// it is, and reading ends where a field is changed or the window closed.
     void accept() override;
+    void done(int result) override;
+
+Q_SIGNALS:
+    /// A device is tried or calibrated from now on, or no more: who uses one lets go of it
+    /// meanwhile, because it may be the same.
+    void devicesWanted(bool areWanted);
 
 private:
+    void want(bool wants);
     void addSource(TrackerSource source, const QString& text, QWidget* details);
     [[nodiscard]] QWidget* polarisFields(const std::vector<OfferedAddress>& offered);
     [[nodiscard]] QWidget* fileFields(QLineEdit& file, const QString& title, const QString& kinds,
@@ -75,6 +82,7 @@ private:
     QPushButton* m_calibrate;
     QLabel* m_missing;
     QPushButton* m_use;
+    bool m_wants = false;                        ///< a device
     TrackerForm m_asked;                         ///< whose files are read
     std::optional<Result<TrackerChoice>> m_read; ///< set by the thread that reads
     BackgroundWork m_reading;                    ///< last: ends before what it uses

@@ -16,17 +16,29 @@ namespace carina::lab
 namespace
 {
 
-enum class Fault : std::uint8_t { None, Corrupt, Cut, Silence, Reset };
+enum class Fault : std::uint8_t {
+    None,
+    Corrupt,
+    Cut,
+    Silence,
+    Reset,
+    Interference,
+    BadFit,
+    FewMarkers
+};
 
 struct NamedFault {
     std::string_view name;
     Fault fault;
 };
-constexpr std::array kFaults{NamedFault{"none", Fault::None}, NamedFault{"corrupt", Fault::Corrupt},
-                             NamedFault{"cut", Fault::Cut}, NamedFault{"silence", Fault::Silence},
-                             NamedFault{"reset", Fault::Reset}};
+constexpr std::array kFaults{
+    NamedFault{"none", Fault::None},      NamedFault{"corrupt", Fault::Corrupt},
+    NamedFault{"cut", Fault::Cut},        NamedFault{"silence", Fault::Silence},
+    NamedFault{"reset", Fault::Reset},    NamedFault{"interference", Fault::Interference},
+    NamedFault{"bad-fit", Fault::BadFit}, NamedFault{"few-markers", Fault::FewMarkers}};
 constexpr Duration kFaultEvery = std::chrono::seconds{5};
-constexpr Duration kSilentFor = std::chrono::seconds{1};
+constexpr Duration kFaultLasts = std::chrono::seconds{1}; // one that is not of one reply
+const std::string kFaultyTool = "tube";
 
 struct SimulatedTool {
     const char* name;
@@ -47,8 +59,10 @@ constexpr Option kHide{"hide", "TOOL", "head, jaw, tube or stylus: is not seen"}
 constexpr Option kOld{"old", "",
                       "it knows TX only, as the first generation: BX and BX2 are errors"};
 constexpr Option kFault{"fault", "KIND",
-                        "every 5 s: corrupt a bit of a reply, cut a reply, silence for 1 s, or "
-                        "reset as after the power was cycled; none unless given"};
+                        "every 5 s: corrupt a bit of a reply, cut a reply, silence for 1 s, "
+                        "reset as after the power was cycled, interference by other infrared "
+                        "light for 1 s, bad-fit or few-markers of the tube for 1 s; none unless "
+                        "given"};
 } // namespace polaris_option
 
 namespace polaris_key
@@ -107,22 +121,27 @@ public:
 
     void look(LocalTime now)
     {
-        if (m_silentUntil && now >= *m_silentUntil) {
-            m_device.faults().isSilent = false;
-            m_silentUntil.reset();
+        if (m_until && now >= *m_until) {
+            m_device.faults() = {};
+            m_until.reset();
         }
         if (m_fault == Fault::None || now < m_next)
             return;
         m_next += kFaultEvery;
         ++m_made;
-        m_device.faults().corruptsNext = m_fault == Fault::Corrupt;
-        m_device.faults().cutsNext = m_fault == Fault::Cut;
-        if (m_fault == Fault::Silence) {
-            m_device.faults().isSilent = true;
-            m_silentUntil = now + kSilentFor;
-        }
         if (m_fault == Fault::Reset)
             static_cast<void>(m_device.reset(now)); // its word is lost: nobody listened
+        PolarisFaults& faults = m_device.faults();
+        faults.corruptsNext = m_fault == Fault::Corrupt;
+        faults.cutsNext = m_fault == Fault::Cut;
+        faults.isSilent = m_fault == Fault::Silence;
+        faults.hasInterference = m_fault == Fault::Interference;
+        if (m_fault == Fault::BadFit)
+            faults.losses[kFaultyTool] = PolarisLoss::BadFit;
+        if (m_fault == Fault::FewMarkers)
+            faults.losses[kFaultyTool] = PolarisLoss::FewMarkers;
+        if (m_fault != Fault::Corrupt && m_fault != Fault::Cut)
+            m_until = now + kFaultLasts;
     }
 
     [[nodiscard]] int made() const { return m_made; }
@@ -131,7 +150,7 @@ private:
     PolarisDevice& m_device;
     Fault m_fault;
     LocalTime m_next;
-    std::optional<LocalTime> m_silentUntil;
+    std::optional<LocalTime> m_until; ///< that a fault lasts
     int m_made = 0;
 };
 

@@ -1,6 +1,7 @@
 #include "engine/net/devices/any_recording.h"
 
 #include "engine/io/files/file_limit.h"
+#include "engine/io/files/unused_name.h"
 #include "engine/io/files/whole_file.h"
 #include "engine/net/devices/device_replay.h"
 #include "engine/tracking/record/pose_record.h"
@@ -97,9 +98,7 @@ Result<void> writeTrajectories(const std::filesystem::path& file, const TrackerS
     for (std::size_t i = 0; i < tools; ++i) {
         if (goesOn && !goesOn(double(i) / double(tools)))
             return fail(Errc::Cancelled, file.string());
-        std::filesystem::path each = file;
-        if (i > 0)
-            each.replace_filename(file.stem().string() + "-" + std::to_string(i + 1) + ".tum");
+        const auto each = i == 0 ? file : unusedName(file);
         if (const auto wrote = writeWholeFile(each, tumText(sequence.tools[i])); !wrote)
             return wrote;
     }

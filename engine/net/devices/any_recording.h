@@ -21,7 +21,7 @@ namespace carina
                                                        const Progress& goesOn = {});
 
 /// Writes a recording in the form that the extension names: .csv, .mha, or .tum; of several tools
-/// in TUM form the second goes to NAME-2.tum and so on.
+/// in TUM form the further ones go to NAME-2.tum and so on, by the names that no file has yet.
 /// @returns FileUnwritable; UnknownFormat for another extension; the errors of sequenceText;
 ///          Cancelled, after which files of some of the tools may be there in TUM form.
 [[nodiscard]] Result<void> writeAnyRecording(const std::filesystem::path& file,

@@ -12,7 +12,8 @@ namespace carina
 namespace
 {
 
-constexpr int kBreak_ms = 300; // long enough for a Polaris at any rate
+constexpr int kBreak_ms = 300;                         // long enough for a Polaris at any rate
+constexpr std::chrono::milliseconds kConnecting{2000}; // what is off refuses nothing
 
 class SerialPort : public DevicePort
 {
@@ -69,7 +70,13 @@ public:
     TcpPort(QString host, std::uint16_t port, Callbacks callbacks)
         : m_host{std::move(host)}, m_port{port}, m_callbacks{std::move(callbacks)}
     {
+        m_connecting.setSingleShot(true);
+        QObject::connect(&m_connecting, &QTimer::timeout, &m_socket, [this] {
+            m_socket.abort();
+            m_callbacks.closed("it does not answer");
+        });
         QObject::connect(&m_socket, &QTcpSocket::connected, &m_socket, [this] {
+            m_connecting.stop();
             m_socket.setSocketOption(QAbstractSocket::LowDelayOption, 1);
             keepAlive(m_socket);
             m_callbacks.opened();
@@ -79,8 +86,16 @@ public:
                          [this] { m_callbacks.closed(m_socket.errorString().toStdString()); });
     }
 
-    void open() override { m_socket.connectToHost(m_host, m_port); }
-    void close() override { m_socket.abort(); }
+    void open() override
+    {
+        m_connecting.start(kConnecting);
+        m_socket.connectToHost(m_host, m_port);
+    }
+    void close() override
+    {
+        m_connecting.stop();
+        m_socket.abort();
+    }
     [[nodiscard]] bool isOpen() const override
     {
         return m_socket.state() == QAbstractSocket::ConnectedState;
@@ -99,6 +114,7 @@ private:
     std::uint16_t m_port;
     Callbacks m_callbacks;
     QTcpSocket m_socket;
+    QTimer m_connecting;
 };
 
 } // namespace

@@ -35,7 +35,8 @@ public:
                                                                   Callbacks callbacks);
     virtual ~DevicePort() = default;
 
-    /// Begins to open; one of the callbacks follows, perhaps at once.
+    /// Begins to open; one of the callbacks follows, perhaps at once, on the network after two
+    /// seconds at most.
     virtual void open() = 0;
     virtual void close() = 0;
     [[nodiscard]] virtual bool isOpen() const = 0;

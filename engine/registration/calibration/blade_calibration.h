@@ -51,7 +51,7 @@ struct BladeCalibration {
     BladeShape shape;
     Length fle;                       ///< RMS error of a touch, estimated from the residuals
     double degrees = 0.0;             ///< degrees of freedom of that estimate
-    double rms = 0.0;                 ///< of the residuals, metres
+    double rms = 0.0;                 ///< of the touches' distances from its shape, metres
     Mat3 covariance_N = Mat3::Zero(); ///< of the tip in N, m^2, by that estimate
 
     [[nodiscard]] Vec3 p_NQ_tip() const { return X_NL * shape.p_L_tip; }

@@ -229,7 +229,7 @@ Result<TubeCalibration> calibrateTube(std::span<const TubeTouch> touches, Length
         return tl::unexpected(fitted.error());
     const TubeParameters& tube = fitted->tube;
     const ShapeFit& fit = fitted->fit;
-    const double rms = std::sqrt(fit.residuals.squaredNorm() / double(fit.residuals.size()));
+    const double rms = std::sqrt(fit.residuals.squaredNorm() / double(touches.size()));
     if (!(rms <= settings.largestRms.si))
         return fail(Errc::NoSurfaceFit, "the touches are off the tube by " + inWords(metres(rms))
                                             + " (RMS), and " + inWords(settings.largestRms)

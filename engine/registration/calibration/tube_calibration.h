@@ -21,7 +21,7 @@ struct TubeCalibration {
     TubeRest rest;
     Length fle;                       ///< RMS error of a touch, estimated from the residuals
     double degrees = 0.0;             ///< degrees of freedom of that estimate
-    double rms = 0.0;                 ///< of the residuals, metres
+    double rms = 0.0;                 ///< of the touches' distances from its shape, metres
     Mat3 covariance_N = Mat3::Zero(); ///< of the tip in N, m^2, by that estimate
     bool hasTwoBends = false;         ///< the halves are bent differently, beyond chance
 
@@ -33,7 +33,7 @@ struct TubeSettings {
     std::size_t fewestWall = 4;
     double shortestPart = 0.5; ///< of the way from rim to tip that the wall is touched
     Length leastSagitta = millimetres(5.0);
-    Length largestRms = millimetres(0.8); ///< of the residuals: of touches off by 2 mm
+    Length largestRms = millimetres(1.0); ///< of the touches' distances from the shape
 };
 
 /// Finds connector frame, length and curvature of a tube by least squares over all touches:
@@ -50,9 +50,9 @@ struct TubeSettings {
 /// @returns TooFewPoints without three touches of the rim, fewestWall of the wall and one of the
 ///          tip; DegenerateLandmarks where the rim was touched at one side only, the wall along too
 ///          short a part, or the tube is straight, so that the plane it is bent in is undetermined;
-///          NoSurfaceFit where the residuals are above largestRms; NotFinite; OutOfRange for a
-///          diameter outside 2 to 20 mm or a coordinate of a kilometre. The detail says what is
-///          missing.
+///          NoSurfaceFit where the touches are off by more than largestRms; NotFinite; OutOfRange
+///          for a diameter outside 2 to 20 mm or a coordinate of a kilometre. The detail says what
+///          is missing.
 [[nodiscard]] Result<TubeCalibration> calibrateTube(std::span<const TubeTouch> touches,
                                                     Length outerDiameter,
                                                     const TubeSettings& settings = {});

@@ -14,7 +14,6 @@ constexpr std::uint16_t kPose6d = 2;
 constexpr std::uint16_t kPosition3d = 3;
 constexpr std::size_t kComponentHeader = 12;
 constexpr std::uint16_t kStrayHandle = 0xFFFF;
-constexpr int kDeepest = 2; // a frame holds no frame
 
 // The status of a tool: a code in its low byte, and bits.
 constexpr std::uint16_t kMissingBit = 0x0100;
@@ -57,27 +56,16 @@ class GbfReader
 public:
     explicit GbfReader(NdiFrame& frame) : m_frame{frame} {}
 
-    Result<void> read(std::span<const std::byte> bytes, int depth)
+    void read(ByteReader& gbf)
     {
-        ByteReader gbf{bytes};
         static_cast<void>(gbf.number<std::uint16_t>()); // its version
         const auto components = gbf.number<std::uint16_t>();
         for (int i = 0; i < components && gbf.ok(); ++i)
-            if (const auto taken = readComponent(gbf, depth); !taken)
-                return taken;
-        gbf.require(gbf.remaining() == 0, "its end");
-        return verdict(gbf);
+            readComponent(gbf);
     }
 
 private:
-    static Result<void> verdict(const ByteReader& bytes)
-    {
-        if (bytes.ok())
-            return {};
-        return fail(Errc::DeviceReplyDamaged, std::string{"BX2: "} + bytes.brokenRule());
-    }
-
-    Result<void> readComponent(ByteReader& gbf, int depth)
+    void readComponent(ByteReader& gbf)
     {
         const auto type = gbf.number<std::uint16_t>();
         const std::size_t size = gbf.number<std::uint32_t>();
@@ -85,29 +73,25 @@ private:
         const auto count = gbf.number<std::uint32_t>();
         gbf.require(size >= kComponentHeader, "the size of a component");
         ByteReader items{gbf.bytes(gbf.ok() ? size - kComponentHeader : 0)};
-        if (!gbf.ok())
-            return verdict(gbf);
-        for (std::uint32_t i = 0; i < count && items.ok(); ++i) {
-            Result<void> taken;
+        for (std::uint32_t i = 0; i < count && gbf.ok() && items.ok(); ++i) {
             if (type == kFrame)
-                taken = readFrame(items, depth);
+                readFrame(items);
             else if (type == kPose6d)
-                taken = readTool(items);
+                readTool(items);
             else if (type == kPosition3d)
                 readMarkers(items);
             else
-                return {}; // buttons, pictures, alerts
-            if (!taken)
-                return taken;
+                return; // buttons, pictures, alerts
         }
         items.require(items.remaining() == 0, "the end of a component");
-        return verdict(items);
+        if (!items.ok())
+            gbf.require(false, items.brokenRule());
     }
 
-    /// The last item of its component: its own components have no size around them.
-    Result<void> readFrame(ByteReader& items, int depth)
+    /// Its own components follow, with no size around them.
+    void readFrame(ByteReader& items)
     {
-        items.require(depth < kDeepest, "a frame in a frame");
+        items.require(!m_isInFrame, "a frame in a frame");
         static_cast<void>(items.number<std::uint8_t>());  // its type
         static_cast<void>(items.number<std::uint8_t>());  // its number in a sequence
         static_cast<void>(items.number<std::uint16_t>()); // its status
@@ -115,13 +99,15 @@ private:
         const auto seconds = items.number<std::uint32_t>();
         const auto nanoseconds = items.number<std::uint32_t>();
         if (!items.ok())
-            return verdict(items);
+            return;
         m_frame = {};
         m_frame.deviceTime = std::chrono::seconds{seconds} + std::chrono::nanoseconds{nanoseconds};
-        return read(items.bytes(items.remaining()), depth + 1);
+        m_isInFrame = true;
+        read(items);
+        m_isInFrame = false;
     }
 
-    Result<void> readTool(ByteReader& items)
+    void readTool(ByteReader& items)
     {
         NdiTool tool{.handle = items.number<std::uint16_t>()};
         const auto status = items.number<std::uint16_t>();
@@ -131,12 +117,10 @@ private:
         if ((status & kMissingBit) == 0) {
             const ndi::StatedPose pose = ndi::poseFrom(items);
             if (items.ok())
-                if (const auto placed = ndi::placeTool(tool, pose); !placed)
-                    return placed;
+                ndi::placeTool(tool, pose, m_frame);
         }
         if (items.ok())
             m_frame.tools.push_back(std::move(tool));
-        return {};
     }
 
     void readMarkers(ByteReader& items)
@@ -163,14 +147,20 @@ private:
 
     NdiFrame& m_frame;
     std::uint32_t m_frameNumber = 0;
+    bool m_isInFrame = false;
 };
 
 } // namespace
 
 Result<NdiFrame> decodeBx2(std::span<const std::byte> body)
 {
+    ByteReader gbf{body};
     NdiFrame frame;
-    return GbfReader{frame}.read(body, 0).map([&] { return std::move(frame); });
+    GbfReader{frame}.read(gbf);
+    gbf.require(gbf.remaining() == 0, "its end");
+    if (!gbf.ok())
+        return fail(Errc::DeviceReplyDamaged, std::string{"BX2: "} + gbf.brokenRule());
+    return frame;
 }
 
 } // namespace carina

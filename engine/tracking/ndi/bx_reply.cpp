@@ -11,7 +11,7 @@ namespace
 
 constexpr std::uint16_t kBxOptions = kNdiPoses | kNdiMarkerStates | kNdiSingleStray
                                      | kNdiMarkerPositions | kNdiOutOfVolumeToo | kNdiStrays;
-constexpr std::size_t kMarkerStateBytes = 11;
+constexpr std::size_t kMarkerStateBytes = 10; // four bits of each of twenty
 // The status byte of a handle.
 constexpr std::uint8_t kValid = 0x01;
 constexpr std::uint8_t kMissing = 0x02;
@@ -30,7 +30,15 @@ std::vector<Vec3> markersFrom(ByteReader& body)
     return markers;
 }
 
-Result<NdiTool> toolFrom(ByteReader& body, std::uint16_t options)
+/// Of the tool, and of its markers.
+void readStates(ByteReader& body, NdiTool& tool)
+{
+    const auto bits = body.number<std::uint8_t>();
+    const auto isSeen = [](std::byte two) { return two != std::byte{0}; };
+    ndi::judgeMissing(tool, bits, std::ranges::any_of(body.bytes(kMarkerStateBytes), isSeen));
+}
+
+NdiTool toolFrom(ByteReader& body, std::uint16_t options, NdiFrame& frame)
 {
     NdiTool tool{.handle = body.number<std::uint8_t>()};
     const auto status = body.number<std::uint8_t>();
@@ -44,14 +52,13 @@ Result<NdiTool> toolFrom(ByteReader& body, std::uint16_t options)
     if (status == kValid) {
         const ndi::StatedPose pose = ndi::poseFrom(body);
         if (body.ok())
-            if (const auto placed = ndi::placeTool(tool, pose); !placed)
-                return tl::unexpected(placed.error());
+            ndi::placeTool(tool, pose, frame);
     }
     tool.status = body.number<std::uint32_t>();
     tool.frameNumber = body.number<std::uint32_t>();
-    tool.sight = ndi::sightOfPort(tool.status, tool.X_TO.has_value());
+    ndi::judge(tool);
     if ((options & kNdiMarkerStates) != 0)
-        static_cast<void>(body.bytes(kMarkerStateBytes));
+        readStates(body, tool);
     if ((options & kNdiSingleStray) != 0 && (body.number<std::uint8_t>() & kValid) != 0)
         tool.p_TMarkers.push_back(ndi::positionFrom(body));
     if ((options & kNdiMarkerPositions) != 0)
@@ -69,15 +76,14 @@ Result<NdiFrame> decodeBx(std::span<const std::byte> bytes, std::uint16_t option
     NdiFrame frame;
     const auto tools = body.number<std::uint8_t>();
     for (int i = 0; i < tools && body.ok(); ++i) {
-        Result<NdiTool> tool = toolFrom(body, options);
-        if (!tool)
-            return tl::unexpected(tool.error());
+        NdiTool tool = toolFrom(body, options, frame);
         if ((options & kNdiPoses) != 0)
-            frame.tools.push_back(*std::move(tool));
+            frame.tools.push_back(std::move(tool));
     }
     if ((options & kNdiStrays) != 0)
         frame.p_TStrays = markersFrom(body);
     frame.status = body.number<std::uint16_t>();
+    ndi::judgeMissing(frame);
     body.require(body.remaining() == 0, "its end");
     if (!body.ok())
         return fail(Errc::DeviceReplyDamaged, std::string{"BX: "} + body.brokenRule());

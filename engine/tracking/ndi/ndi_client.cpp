@@ -15,14 +15,15 @@ using namespace std::chrono_literals;
 constexpr Duration kSetUpPatience = 2s;
 constexpr Duration kInitPatience = 5s;    // INIT tests the hardware
 constexpr Duration kPosePatience = 250ms; // besides the time of the reply on the line
-// No reply has more bytes: TX has 70 for a tool, BX2 has 60 besides.
+// No reply has more bytes: TX has 92 for a tool, BX2 has 60 besides.
 constexpr std::size_t kReplyBytes = 128;
-constexpr std::size_t kReplyBytesOfATool = 80;
+constexpr std::size_t kReplyBytesOfATool = 96;
 constexpr Duration kBeforeRetry = 500ms;
 constexpr int kMissedPosesBeforeRestart = 4;
+constexpr Duration kBetweenLooks = 1s; // at the ports
+constexpr Duration kUnreadable = 1s;   // replies, until that is told
 constexpr std::uint16_t kPoseOptions = kNdiPoses | kNdiOutOfVolumeToo;
 constexpr std::uint8_t kUnknownCommand = 0x01; // ERROR01
-const std::string kNoAnswer = "it does not answer";
 
 /// "Polaris Control Firmware, NDI S/N: P4-00148" of a reply to VER, which has more lines.
 std::string deviceNameIn(const NdiReply& reply)
@@ -35,11 +36,16 @@ std::string deviceNameIn(const NdiReply& reply)
     return name;
 }
 
-NdiCommand poseCommand(NdiPoseReply poses)
+bool isOff(const NdiTool& tool)
+{
+    return tool.sight == NdiSight::Disabled || tool.sight == NdiSight::Unoccupied;
+}
+
+NdiCommand poseCommand(NdiPoseReply poses, std::uint16_t options)
 {
     if (poses == NdiPoseReply::Bx2)
         return {"BX2", "--6d=tools"};
-    return {poses == NdiPoseReply::Tx ? "TX" : "BX", ndi::inHexadecimal(kPoseOptions, 4)};
+    return {poses == NdiPoseReply::Tx ? "TX" : "BX", ndi::inHexadecimal(options, 4)};
 }
 
 } // namespace
@@ -53,7 +59,7 @@ NdiClient::NdiClient(NdiClientSettings settings)
                           if (m_isSerial && m_phase != Phase::Silent)
                               begin(); // it was switched off and on
                       },
-                  .isSilent = [this] { fallSilent(kNoAnswer); }}},
+                  .isSilent = [this] { fallSilent(noAnswer()); }}},
       m_connection{std::move(settings.rates), m_dialogue},
       m_tools{std::move(settings.tools), m_dialogue}
 {
@@ -73,12 +79,17 @@ void NdiClient::begin()
     m_dialogue.clear(m_now);
     m_deviceClock = {};
     m_lastFrame.reset();
+    m_asksReasons = false;
+    m_unreadable.clear();
+    m_damagedBefore = m_dialogue.damagedReplies();
     m_poses = m_wantedPoses; // it may be another device
     m_phase = Phase::Connecting;
     if (m_isSerial)
-        m_connection.connect([this] { setUp(); });
-    else
-        setUp();
+        return m_connection.connect([this] { setUp(); });
+    // Another program may have left it so; what it answers does not matter.
+    m_dialogue.queue({.command = {"TSTOP"}, .patience = kSetUpPatience});
+    m_tools.freeAll();
+    setUp();
 }
 
 void NdiClient::setUp()
@@ -101,7 +112,7 @@ void NdiClient::initialise()
     };
     init.inVain = [this] {
         m_connection.giveUpRate();
-        fallSilent(kNoAnswer);
+        fallSilent(noAnswer());
     };
     m_dialogue.queue(std::move(init));
 }
@@ -113,7 +124,9 @@ void NdiClient::startTracking()
         if (!isFine(reply))
             return fallSilent("it does not track: " + whyRefused(reply));
         m_phase = Phase::Tracking;
-        m_heard = m_now;
+        m_nextLook = m_now + kBetweenLooks;
+        m_read = m_now;
+        listen();
         askForPoses();
     };
     m_dialogue.queue(std::move(start));
@@ -121,11 +134,13 @@ void NdiClient::startTracking()
 
 void NdiClient::askForPoses()
 {
-    NdiStep ask{.command = poseCommand(m_poses), .patience = posePatience(), .isRepeatable = true};
-    ask.then = [this](const NdiReply& reply) { takePoses(reply); };
+    const auto options = std::uint16_t(kPoseOptions | (m_asksReasons ? kNdiMarkerStates : 0));
+    NdiStep ask{
+        .command = poseCommand(m_poses, options), .patience = posePatience(), .isRepeatable = true};
+    ask.then = [this, options](const NdiReply& reply) { takePoses(reply, options); };
     ask.inVain = [this] {
         if (m_now - m_heard >= kMissedPosesBeforeRestart * posePatience())
-            fallSilent(kNoAnswer);
+            fallSilent(noAnswer());
         else
             askForPoses();
     };
@@ -152,9 +167,9 @@ void NdiClient::leave()
         m_hasLeft = true;
         m_dialogue.dropSteps();
     };
-    NdiStep stop{.command = {"TSTOP"}, .patience = kSetUpPatience, .inVain = done};
-    stop.then = [done](const NdiReply&) { done(); };
-    m_dialogue.queue(std::move(stop));
+    m_dialogue.queue({.command = {"TSTOP"}, .patience = kSetUpPatience, .inVain = done});
+    m_tools.freeAll();
+    m_dialogue.queue({.patience = Duration{0}, .inVain = done}); // all was answered
 }
 
 void NdiClient::take(std::span<const std::byte> bytes, LocalTime now)
@@ -169,30 +184,35 @@ NdiPortAction NdiClient::advance(LocalTime now)
     return m_dialogue.advance(now);
 }
 
-void NdiClient::takePoses(const NdiReply& reply)
+void NdiClient::takePoses(const NdiReply& reply, std::uint16_t options)
 {
-    m_heard = m_now;
+    listen();
     if (const auto code = errorCode(reply)) {
         if (*code != kUnknownCommand || m_poses == NdiPoseReply::Tx)
             return fallSilent("it does not track: " + errorMeaning(*code));
         m_poses = m_poses == NdiPoseReply::Bx2 ? NdiPoseReply::Bx : NdiPoseReply::Tx;
         return askForPoses();
     }
-    askForPoses();
-    if (const auto frame = decoded(reply))
+    m_asksReasons = false;
+    if (const auto frame = decoded(reply, options)) {
+        m_read = m_now;
+        m_unreadable.clear();
         measure(*frame);
-    else
+    } else {
         ++m_undecoded;
+        m_unreadable = frame.error().detail;
+    }
+    askForPoses();
 }
 
-Result<NdiFrame> NdiClient::decoded(const NdiReply& reply) const
+Result<NdiFrame> NdiClient::decoded(const NdiReply& reply, std::uint16_t options) const
 {
     const auto body = std::as_bytes(std::span{reply.bytes});
     switch (m_poses) {
     case NdiPoseReply::Tx:
-        return decodeTx(reply.bytes, kPoseOptions);
+        return decodeTx(reply.bytes, options);
     case NdiPoseReply::Bx:
-        return decodeBx(body, kPoseOptions);
+        return decodeBx(body, options);
     case NdiPoseReply::Bx2:
         break;
     }
@@ -210,18 +230,53 @@ void NdiClient::measure(const NdiFrame& frame)
 {
     NdiMeasurement measured{exposureOf(frame), {}};
     measured.tools.resize(m_tools.count());
+    for (std::size_t tool = 0; tool < m_tools.count(); ++tool)
+        if (m_tools.isUnplugged(tool))
+            measured.tools[tool] = NdiTool{.sight = NdiSight::Unoccupied};
     std::optional<std::uint32_t> number;
     for (const NdiTool& tool : frame.tools) {
         const auto wanted = m_tools.toolOf(tool.handle);
-        if (!wanted || tool.sight == NdiSight::Disabled || tool.sight == NdiSight::Unoccupied)
+        if (!wanted)
             continue;
-        number = std::max(number.value_or(0), tool.frameNumber);
         measured.tools[*wanted] = tool;
+        if (isOff(tool))
+            continue; // without a number
+        number = std::max(number.value_or(0), tool.frameNumber);
+        m_asksReasons = m_asksReasons || !tool.X_TO;
     }
-    if (!number || number == m_lastFrame)
+    lookAtPorts(frame);
+    if (number == m_lastFrame)
         return;
     m_lastFrame = number;
     m_measured.push_back(std::move(measured));
+}
+
+/// After a tool was plugged in or out: by TX and BX the system says so, by BX2 a tool that is off,
+/// and nothing that it is back.
+void NdiClient::lookAtPorts(const NdiFrame& frame)
+{
+    const bool isAnyOff = std::ranges::any_of(frame.tools, [this](const NdiTool& tool) {
+        const auto wanted = m_tools.toolOf(tool.handle);
+        return wanted && m_tools.isWired(*wanted) && isOff(tool);
+    });
+    const bool isTold = (frame.status & (kNdiPortOccupied | kNdiPortUnoccupied)) != 0;
+    if (m_now < m_nextLook || !(isTold || isAnyOff || m_tools.isAnyUnplugged()))
+        return;
+    m_nextLook = m_now + kBetweenLooks;
+    m_tools.lookAtPorts();
+}
+
+void NdiClient::listen()
+{
+    m_heard = m_now;
+    m_damagedBefore = m_dialogue.damagedReplies();
+}
+
+std::string NdiClient::noAnswer() const
+{
+    return m_dialogue.damagedReplies() > m_damagedBefore
+               ? "its replies arrive damaged: see that its cable is whole and plugged in firmly"
+               : "it does not answer";
 }
 
 void NdiClient::fallSilent(std::string why)
@@ -236,7 +291,11 @@ std::vector<NdiMeasurement> NdiClient::takeMeasurements() { return std::exchange
 
 std::string NdiClient::trouble() const
 {
-    return m_phase == Phase::Silent ? m_silence : m_tools.refusals();
+    if (m_phase == Phase::Silent)
+        return m_silence;
+    if (!m_unreadable.empty() && m_now - m_read >= kUnreadable)
+        return "its replies cannot be read: " + m_unreadable;
+    return m_tools.refusals();
 }
 
 std::optional<NdiFound> NdiClient::found() const

@@ -28,7 +28,7 @@ struct NdiClientSettings {
 /// Poses of the wanted tools at one exposure.
 struct NdiMeasurement {
     LocalTime exposed;
-    /// One for each wanted tool, in their order; nothing for one that the device does not have.
+    /// One for each wanted tool, in their order; nothing for one that the device refuses.
     std::vector<std::optional<NdiTool>> tools;
 };
 
@@ -46,8 +46,12 @@ struct NdiFound {
 ///
 /// A device at a serial port is reset and set to the best rate (NdiConnection); it is initialised
 /// and asked what it is; it is given its tools (NdiTools); then it tracks. A tool that the device
-/// refuses is left out and named (trouble()); the others are tracked. An older device that does not
-/// know BX2 is asked by BX, and one that does not know BX by TX.
+/// refuses is left out and named (trouble()); the others are tracked. A wired tool that is
+/// unplugged is lost until it is plugged in again. An older device that does not know BX2 is asked
+/// by BX, and one that does not know BX by TX. Why a tool has no pose is asked for while one has
+/// none.
+///
+/// A device on the network is not reset: it is told to stop, and its ports are freed.
 ///
 /// The time of a sample is that of the arrival of its reply less the time that the reply took on
 /// the wire (10 bits a byte); for BX2, which has the device's own time, that time by the least
@@ -90,7 +94,8 @@ public:
         return m_dialogue.damagedReplies() + m_undecoded;
     }
 
-    /// Leaves the device idle: what it was asked is awaited, then it is told to stop tracking.
+    /// Leaves the device idle: what it was asked is awaited, then it is told to stop tracking, and
+    /// its ports are freed.
     void leave();
     /// Whether nothing more is to be sent or awaited since leave().
     [[nodiscard]] bool hasLeft() const { return m_hasLeft; }
@@ -103,10 +108,13 @@ private:
     void askForPoses();
     [[nodiscard]] Duration posePatience() const;
     [[nodiscard]] LocalTime exposureOf(const NdiFrame& frame);
-    void takePoses(const NdiReply& reply);
-    [[nodiscard]] Result<NdiFrame> decoded(const NdiReply& reply) const;
+    void takePoses(const NdiReply& reply, std::uint16_t options);
+    [[nodiscard]] Result<NdiFrame> decoded(const NdiReply& reply, std::uint16_t options) const;
     void measure(const NdiFrame& frame);
+    void lookAtPorts(const NdiFrame& frame);
     void fallSilent(std::string why);
+    void listen();
+    [[nodiscard]] std::string noAnswer() const;
 
     NdiPoseReply m_wantedPoses;
     NdiPoseReply m_poses; ///< as they are asked for: the device may not know what is wanted
@@ -117,11 +125,16 @@ private:
     DeviceClock m_deviceClock;
     LocalTime m_now{};
     Phase m_phase = Phase::Connecting;
-    std::string m_name;    ///< of the device
-    std::string m_silence; ///< why it is silent
-    LocalTime m_heard{};   ///< poses, or that it tracks
+    std::string m_name;     ///< of the device
+    std::string m_silence;  ///< why it is silent
+    LocalTime m_heard{};    ///< poses, or that it tracks
+    LocalTime m_read{};     ///< the same, and they were decoded
+    LocalTime m_nextLook{}; ///< at the ports, at the earliest
     bool m_hasLeft = false;
-    std::size_t m_undecoded = 0; ///< replies whose checksum was right
+    bool m_asksReasons = false;      ///< why a tool has no pose
+    std::string m_unreadable;        ///< why the newest reply was not decoded; empty if it was
+    std::size_t m_undecoded = 0;     ///< replies whose checksum was right
+    std::size_t m_damagedBefore = 0; ///< replies, when it was heard, or tried
     std::optional<std::uint32_t> m_lastFrame;
     std::vector<NdiMeasurement> m_measured;
 };

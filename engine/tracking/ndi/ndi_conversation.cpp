@@ -75,8 +75,11 @@ private:
         auto frame = frameIn(command, **reply);
         if (!frame)
             return refuse(exchange, frame.error(), false);
-        if (*frame)
-            m_decoded.frames.push_back({**std::move(frame), exchange.seconds});
+        if (!*frame)
+            return;
+        if ((*frame)->refusedPose)
+            refuse(exchange, *(*frame)->refusedPose, false);
+        m_decoded.frames.push_back({**std::move(frame), exchange.seconds});
     }
 
     void refuse(const NdiExchange& exchange, const Error& error, bool byChecksum)

@@ -13,7 +13,7 @@ struct RecordedNdiFrame {
     std::optional<double> seconds{}; ///< since 1970, when the reply came; not in all recordings
 };
 
-/// A reply or a command that is refused.
+/// A reply or a command that is refused, or a pose in a reply.
 struct RefusedNdiReply {
     std::size_t line = 0; ///< of the recording
     Error error;

@@ -23,11 +23,19 @@ struct StatedPose {
 [[nodiscard]] StatedPose poseFrom(ByteReader& bytes);
 [[nodiscard]] Vec3 positionFrom(ByteReader& bytes);
 
-/// Puts a stated pose into a tool. @returns NotFinite; NotARotation where the quaternion's length
-/// is not 1 +- 0.01; OutOfRange beyond 100 m.
-[[nodiscard]] Result<void> placeTool(NdiTool& tool, const StatedPose& pose);
+/// Puts a stated pose into a tool of a frame. Where it is none the tool Failed, and the frame says
+/// why: NotFinite; NotARotation where the quaternion's length is not 1 +- 0.01; OutOfRange beyond
+/// 100 m.
+void placeTool(NdiTool& tool, const StatedPose& pose, NdiFrame& frame);
 
-/// The sight of a tool whose port has this status in TX and BX.
-[[nodiscard]] NdiSight sightOfPort(std::uint32_t status, bool hasPose);
+/// Judges a tool in TX and BX by the status of its port and whether it has a pose.
+void judge(NdiTool& tool);
+
+/// Why a tool is missing, by what option 0002 tells: the bits of the tool, and whether anything is
+/// told of its markers. Of a tool that is hidden all markers are missing, too.
+void judgeMissing(NdiTool& tool, std::uint32_t bits, bool seesMarkers);
+
+/// The same by the status of the system, which is of all tools.
+void judgeMissing(NdiFrame& frame);
 
 } // namespace carina::ndi

@@ -28,7 +28,7 @@ enum class NdiSight : std::uint8_t {
     Missing,           ///< not seen, or for a reason that the device does not tell
     Disabled,          ///< the tool is not enabled
     Unoccupied,        ///< no tool is in the port
-    Failed,            ///< the device fell behind, or failed otherwise
+    Failed,            ///< the device fell behind, failed otherwise, or states what is no pose
 };
 
 /// A tool O of a tracker T at one exposure.
@@ -52,14 +52,22 @@ struct NdiTool {
 struct NdiFrame {
     std::vector<NdiTool> tools{};
     std::vector<Vec3> p_TStrays{};        ///< markers of no tool, metres
-    std::uint16_t status = 0;             ///< of the system, as received; 0 in BX2
+    std::uint16_t status = 0;             ///< of the system, NdiSystemStatus; 0 in BX2
     std::optional<Duration> deviceTime{}; ///< of the exposure by the device's clock; BX2
+    std::optional<Error> refusedPose{};   ///< why a tool Failed whose pose is none
+};
+
+/// Bits of the system's status in TX and BX that are understood.
+enum NdiSystemStatus : std::uint16_t {
+    kNdiInterference = 0x0002,   ///< too much external infrared light
+    kNdiPortOccupied = 0x0040,   ///< a tool was plugged in
+    kNdiPortUnoccupied = 0x0080, ///< a tool was unplugged
 };
 
 /// The options of TX and BX that are understood; they can be added up.
 enum NdiOption : std::uint16_t {
     kNdiPoses = 0x0001,           ///< and status and frame number; without it no tools are listed
-    kNdiMarkerStates = 0x0002,    ///< are skipped
+    kNdiMarkerStates = 0x0002,    ///< why a tool has no pose, by what was seen of its markers
     kNdiSingleStray = 0x0004,     ///< one marker that is near an active tool of one marker
     kNdiMarkerPositions = 0x0008, ///< of the tools' markers; of BX only
     kNdiOutOfVolumeToo = 0x0800,  ///< also poses out of the volume
@@ -68,19 +76,23 @@ enum NdiOption : std::uint16_t {
 
 /// Decodes the text of a reply to TX with these options.
 ///
-/// A quaternion has four digits after the point: it is brought to unit length.
+/// A quaternion has four digits after the point: it is brought to unit length. A pose that is none,
+/// because its quaternion is no rotation (NotARotation) or its position is beyond 100 m
+/// (OutOfRange), is left out, and the tool counts as failed: the others of the reply are right.
 ///
 /// @returns DeviceReplyDamaged; the detail names the rule that it breaks. WrongOption for other
-///          options. NotARotation and OutOfRange for the numbers of a pose.
+///          options.
 [[nodiscard]] Result<NdiFrame> decodeTx(std::string_view text, std::uint16_t options);
 
-/// Decodes the body of a reply to BX with these options.
-/// @returns as decodeTx; NotFinite for the numbers of a pose.
+/// Decodes the body of a reply to BX with these options. A pose with a number that is not finite
+/// (NotFinite) is none, too.
+/// @returns as decodeTx
 [[nodiscard]] Result<NdiFrame> decodeBx(std::span<const std::byte> body, std::uint16_t options);
 
 /// Decodes the body of a reply to BX2, in NDI's general binary format: frames with poses of tools
-/// and positions of markers and strays; other components are skipped. Of several frames the last.
-/// @returns as decodeBx.
+/// and positions of markers and strays; other components are skipped. Of several frames the last;
+/// none is in a frame.
+/// @returns DeviceReplyDamaged
 [[nodiscard]] Result<NdiFrame> decodeBx2(std::span<const std::byte> body);
 
 } // namespace carina

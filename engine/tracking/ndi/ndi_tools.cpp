@@ -2,6 +2,7 @@
 
 #include "engine/tracking/ndi/ndi_hexadecimal.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace carina
@@ -15,6 +16,8 @@ using ndi::inHexadecimal;
 constexpr Duration kToolPatience = std::chrono::seconds{2};
 constexpr std::size_t kBlockBytes = 64; // of a definition, in PVWR
 constexpr std::size_t kDefinitionBytes = 1024;
+const std::string kPlace = "0020"; // of PHINF: device, port and channel
+const std::string kUnplugged = "nothing is plugged in for it";
 
 /// The handles in a reply to PHSR: a count, and for each two digits and three of its status.
 std::vector<std::uint16_t> handlesIn(const NdiReply& reply)
@@ -34,6 +37,14 @@ NdiStep asking(NdiCommand command, std::function<void(const NdiReply&)> then = {
     return {.command = std::move(command), .patience = kToolPatience, .then = std::move(then)};
 }
 
+/// One that goes on without an answer.
+NdiStep trying(NdiCommand command, std::function<void(const NdiReply&)> then = {})
+{
+    NdiStep step = asking(std::move(command), std::move(then));
+    step.inVain = [] {};
+    return step;
+}
+
 } // namespace
 
 NdiTools::NdiTools(std::vector<NdiWantedTool> wanted, NdiDialogue& dialogue)
@@ -45,20 +56,34 @@ void NdiTools::setUp()
 {
     m_toolOf.clear();
     m_refused.clear();
-    m_pluggedIn = 0;
-    m_dialogue.queue(asking({"PHSR", "01"}, [this](const NdiReply& reply) { free(reply); }));
+    m_plugged.clear();
+    m_placeOf.clear();
     // First the wired ones: of a wireless tool that is refused the port is left.
-    m_dialogue.queue(asking({"PHSR", "02"}, [this](const NdiReply& reply) { useWired(reply); }));
+    lookAtPorts();
     for (std::size_t tool = 0; tool < m_wanted.size(); ++tool)
         if (m_wanted[tool].definition)
             define(tool);
 }
 
+void NdiTools::lookAtPorts()
+{
+    m_dialogue.queue(asking({"PHSR", "01"}, [this](const NdiReply& reply) { free(reply); }));
+    m_dialogue.queue(asking({"PHSR", "02"}, [this](const NdiReply& reply) { findWired(reply); }));
+}
+
+void NdiTools::freeAll()
+{
+    m_dialogue.queue(trying({"PHSR", "00"}, [this](const NdiReply& reply) { free(reply); }));
+}
+
 void NdiTools::free(const NdiReply& ports)
 {
     std::vector<NdiStep> freeing;
-    for (const std::uint16_t handle : handlesIn(ports))
-        freeing.push_back(asking({"PHF", inHexadecimal(handle, 2)}));
+    for (const std::uint16_t handle : handlesIn(ports)) {
+        m_toolOf.erase(handle);
+        m_plugged.erase(handle);
+        freeing.push_back(trying({"PHF", inHexadecimal(handle, 2)}));
+    }
     m_dialogue.queueFirst(std::move(freeing));
 }
 
@@ -88,21 +113,52 @@ void NdiTools::load(std::size_t tool, std::uint16_t handle)
     m_dialogue.queueFirst(std::move(steps));
 }
 
-void NdiTools::useWired(const NdiReply& ports)
+/// Tools of which nothing is known yet are taken in ascending order of the ports.
+void NdiTools::findWired(const NdiReply& ports)
 {
-    const std::vector<std::uint16_t> handles = handlesIn(ports);
-    m_pluggedIn = handles.size();
+    for (std::size_t tool = 0; tool < m_wanted.size(); ++tool)
+        if (isWired(tool) && !hasHandle(tool))
+            m_refused[tool] = kUnplugged; // or is told of again
     std::vector<NdiStep> steps;
-    std::size_t used = 0;
-    for (std::size_t tool = 0; tool < m_wanted.size(); ++tool) {
-        if (m_wanted[tool].definition)
-            continue;
-        if (used < handles.size())
-            steps.push_back(initialising(tool, handles[used++]));
-        else
-            m_refused[tool] = "nothing is plugged in for it";
+    for (const std::uint16_t handle : handlesIn(ports)) {
+        m_plugged.insert(handle);
+        steps.push_back(asking({"PHINF", inHexadecimal(handle, 2) + kPlace},
+                               [this, handle](const NdiReply& reply) {
+                                   useWired(handle, errorCode(reply) ? std::string{} : reply.bytes);
+                               }));
     }
     m_dialogue.queueFirst(std::move(steps));
+}
+
+void NdiTools::useWired(std::uint16_t handle, const std::string& place)
+{
+    const auto tool = wiredAt(place);
+    if (!tool)
+        return;
+    m_refused.erase(*tool);
+    if (!place.empty())
+        m_placeOf[*tool] = place;
+    std::vector<NdiStep> steps;
+    steps.push_back(initialising(*tool, handle));
+    m_dialogue.queueFirst(std::move(steps));
+}
+
+/// The tool that was at this place; else the next one that was at none, or the only one.
+std::optional<std::size_t> NdiTools::wiredAt(const std::string& place) const
+{
+    std::vector<std::size_t> absent;
+    for (std::size_t tool = 0; tool < m_wanted.size(); ++tool)
+        if (isUnplugged(tool))
+            absent.push_back(tool);
+    const auto wasHere = [&](std::size_t tool) {
+        const auto known = m_placeOf.find(tool);
+        return known != m_placeOf.end() && known->second == place;
+    };
+    if (const auto same = std::ranges::find_if(absent, wasHere); same != absent.end())
+        return *same;
+    if (absent.size() > 1)
+        std::erase_if(absent, [this](std::size_t tool) { return m_placeOf.contains(tool); });
+    return absent.empty() ? std::nullopt : std::optional{absent.front()};
 }
 
 NdiStep NdiTools::initialising(std::size_t tool, std::uint16_t handle)
@@ -134,6 +190,22 @@ std::optional<std::size_t> NdiTools::toolOf(std::uint16_t handle) const
 {
     const auto tool = m_toolOf.find(handle);
     return tool == m_toolOf.end() ? std::nullopt : std::optional{tool->second};
+}
+
+bool NdiTools::hasHandle(std::size_t tool) const
+{
+    return std::ranges::any_of(m_toolOf, [tool](const auto& of) { return of.second == tool; });
+}
+
+bool NdiTools::isUnplugged(std::size_t tool) const
+{
+    const auto refused = m_refused.find(tool);
+    return refused != m_refused.end() && refused->second == kUnplugged;
+}
+
+bool NdiTools::isAnyUnplugged() const
+{
+    return std::ranges::any_of(m_refused, [](const auto& why) { return why.second == kUnplugged; });
 }
 
 std::string NdiTools::refusals() const

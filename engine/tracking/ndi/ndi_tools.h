@@ -4,6 +4,7 @@
 #include "engine/tracking/ndi/tool_definition.h"
 
 #include <map>
+#include <set>
 
 namespace carina
 {
@@ -18,7 +19,8 @@ struct NdiWantedTool {
 
 /// Gives a device the tools that it is to track: ports that others left are freed, each wireless
 /// tool is defined and enabled, wired tools are initialised and enabled. A tool that the device
-/// refuses is left out.
+/// refuses is left out. A wired tool that is plugged in again at the place where it was, which the
+/// device tells, is the same tool.
 class NdiTools
 {
 public:
@@ -27,6 +29,11 @@ public:
 
     /// Queues the commands, behind what is queued. What was known before is forgotten.
     void setUp();
+    /// Looks, behind what is queued, what was plugged in and out since, and uses it.
+    void lookAtPorts();
+    /// Frees all ports of the device, also those that others left, behind what is queued. A command
+    /// that it refuses, or does not answer, is passed over.
+    void freeAll();
 
     [[nodiscard]] std::size_t count() const { return m_wanted.size(); }
     /// Which of the wanted tools has a handle of the device.
@@ -34,22 +41,31 @@ public:
     /// Each tool that is left out, and why: "Tube: PINIT failed; Chin: …"; empty if none is.
     [[nodiscard]] std::string refusals() const;
     /// How many tools are plugged into the device.
-    [[nodiscard]] std::size_t pluggedIn() const { return m_pluggedIn; }
+    [[nodiscard]] std::size_t pluggedIn() const { return m_plugged.size(); }
+    /// Whether a tool is one that is plugged in.
+    [[nodiscard]] bool isWired(std::size_t tool) const { return !m_wanted[tool].definition; }
+    /// Whether nothing was plugged in for a tool when the ports were looked at last; and for any.
+    [[nodiscard]] bool isUnplugged(std::size_t tool) const;
+    [[nodiscard]] bool isAnyUnplugged() const;
 
 private:
     void free(const NdiReply& ports);
     void define(std::size_t tool);
     void load(std::size_t tool, std::uint16_t handle);
-    void useWired(const NdiReply& ports);
+    void findWired(const NdiReply& ports);
+    void useWired(std::uint16_t handle, const std::string& place);
+    [[nodiscard]] std::optional<std::size_t> wiredAt(const std::string& place) const;
     [[nodiscard]] NdiStep initialising(std::size_t tool, std::uint16_t handle);
     void enable(std::size_t tool, std::uint16_t handle);
     void refuse(std::size_t tool, const NdiReply& reply);
+    [[nodiscard]] bool hasHandle(std::size_t tool) const;
 
     std::vector<NdiWantedTool> m_wanted;
     NdiDialogue& m_dialogue;
     std::map<std::uint16_t, std::size_t> m_toolOf; ///< by handle
     std::map<std::size_t, std::string> m_refused;  ///< tools, and why
-    std::size_t m_pluggedIn = 0;
+    std::set<std::uint16_t> m_plugged;             ///< handles
+    std::map<std::size_t, std::string> m_placeOf;  ///< of wired tools, as the device tells it
 };
 
 } // namespace carina

@@ -81,6 +81,8 @@ Result<NdiToolDefinition> NdiToolDefinition::read(std::span<const std::byte> byt
     const std::uint32_t count = tool.wholeAt(kCountAt);
     if (count == 0 || count > kMostMarkers)
         return malformed("it does not have 1 to 20 markers");
+    if (!std::isfinite(tool.largestMarkerError().si) || !std::isfinite(tool.smallestSpread().si))
+        return fail(Errc::NotFinite, "the largest error or the smallest spread of its markers");
     for (const ToolMarker& marker : tool.markers()) {
         if (!marker.p_OQ.allFinite() || !marker.normal_O.allFinite())
             return fail(Errc::NotFinite, "a marker");

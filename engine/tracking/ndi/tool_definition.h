@@ -37,7 +37,8 @@ public:
 
     /// Reads the bytes of a .rom file.
     /// @returns FileMalformed for another length, beginning, checksum, or number of markers;
-    ///          NotFinite and OutOfRange for a marker that is not within 2 m.
+    ///          NotFinite and OutOfRange for a marker that is not within 2 m; NotFinite for what is
+    ///          asked of markers.
     [[nodiscard]] static Result<NdiToolDefinition> read(std::span<const std::byte> bytes);
 
     /// A tool of one face: at least three markers are needed for a pose, which have to fit to 2 mm,

@@ -11,8 +11,8 @@ namespace
 
 constexpr std::uint16_t kTxOptions =
     kNdiPoses | kNdiMarkerStates | kNdiSingleStray | kNdiOutOfVolumeToo | kNdiStrays;
-constexpr std::size_t kMarkerStateDigits = 22;
-constexpr std::size_t kPosition = 7; // characters of a coordinate
+constexpr std::size_t kMarkerStateDigits = 20; // one of each marker
+constexpr std::size_t kPosition = 7;           // characters of a coordinate
 constexpr double kPositionUnit_mm = 1e-2;
 constexpr std::uint32_t kSeenStray = 0x01; // of the status of a single stray
 
@@ -50,6 +50,11 @@ public:
     }
 
     void skipDigits(std::size_t count) { static_cast<void>(taken(count)); }
+    /// Whether one of so many digits is not 0.
+    bool hasDigit(std::size_t count)
+    {
+        return taken(count).find_first_not_of('0') != std::string_view::npos;
+    }
     bool skip(std::string_view word)
     {
         if (!ok() || !m_rest.starts_with(word))
@@ -119,14 +124,16 @@ void readState(TxReader& text, NdiTool& tool, std::uint16_t options)
 {
     tool.status = text.hexadecimal(8);
     tool.frameNumber = text.hexadecimal(8);
-    tool.sight = ndi::sightOfPort(tool.status, tool.X_TO.has_value());
-    if ((options & kNdiMarkerStates) != 0)
-        text.skipDigits(kMarkerStateDigits);
+    ndi::judge(tool);
+    if ((options & kNdiMarkerStates) != 0) {
+        const std::uint32_t bits = text.hexadecimal(2);
+        ndi::judgeMissing(tool, bits, text.hasDigit(kMarkerStateDigits));
+    }
     if ((options & kNdiSingleStray) != 0 && (text.hexadecimal(2) & kSeenStray) != 0)
         tool.p_TMarkers.push_back(positionFrom(text));
 }
 
-Result<NdiTool> toolFrom(TxReader& text, std::uint16_t options)
+NdiTool toolFrom(TxReader& text, std::uint16_t options, NdiFrame& frame)
 {
     NdiTool tool{.handle = static_cast<std::uint16_t>(text.hexadecimal(2))};
     if (text.skip("UNOCCUPIED")) {
@@ -137,8 +144,7 @@ Result<NdiTool> toolFrom(TxReader& text, std::uint16_t options)
         if (!text.skip("MISSING")) {
             const ndi::StatedPose pose = poseFrom(text);
             if (text.ok())
-                if (const auto placed = ndi::placeTool(tool, pose); !placed)
-                    return tl::unexpected(placed.error());
+                ndi::placeTool(tool, pose, frame);
         }
         readState(text, tool, options);
     }
@@ -156,15 +162,14 @@ Result<NdiFrame> decodeTx(std::string_view text, std::uint16_t options)
     NdiFrame frame;
     const std::uint32_t tools = reader.hexadecimal(2);
     for (std::uint32_t i = 0; i < tools && reader.ok(); ++i) {
-        Result<NdiTool> tool = toolFrom(reader, options);
-        if (!tool)
-            return tl::unexpected(tool.error());
+        NdiTool tool = toolFrom(reader, options, frame);
         if ((options & kNdiPoses) != 0)
-            frame.tools.push_back(*std::move(tool));
+            frame.tools.push_back(std::move(tool));
     }
     if ((options & kNdiStrays) != 0)
         frame.p_TStrays = straysFrom(reader);
     frame.status = static_cast<std::uint16_t>(reader.hexadecimal(4));
+    ndi::judgeMissing(frame);
     reader.require(reader.isAtEnd(), "its end");
     if (!reader.ok())
         return fail(Errc::DeviceReplyDamaged, std::string{"TX: "} + reader.broken());

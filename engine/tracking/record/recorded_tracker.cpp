@@ -13,7 +13,7 @@ RecordedTracker::RecordedTracker(const TrackerSequence& sequence, ReadSessionClo
                                    }}
 {
     for (const RecordedTool& tool : sequence.tools) {
-        Tool& played = m_played.emplace_back(tool.samples.size());
+        Tool& played = m_played.emplace_back();
         m_tools.push_back({tool.name, tool.role, &played.history});
         for (const PoseSample& sample : tool.samples)
             m_entries.push_back({&played, sample});

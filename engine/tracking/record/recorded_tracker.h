@@ -13,9 +13,8 @@ enum class Playing : std::uint8_t {
 };
 
 /// A tracker that plays a recording at the speed of the recording: the time of a sample is
-/// the session time of the start plus its time since the first sample of the recording. Each tool's
-/// history can hold the whole recording. Their motion is
-/// estimated as that of a device's.
+/// the session time of the start plus its time since the first sample of the recording. A tool's
+/// history holds the newest poses and estimates their motion, as that of a device's tool.
 class RecordedTracker : public Tracker
 {
 public:
@@ -36,9 +35,7 @@ public:
 
 private:
     struct Tool {
-        explicit Tool(std::size_t samples) : history{{.capacity = samples, .estimates = true}} {}
-
-        PoseHistory history;
+        PoseHistory history{PoseHistory::Limits{.estimates = true}};
     };
     struct Entry {
         Tool* tool = nullptr;

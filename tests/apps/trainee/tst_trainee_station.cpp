@@ -140,6 +140,25 @@ private Q_SLOTS:
         QVERIFY(station.tracking() == nullptr);
     }
 
+    /// A device that is tried may be its own, and has room for one.
+    void letsGoOfItsDeviceForAWhile()
+    {
+        Sender tube{.name = "Tube", .X_DO = RigidTransform::translation({0.1, 0.2, 0.3})};
+        Station station{TrackerChoice{tube.described(ToolRole::Tube, {}).described}};
+        QVERIFY(station.lay(patient(BuiltinPatient::Adult)));
+        QTRY_COMPARE(tube.server->clients(), 1);
+        station.holdTracker(true);
+        QTRY_COMPARE(tube.server->clients(), 0);
+        station.holdTracker(false);
+        QTRY_COMPARE(tube.server->clients(), 1);
+        const auto hasCome = [&] {
+            tube.give();
+            return station.tracking()->newest(ToolRole::Tube).has_value();
+        };
+        constexpr int kPatience_ms = 10'000;
+        QTRY_VERIFY_WITH_TIMEOUT(hasCome(), kPatience_ms);
+    }
+
     /// Its manikin is the patient's own.
     void aSimulatedTrackerIsMadeForEachPatient()
     {

@@ -41,7 +41,10 @@ public:
                    [this](const std::string& tool, LocalTime t) -> std::optional<PolarisPose> {
                        if (tool == m_hidden)
                            return std::nullopt;
-                       return truth(t);
+                       PolarisPose pose = truth(t);
+                       if (m_isGarbled && m_isGarbled(tool))
+                           pose.q.coeffs() *= 2.0;
+                       return pose;
                    }}
     {
     }
@@ -49,6 +52,13 @@ public:
     [[nodiscard]] NdiClient& client() { return m_client; }
     [[nodiscard]] PolarisDevice& device() { return m_device; }
     void hide(const std::string& tool) { m_hidden = tool; }
+    /// Which tools have a pose that is none.
+    void garble(std::function<bool(const std::string& tool)> isGarbled)
+    {
+        m_isGarbled = std::move(isGarbled);
+    }
+    /// A bit of each reply is wrong.
+    void disturb(bool disturbs) { m_disturbs = disturbs; }
     void plug(bool isPlugged) { m_isPlugged = isPlugged; }
     void passBreaks(bool passes) { m_passesBreaks = passes; }
 
@@ -63,6 +73,13 @@ public:
     {
         m_client.start(m_now);
         act();
+    }
+
+    /// As after the host's cable was pulled: what was under way is lost, the device knows nothing.
+    void startAnew()
+    {
+        m_underWay.clear();
+        start();
     }
 
     /// As after it was switched off and on: all that was under way is lost.
@@ -100,6 +117,7 @@ private:
 
     void act()
     {
+        m_device.faults().corruptsNext = m_device.faults().corruptsNext || m_disturbs;
         const NdiPortAction action = m_client.advance(m_now);
         m_hostRate = action.rate.value_or(m_hostRate);
         if (!m_isPlugged)
@@ -116,6 +134,8 @@ private:
     PolarisDevice m_device;
     std::vector<PolarisDevice::Reply> m_underWay;
     std::string m_hidden;
+    std::function<bool(const std::string&)> m_isGarbled;
+    bool m_disturbs = false;
     int m_hostRate = 9600;
     bool m_isPlugged = true;
     bool m_passesBreaks = true;
@@ -261,7 +281,128 @@ private Q_SLOTS:
         const auto& tools = measured.back().tools;
         QVERIFY(tools[0]->X_TO && tools[1]->X_TO);
         QVERIFY(tools[2] && !tools[2]->X_TO);
-        QVERIFY(!tools[3]);
+        QCOMPARE(tools[3]->sight, NdiSight::Unoccupied);
+    }
+
+    void aWiredToolIsLostUntilItIsPluggedInAgain_data()
+    {
+        QTest::addColumn<int>("poses");
+        QTest::newRow("TX") << int(NdiPoseReply::Tx);
+        QTest::newRow("BX") << int(NdiPoseReply::Bx);
+        QTest::newRow("BX2") << int(NdiPoseReply::Bx2);
+    }
+
+    void aWiredToolIsLostUntilItIsPluggedInAgain()
+    {
+        QFETCH(const int, poses);
+        Line line{{.tools = {{"probe"}, wireless("tube"), {"second probe"}},
+                   .poses = NdiPoseReply(poses),
+                   .rates = {115200}},
+                  {.wired = {{.port = 1}, {.port = 3}}}};
+        line.start();
+        static_cast<void>(line.run(5s));
+        line.device().ports().unplug(2);
+        const auto without = line.run(3s);
+        QVERIFY(without.size() > 100);
+        QVERIFY(without.back().tools[0]->X_TO && without.back().tools[1]->X_TO);
+        for (std::size_t i = 1; i < without.size(); ++i)
+            QVERIFY(without[i].tools[2] && validityOf(*without[i].tools[2]) == Validity::Lost);
+        QCOMPARE(line.client().trouble(),
+                 std::string{"second probe: nothing is plugged in for it"});
+        QCOMPARE(line.client().found()->pluggedIn, std::size_t{1});
+        line.device().ports().plugIn(2);
+        static_cast<void>(line.run(1500ms));
+        const auto with = line.run(500ms);
+        QVERIFY(with.size() > 20);
+        QVERIFY(with.back().tools[2] && with.back().tools[2]->X_TO);
+        QCOMPARE(line.client().trouble(), std::string{});
+        QCOMPARE(line.client().found()->pluggedIn, std::size_t{2});
+    }
+
+    void aToolThatIsPluggedInLaterIsTracked()
+    {
+        Line line{{.tools = {{"probe"}}, .rates = {115200}}, {.wired = {{.port = 1}}}};
+        line.device().ports().unplug(1);
+        line.start();
+        static_cast<void>(line.run(5s));
+        QCOMPARE(line.client().phase(), NdiClient::Phase::Tracking);
+        QCOMPARE(line.client().trouble(), std::string{"probe: nothing is plugged in for it"});
+        line.device().ports().plugIn(1);
+        static_cast<void>(line.run(1500ms));
+        const auto measured = line.run(500ms);
+        QVERIFY(!measured.empty() && measured.back().tools[0]->X_TO);
+    }
+
+    /// The second comes back first: it must not be taken for the first.
+    void toolsThatArePluggedInAgainAreToldApart()
+    {
+        Line line{{.tools = {{"probe"}, {"second probe"}}, .rates = {115200}},
+                  {.wired = {{.port = 1}, {.port = 3}}}};
+        line.start();
+        static_cast<void>(line.run(5s));
+        line.device().ports().unplug(1);
+        line.device().ports().unplug(2);
+        static_cast<void>(line.run(2s));
+        line.device().ports().plugIn(2);
+        static_cast<void>(line.run(2s));
+        auto measured = line.run(500ms);
+        QVERIFY(!measured.empty());
+        QVERIFY(!measured.back().tools[0]->X_TO && measured.back().tools[1]->X_TO);
+        line.device().ports().plugIn(1);
+        static_cast<void>(line.run(2s));
+        measured = line.run(500ms);
+        QVERIFY(measured.back().tools[0]->X_TO && measured.back().tools[1]->X_TO);
+    }
+
+    void tellsWhyAToolHasNoPose_data()
+    {
+        QTest::addColumn<int>("poses");
+        QTest::addColumn<int>("loss");
+        QTest::addColumn<int>("sight");
+        const std::vector<std::pair<const char*, NdiPoseReply>> replies{
+            {"TX", NdiPoseReply::Tx}, {"BX", NdiPoseReply::Bx}, {"BX2", NdiPoseReply::Bx2}};
+        for (const auto& [name, poses] : replies) {
+            const auto row = [&, name = name, poses = poses](const char* what, PolarisLoss loss,
+                                                             NdiSight sight) {
+                QTest::addRow("%s, %s", name, what) << int(poses) << int(loss) << int(sight);
+            };
+            row("hidden", PolarisLoss::Hidden, NdiSight::Missing);
+            row("few markers", PolarisLoss::FewMarkers, NdiSight::TooFewMarkers);
+            row("bad fit", PolarisLoss::BadFit, NdiSight::BadFit);
+        }
+    }
+
+    void tellsWhyAToolHasNoPose()
+    {
+        QFETCH(const int, poses);
+        QFETCH(const int, loss);
+        QFETCH(const int, sight);
+        Line line{threeTools(NdiPoseReply(poses), 115200), {}};
+        line.start();
+        static_cast<void>(line.run(5s));
+        line.device().faults().losses["tube"] = PolarisLoss(loss);
+        const auto measured = line.run(1s);
+        QVERIFY(measured.size() > 35);
+        QCOMPARE(int(measured.back().tools[1]->sight), sight);
+        QVERIFY(!measured.back().tools[1]->X_TO);
+        QVERIFY(measured.back().tools[0]->X_TO);
+        line.device().faults().losses.clear();
+        QCOMPARE(line.run(1s).back().tools[1]->sight, NdiSight::Tracked);
+    }
+
+    void tellsThatOtherLightDisturbs_data() { aWiredToolIsLostUntilItIsPluggedInAgain_data(); }
+
+    void tellsThatOtherLightDisturbs()
+    {
+        QFETCH(const int, poses);
+        Line line{threeTools(NdiPoseReply(poses), 115200), {}};
+        line.start();
+        static_cast<void>(line.run(5s));
+        line.device().faults().hasInterference = true;
+        const auto measured = line.run(1s);
+        QVERIFY(!measured.empty());
+        for (const auto& tool : measured.back().tools)
+            QCOMPARE(tool->sight, NdiSight::Interference);
     }
 
     void takesTheBestRateThatBothSidesHold()
@@ -343,6 +484,46 @@ private Q_SLOTS:
         QCOMPARE(line.client().phase(), NdiClient::Phase::Tracking);
     }
 
+    void oneToolWithoutARightPoseCostsNoOther()
+    {
+        bool isBroken = false;
+        Line line{threeTools(NdiPoseReply::Bx, 115200), {}};
+        line.garble([&](const std::string& tool) { return isBroken && tool == "tube"; });
+        line.start();
+        static_cast<void>(line.run(5s));
+        isBroken = true;
+        const auto measured = line.run(1s);
+        QVERIFY(measured.size() >= 58);
+        QVERIFY(measured.back().tools[0]->X_TO && measured.back().tools[2]->X_TO);
+        QCOMPARE(measured.back().tools[1]->sight, NdiSight::Failed);
+        QCOMPARE(line.client().trouble(), std::string{});
+    }
+
+    void saysThatRepliesCannotBeRead()
+    {
+        Line line{threeTools(NdiPoseReply::Bx, 115200), {.constants = {{"BX:0801", "0"}}}};
+        line.start();
+        static_cast<void>(line.run(5s));
+        QCOMPARE(line.client().phase(), NdiClient::Phase::Tracking);
+        QCOMPARE(line.client().trouble(), std::string{"its replies cannot be read: BX: length"});
+    }
+
+    void saysThatRepliesArriveDamaged()
+    {
+        Line line{threeTools(NdiPoseReply::Bx, 115200), {}};
+        line.start();
+        static_cast<void>(line.run(5s));
+        line.disturb(true);
+        static_cast<void>(line.run(1500ms));
+        QCOMPARE(line.client().phase(), NdiClient::Phase::Silent);
+        QVERIFY2(line.client().trouble().starts_with("its replies arrive damaged: "),
+                 line.client().trouble().c_str());
+        line.disturb(false);
+        static_cast<void>(line.run(5s));
+        QCOMPARE(line.client().trouble(), std::string{});
+        QVERIFY(line.run(1s).size() >= 58);
+    }
+
     /// 303 ms are what the replies take on the line.
     void tracksFourToolsByTextAtTheSlowestRate()
     {
@@ -388,6 +569,28 @@ private Q_SLOTS:
         static_cast<void>(line.run(1s));
         QCOMPARE(line.client().phase(), NdiClient::Phase::Tracking);
         QVERIFY(line.run(1s).size() >= 59);
+    }
+
+    /// The program before was killed while it tracked. INIT alone helps a strict device little.
+    void takesOverADeviceOnTheNetwork()
+    {
+        NdiClientSettings settings{.tools = {{"probe"}, wireless("tube")}, .isSerial = false};
+        Line line{settings, {.wired = {{.port = 1}}, .hasRate = false, .isStrict = true}};
+        for (int times = 0; times < 3; ++times) {
+            line.startAnew();
+            static_cast<void>(line.run(1s));
+            QCOMPARE(line.client().phase(), NdiClient::Phase::Tracking);
+            QCOMPARE(line.client().trouble(), std::string{});
+            const auto measured = line.run(1s);
+            QVERIFY(measured.size() >= 59);
+            QVERIFY(measured.back().tools[0]->X_TO && measured.back().tools[1]->X_TO);
+            QCOMPARE(line.device().ports().all().size(), std::size_t{2});
+        }
+        line.client().leave();
+        static_cast<void>(line.run(100ms));
+        QVERIFY(line.client().hasLeft());
+        QVERIFY(!line.device().isTracking());
+        QVERIFY(line.device().ports().all().empty());
     }
 
     void leavesTheDeviceIdle()

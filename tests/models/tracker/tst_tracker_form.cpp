@@ -93,7 +93,34 @@ private Q_SLOTS:
         QCOMPARE(described.tools[1].definition->partNumber(), std::string{"tube"});
         QCOMPARE(described.tools[2].name, std::string{"Tool 3"});
         QCOMPARE(trackerName(*choice), QStringLiteral("NDI tracker at 192.0.2.7:8765"));
-        QCOMPARE(trackerIdentity(*choice), trackerName(*choice));
+        QVERIFY(trackerIdentity(*choice).startsWith(trackerName(*choice) + QStringLiteral(" (")));
+    }
+
+    /// What was registered before is no longer right.
+    void anotherCalibrationOrMarkerMakesAnotherTracker()
+    {
+        const std::vector<ToolMarker> markers{{{0, 0, 0}}, {{0.05, 0, 0}}, {{0, 0.08, 0}}};
+        const auto stylus =
+            NdiToolDefinition::make(NdiToolDefinition::Kind::Pointer, markers, "Carina", "s");
+        TrackerDescription polaris{.address = "/dev/ttyUSB0"};
+        polaris.tools = {{"Stylus", ToolRole::Stylus, stylus.value()}};
+        const QString before = trackerIdentity({polaris});
+        polaris.tools.push_back({"Hand", ToolRole::Hand, stylus.value()});
+        QCOMPARE(trackerIdentity({polaris}), before); // nothing is registered with it
+        polaris.tools[0].definition = stylus->withMarker(1, {0.051, 0, 0}).value();
+        QVERIFY(trackerIdentity({polaris}) != before);
+
+        TrackerDescription webcam{.address = "/dev/video0", .kind = TrackerKind::Camera};
+        webcam.camera.focal = {800.0, 800.0};
+        webcam.tools = {{"Chin", ToolRole::Jaw}};
+        webcam.tools[0].body = MarkedBody{.markers = {{.id = 1, .side = 0.03, .X_BK = {}}}};
+        const QString calibrated = trackerIdentity({webcam});
+        webcam.camera.focal.x() = 801.0;
+        QVERIFY(trackerIdentity({webcam}) != calibrated);
+        webcam.camera.focal.x() = 800.0;
+        QCOMPARE(trackerIdentity({webcam}), calibrated);
+        webcam.tools[0].body->markers[0].side = 0.031;
+        QVERIFY(trackerIdentity({webcam}) != calibrated);
     }
 
     void namesADefinitionThatIsMissing()

@@ -183,6 +183,24 @@ private Q_SLOTS:
         QCOMPARE(found.text(), QString{}); // it was of another address
     }
 
+    /// So that a program that uses the same device lets go of it.
+    void tellsWhenADeviceIsTried()
+    {
+        TrackerDialog dialog{
+            {.source = TrackerSource::Polaris, .address = QStringLiteral("127.0.0.1:1")}, {}};
+        dialog.show();
+        std::vector<bool> told;
+        connect(&dialog, &TrackerDialog::devicesWanted, this,
+                [&](bool areWanted) { told.push_back(areWanted); });
+        find<QAbstractButton>(dialog, "try").click();
+        QCOMPARE(told, std::vector{true});
+        find<QComboBox>(dialog, "address").setEditText(QStringLiteral("127.0.0.1:2"));
+        QCOMPARE(told, (std::vector{true, false}));
+        find<QAbstractButton>(dialog, "try").click();
+        dialog.reject();
+        QCOMPARE(told, (std::vector{true, false, true, false}));
+    }
+
     void everyControlHasANameForAScreenReader()
     {
         const TrackerDialog dialog{{.source = TrackerSource::Polaris}, onePort()};

@@ -57,8 +57,8 @@ struct TrackerDescription {
 ///     fastest_rate  of the serial port, bits a second; 921600 without it
 ///     tools         a list of name; role ("head", "jaw", "tube", "stylus", "manikin", "chest",
 ///                   "hand", "laryngoscope" or "other"), none but "other" twice; and of a wireless
-///                   tool definition, its .rom file, beside this one unless it is absolute. Wired
-///                   tools are those of the ports in ascending order
+///                   tool definition, its .rom file, beside this one or below. Wired tools are
+///                   those of the ports in ascending order
 ///
 /// or, of kind "openigtlink", with
 ///

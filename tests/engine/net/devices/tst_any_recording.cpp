@@ -59,6 +59,20 @@ private Q_SLOTS:
         QVERIFY(QFile::exists(folder.filePath(QStringLiteral("all-2.tum"))));
     }
 
+    /// Nobody was asked about them.
+    void keepsFilesThatAreWhereFurtherTrajectoriesWouldGo()
+    {
+        const QTemporaryDir folder;
+        QFile other{folder.filePath(QStringLiteral("all-2.tum"))};
+        QVERIFY(other.open(QIODevice::ReadWrite) && other.write("of another day") > 0);
+        QVERIFY(other.flush());
+        QVERIFY(writeAnyRecording(folder.filePath(QStringLiteral("all.tum")).toStdString(),
+                                  tubeAndBlade()));
+        QVERIFY(other.seek(0));
+        QCOMPARE(other.readAll(), QByteArray{"of another day"});
+        QVERIFY(QFile::exists(folder.filePath(QStringLiteral("all-3.tum"))));
+    }
+
     void refusesOtherFiles()
     {
         const QTemporaryDir folder;

@@ -5,7 +5,12 @@
 #include "tests/support/test_class.h"
 
 #include <QTcpServer>
+#include <QTcpSocket>
 #include <QTemporaryDir>
+
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 namespace carina::ndi_tracker_test
 {
@@ -32,6 +37,35 @@ std::uint16_t freeTcpPort()
     server.listen(QHostAddress::LocalHost);
     return server.serverPort();
 }
+
+/// A port of this computer that answers no attempt to connect: as many wait there as it holds.
+class SilentHost
+{
+public:
+    SilentHost() : m_listener{::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)}
+    {
+        sockaddr_in address{};
+        address.sin_family = AF_INET;
+        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        socklen_t size = sizeof address;
+        auto* named = reinterpret_cast<sockaddr*>(&address);
+        if (::bind(m_listener, named, size) == 0 && ::listen(m_listener, 0) == 0
+            && ::getsockname(m_listener, named, &size) == 0)
+            m_port = ntohs(address.sin_port);
+        m_waiting.connectToHost(QHostAddress::LocalHost, m_port);
+        m_waiting.waitForConnected();
+    }
+    ~SilentHost() { ::close(m_listener); }
+    SilentHost(const SilentHost&) = delete;
+    SilentHost& operator=(const SilentHost&) = delete;
+
+    [[nodiscard]] std::uint16_t port() const { return m_port; }
+
+private:
+    int m_listener;
+    std::uint16_t m_port = 0;
+    QTcpSocket m_waiting;
+};
 
 /// A device at a pseudo-terminal whose tool moves along x.
 class ServedTerminal : public ServedDevice
@@ -144,6 +178,17 @@ private Q_SLOTS:
         const std::size_t before = samplesOf(**tracker);
         const ServedTerminal device{link};
         QTRY_VERIFY_WITH_TIMEOUT(samplesOf(**tracker) > before + 10, 20000);
+    }
+
+    /// What is off refuses no connection either.
+    void saysThatNothingAnswersOnTheNetwork()
+    {
+        const SilentHost host;
+        const auto tracker = DeviceTracker::make(
+            describedAt("127.0.0.1:" + std::to_string(host.port())), sessionNow);
+        QVERIFY(tracker);
+        QVERIFY((*tracker)->start());
+        QTRY_VERIFY_WITH_TIMEOUT((*tracker)->trouble().ends_with(": it does not answer"), 20000);
     }
 
     void refusesAnAddressThatIsNone_data()

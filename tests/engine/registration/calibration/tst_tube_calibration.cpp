@@ -145,6 +145,17 @@ private Q_SLOTS:
         QVERIFY(std::abs(double(within) / kDraws - 0.95) < 0.02);
     }
 
+    /// Which is said of all tools alike: of a touch, whether it tells one distance or three.
+    void tellsHowFarATouchIsOff()
+    {
+        std::mt19937 random{5};
+        const auto touches = touchesOf(kAdultTube, kFle, random);
+        const auto found = calibrateTube(touches, kAdultTube.outerDiameter);
+        QVERIFY(found.has_value());
+        const double squares = found->fle.si * found->fle.si / 3.0 * found->degrees;
+        QVERIFY(std::abs(found->rms - std::sqrt(squares / double(touches.size()))) < kExact);
+    }
+
     void refusesWhatDeterminesNoTube_data()
     {
         QTest::addColumn<Spoil>("spoil");

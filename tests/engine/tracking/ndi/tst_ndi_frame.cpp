@@ -95,6 +95,57 @@ private Q_SLOTS:
         row("out of the volume", "MISSING00000071000003A3", NdiSight::OutOfVolume);
         row("disabled", "DISABLED", NdiSight::Disabled);
         row("no tool", "UNOCCUPIED", NdiSight::Unoccupied);
+        row("no rotation", "+17003+07110-00250+00572-021400+009890-158180+0110600000031000003AD",
+            NdiSight::Failed);
+    }
+
+    /// Of the tool: bits and the states of its twenty markers, as option 0002 has them.
+    void saysWhyAToolIsMissing_data()
+    {
+        QTest::addColumn<int>("bits");
+        QTest::addColumn<int>("markers");
+        QTest::addColumn<int>("system");
+        QTest::addColumn<int>("status");
+        QTest::addColumn<int>("sight");
+        const auto row = [](const char* name, int bits, int markers, int system, int status,
+                            NdiSight sight) {
+            QTest::newRow(name) << bits << markers << system << status << int(sight);
+        };
+        row("hidden, as recorded", 0x02, 0x00, 0, 0x31, NdiSight::Missing);
+        row("too few markers", 0x02, 0x03, 0, 0x31, NdiSight::TooFewMarkers);
+        row("a bad fit", 0x01, 0x22, 0, 0x31, NdiSight::BadFit);
+        row("both", 0x03, 0x22, 0, 0x31, NdiSight::BadFit);
+        row("other light", 0x02, 0x00, 0x0002, 0x31, NdiSight::Interference);
+        row("other light, and a bad fit", 0x01, 0x22, 0x0002, 0x31, NdiSight::BadFit);
+        row("out of the volume", 0x02, 0x03, 0x0002, 0x71, NdiSight::OutOfVolume);
+    }
+
+    void saysWhyAToolIsMissing()
+    {
+        QFETCH(const int, bits);
+        QFETCH(const int, markers);
+        QFETCH(const int, system);
+        QFETCH(const int, status);
+        QFETCH(const int, sight);
+        const auto digits = [](int number, int width) {
+            return QStringLiteral("%1").arg(number, width, 16, QLatin1Char{'0'}).toUpper();
+        };
+        const QString text = QStringLiteral("0101MISSING") + digits(status, 8)
+                             + QStringLiteral("000003A3") + digits(bits, 2) + digits(markers, 20)
+                             + QLatin1Char{'\n'} + digits(system, 4);
+        const auto byText = decodeTx(text.toStdString(), kNdiPoses | kNdiMarkerStates);
+        QVERIFY(byText);
+        QCOMPARE(int(byText->tools[0].sight), sight);
+        WireBytes states = WireBytes{}.u8(std::uint32_t(bits));
+        for (int i = 0; i < 9; ++i)
+            states.u8(0);
+        states.u8(std::uint32_t(markers));
+        const WireBytes tool =
+            WireBytes{}.u8(1).u8(2).u32(std::uint32_t(status)).u32(7).bytes(states);
+        const auto inBinary =
+            decodeBx(bxOf(tool, 1, std::uint32_t(system)).span(), kNdiPoses | kNdiMarkerStates);
+        QVERIFY(inBinary);
+        QCOMPARE(int(inBinary->tools[0].sight), sight);
     }
 
     void saysWhyTxHasNoPose()
@@ -176,9 +227,6 @@ private Q_SLOTS:
         std::string blank = kRecorded;
         blank[6] = ' ';
         row("a blank in a number", blank, Errc::DeviceReplyDamaged);
-        std::string length = kRecorded;
-        length[5] = '1';
-        row("no rotation", length, Errc::NotARotation);
     }
 
     void refusesDamagedTx()
@@ -275,18 +323,11 @@ private Q_SLOTS:
         const auto row = [](const char* name, const WireBytes& body, Errc code) {
             QTest::newRow(name) << QByteArray::fromStdString(body.text()) << int(code);
         };
-        const auto tool = [](const WireBytes& of) {
-            return bxOf(WireBytes{}.u8(1).u8(1).bytes(of).u32(0x31).u32(7), 1);
-        };
         row("nothing", {}, Errc::DeviceReplyDamaged);
         row("a tool too few", bxOf({}, 1), Errc::DeviceReplyDamaged);
         row("something behind", WireBytes{}.bytes(bxOf({}, 0)).u8(0), Errc::DeviceReplyDamaged);
         row("an unknown status", bxOf(WireBytes{}.u8(1).u8(8).u32(0).u32(0), 1),
             Errc::DeviceReplyDamaged);
-        row("not finite", tool(pose(0.0F, std::numeric_limits<float>::quiet_NaN())),
-            Errc::NotFinite);
-        row("no rotation", tool(pose(1.0F)), Errc::NotARotation);
-        row("too far", tool(pose(0.0F, 2e5F)), Errc::OutOfRange);
     }
 
     void refusesDamagedBx()
@@ -295,6 +336,72 @@ private Q_SLOTS:
         QFETCH(int, code);
         const std::string bytes = body.toStdString();
         QCOMPARE(int(errorOf(decodeBx(std::as_bytes(std::span{bytes}), kNdiPoses))), code);
+    }
+
+    void refusesOneToolWhosePoseIsNone_data()
+    {
+        QTest::addColumn<QByteArray>("pose");
+        QTest::addColumn<int>("code");
+        const auto row = [](const char* name, const WireBytes& of, Errc code) {
+            QTest::newRow(name) << QByteArray::fromStdString(of.text()) << int(code);
+        };
+        row("not finite", pose(0.0F, std::numeric_limits<float>::quiet_NaN()), Errc::NotFinite);
+        row("no rotation", pose(1.0F), Errc::NotARotation);
+        row("too far", pose(0.0F, 2e5F), Errc::OutOfRange);
+    }
+
+    void refusesOneToolWhosePoseIsNone()
+    {
+        QFETCH(const QByteArray, pose);
+        QFETCH(const int, code);
+        WireBytes wrong;
+        for (const char c : pose)
+            wrong.u8(static_cast<unsigned char>(c));
+        const auto verify = [code](const Result<NdiFrame>& frame) {
+            QVERIFY2(frame, frame ? "" : frame.error().detail.c_str());
+            QCOMPARE(frame->tools.size(), std::size_t{2});
+            QCOMPARE(frame->tools[0].sight, NdiSight::Failed);
+            QVERIFY(!frame->tools[0].X_TO);
+            QVERIFY(frame->refusedPose);
+            QCOMPARE(int(frame->refusedPose->code), code);
+            QCOMPARE(frame->tools[1].sight, NdiSight::Tracked);
+            QVERIFY(isNear(frame->tools[1].X_TO->translation(), {0.010, -0.020, -1.500}));
+        };
+        const WireBytes right = ndi_frame_test::pose();
+        verify(decodeBx(bxOf(WireBytes{}
+                                 .u8(1)
+                                 .u8(1)
+                                 .bytes(wrong)
+                                 .u32(0x31)
+                                 .u32(7)
+                                 .u8(2)
+                                 .u8(1)
+                                 .bytes(right)
+                                 .u32(0x31)
+                                 .u32(7),
+                             2)
+                            .span(),
+                        kNdiPoses));
+        const WireBytes tools = WireBytes{}.u16(1).u16(0).bytes(wrong).u16(2).u16(0).bytes(right);
+        verify(decodeBx2(bx2Of(component(2, 2, tools), 1).span()));
+    }
+
+    /// The newest.
+    void readsTheLastOfSeveralFramesOfBx2()
+    {
+        const auto frame = [](std::uint32_t number, std::uint32_t seconds, float x_mm) {
+            const WireBytes tool = WireBytes{}.u16(3).u16(0).bytes(pose(0.0F, x_mm));
+            return WireBytes{}.u8(1).u8(3).u16(0).u32(number).u32(seconds).u32(0).bytes(
+                WireBytes{}.u16(1).u16(1).bytes(component(2, 1, tool)));
+        };
+        const WireBytes frames = WireBytes{}.bytes(frame(77, 5, 10.0F)).bytes(frame(78, 6, 30.0F));
+        const auto decoded =
+            decodeBx2(WireBytes{}.u16(1).u16(1).bytes(component(1, 2, frames)).span());
+        QVERIFY2(decoded, decoded ? "" : decoded.error().detail.c_str());
+        QCOMPARE(decoded->tools.size(), std::size_t{1});
+        QCOMPARE(decoded->tools[0].frameNumber, 78U);
+        QCOMPARE(decoded->deviceTime.value(), Duration{std::chrono::seconds{6}});
+        QVERIFY(isNear(decoded->tools[0].X_TO->translation(), {0.030, -0.020, -1.500}));
     }
 
     void readsBx2WithItsTime()
@@ -363,14 +470,10 @@ private Q_SLOTS:
         row("fewer items than there are", bx2Of(component(2, 0, tool), 1),
             Errc::DeviceReplyDamaged);
         row("countless items", bx2Of(component(2, 0xFFFFFFFF, tool), 1), Errc::DeviceReplyDamaged);
-        WireBytes nested = WireBytes{}.u16(1).u16(0);
-        for (int i = 0; i < 4; ++i)
-            nested = bx2Of(
-                component(1, 1, WireBytes{}.u8(1).u8(0).u16(0).u32(1).u32(0).u32(0).bytes(nested)),
-                1);
-        row("frames in frames", nested, Errc::DeviceReplyDamaged);
-        row("no rotation", bx2Of(component(2, 1, WireBytes{}.u16(3).u16(0).bytes(pose(1.0F))), 1),
-            Errc::NotARotation);
+        const WireBytes nested = WireBytes{}.u8(1).u8(0).u16(0).u32(1).u32(0).u32(0).u16(1).u16(0);
+        row("a frame in a frame", bx2Of(component(1, 1, nested), 1), Errc::DeviceReplyDamaged);
+        row("a frame too few", WireBytes{}.u16(1).u16(1).bytes(component(1, 2, nested)),
+            Errc::DeviceReplyDamaged);
     }
 
     void refusesDamagedBx2()

@@ -38,11 +38,12 @@ std::vector<std::byte> made()
                 : std::vector<std::byte>{};
 }
 
-/// With another byte, and the checksum that fits.
-std::vector<std::byte> changed(std::size_t at, std::uint8_t value)
+/// With other bytes, and the checksum that fits.
+std::vector<std::byte> changed(std::size_t at, std::initializer_list<std::uint8_t> values)
 {
     std::vector<std::byte> bytes = made();
-    bytes[at] = std::byte{value};
+    std::ranges::transform(values, bytes.begin() + std::ptrdiff_t(at),
+                           [](std::uint8_t value) { return std::byte{value}; });
     std::uint32_t sum = 0;
     for (std::size_t i = 6; i < bytes.size(); ++i)
         sum += std::to_integer<std::uint32_t>(bytes[i]);
@@ -124,11 +125,13 @@ private Q_SLOTS:
         std::vector<std::byte> bit = made();
         bit[100] ^= std::byte{1};
         row("a bit", bit, Errc::FileMalformed);
-        row("another beginning", changed(0, 'M'), Errc::FileMalformed);
-        row("no markers", changed(28, 0), Errc::FileMalformed);
-        row("21 markers", changed(28, 21), Errc::FileMalformed);
-        row("a marker at a huge number", changed(72 + 3, 0x7F), Errc::OutOfRange);
-        row("a marker far away", changed(84 + 3, 0x47), Errc::OutOfRange);
+        row("another beginning", changed(0, {'M'}), Errc::FileMalformed);
+        row("no markers", changed(28, {0}), Errc::FileMalformed);
+        row("21 markers", changed(28, {21}), Errc::FileMalformed);
+        row("a marker at a huge number", changed(72 + 3, {0x7F}), Errc::OutOfRange);
+        row("a marker far away", changed(84 + 3, {0x47}), Errc::OutOfRange);
+        row("no limit for an error", changed(36 + 2, {0xC0, 0x7F}), Errc::NotFinite);
+        row("no limit for the spread", changed(64 + 2, {0xC0, 0x7F}), Errc::NotFinite);
     }
 
     void refusesDamagedFiles()

@@ -1,5 +1,6 @@
 #include "ui/registration/tracker_page.h"
 
+#include "ui/registration/devices_box.h"
 #include "ui/tracker/record_button.h"
 #include "ui/tracker/tracker_panel.h"
 
@@ -10,7 +11,7 @@ namespace carina
 {
 
 TrackerPage::TrackerPage(RegistrationModel& registration, PoseRecording& recording)
-    : RegistrationPage{registration}
+    : RegistrationPage{registration}, m_devices{new DevicesBox{registration.devices(), this}}
 {
     auto* another = new QPushButton{tr("Connect a&nother tracker…")};
     another->setObjectName(QStringLiteral("anotherTracker"));
@@ -22,8 +23,14 @@ TrackerPage::TrackerPage(RegistrationModel& registration, PoseRecording& recordi
     }});
     column->addWidget(new RecordButton{recording});
     column->addWidget(another);
+    column->addWidget(m_devices);
     connect(another, &QPushButton::clicked, this, &TrackerPage::anotherWanted);
+    connect(m_devices, &DevicesBox::trackWanted, this, &TrackerPage::devicesWanted);
 }
+
+void TrackerPage::refresh() { m_devices->refresh(); }
+
+void TrackerPage::refreshLive() { m_devices->refresh(); }
 
 QString TrackerPage::actionText() const { return tr("&Use this tracker"); }
 

@@ -2,6 +2,8 @@
 
 #include "models/tracker/tracker_form.h"
 
+#include <QCommandLineParser>
+
 #include <filesystem>
 #include <optional>
 
@@ -18,5 +20,11 @@ namespace carina::program
 [[nodiscard]] Result<std::optional<TrackerChoice>> askForTracker(const std::filesystem::path& kept,
                                                                  const std::string& conversation,
                                                                  QWidget* parent = nullptr);
+
+/// trackerOption, which is read beside the work of the program's windows: a recording may take
+/// long, and a window then tells how far it is and lets it be cancelled.
+/// @returns the errors of trackerOption; Cancelled.
+[[nodiscard]] Result<std::optional<TrackerChoice>>
+readTrackerOption(const QCommandLineParser& parser, const QString& site);
 
 } // namespace carina::program

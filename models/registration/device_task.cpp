@@ -13,6 +13,7 @@
 #include <QDir>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace carina
@@ -43,14 +44,17 @@ public:
         const QString when = at.isValid()
                                  ? at.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"))
                                  : QString::fromStdString(frame.calibratedAt);
+        const double late_ms = 1e3 * toSeconds(frame.place.late);
+        const QString stamps = (late_ms < 0.0 ? tr("%1\u00a0ms earlier than the first device")
+                                              : tr("%1\u00a0ms later than the first device"))
+                                   .arg(std::abs(late_ms), 0, 'f', 1);
         return tr("Frame: by a body that both saw, %1. Agrees within %2\u00a0mm and %3° (RMS) at "
-                  "%4 "
-                  "moments; stamps %5\u00a0ms late.")
+                  "%4 moments. Stamps %5.")
             .arg(when)
             .arg(inMillimetres(metres(frame.rms)), 0, 'f', 1)
             .arg(inDegrees(frame.turn), 0, 'f', 1)
             .arg(frame.pairs)
-            .arg(1e3 * toSeconds(frame.place.late), 0, 'f', 1);
+            .arg(stamps);
     }
 
     static QString visible(const QStringList& tools)
@@ -115,7 +119,7 @@ DeviceTask::Row DeviceTask::rowOf(std::size_t device) const
 QString DeviceTask::stateOf(const TrackerDescription& described) const
 {
     if (!isTracked())
-        return DeviceWords::tr("○ Not used now: this program tracks with %1.")
+        return DeviceWords::tr("○ Not used now: this program tracks with another tracker (%1).")
             .arg(m_access.trackerName);
     const auto now = m_access.clock();
     const auto tools = m_access.tracker->tools();

@@ -3,6 +3,7 @@
 #include "models/text/shown_as_is.h"
 #include "ui/tracker/device_calibration_dialog.h"
 #include "ui/tracker/tracker_dialog.h"
+#include "widgets/plain_label.h"
 
 #include <QGridLayout>
 #include <QListWidget>
@@ -12,8 +13,12 @@ namespace carina
 {
 
 DevicesBox::DevicesBox(DeviceTask& task, QWidget* parent)
-    : QGroupBox{tr("Devices of this site"), parent},
+    : QWidget{parent},
       m_task{task},
+      m_none{new PlainLabel{
+          tr("This site names no devices yet. Those that are added here track together, in the "
+             "frame of the first, in all programs that are given the site."),
+          this}},
       m_list{new QListWidget{this}},
       m_add{new QPushButton{tr("&Add a device…"), this}},
       m_calibrate{new QPushButton{tr("Ca&librate it…"), this}},
@@ -25,7 +30,8 @@ DevicesBox::DevicesBox(DeviceTask& task, QWidget* parent)
     m_list->setAccessibleName(tr("Devices of this site"));
     m_list->setWordWrap(true);
     m_list->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
-    m_list->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    m_none->setObjectName(QStringLiteral("noDevices"));
+    m_none->setWordWrap(true);
     m_add->setObjectName(QStringLiteral("addDevice"));
     m_add->setToolTip(tr("Another device that tracks here, together with the first one"));
     m_calibrate->setObjectName(QStringLiteral("calibrateDevice"));
@@ -54,12 +60,13 @@ void DevicesBox::connectControls()
 void DevicesBox::layOut()
 {
     auto* grid = new QGridLayout{this};
-    grid->addWidget(m_list, 0, 0, 1, 2);
-    grid->addWidget(m_add, 1, 0);
-    grid->addWidget(m_calibrate, 1, 1);
-    grid->addWidget(m_replace, 2, 0);
-    grid->addWidget(m_remove, 2, 1);
-    grid->addWidget(m_track, 3, 0, 1, 2);
+    grid->addWidget(m_none, 0, 0, 1, 2, Qt::AlignTop);
+    grid->addWidget(m_list, 1, 0, 1, 2);
+    grid->addWidget(m_add, 2, 0);
+    grid->addWidget(m_calibrate, 2, 1);
+    grid->addWidget(m_replace, 3, 0);
+    grid->addWidget(m_remove, 3, 1);
+    grid->addWidget(m_track, 4, 0, 1, 2);
 }
 
 std::optional<std::size_t> DevicesBox::chosen() const
@@ -85,7 +92,7 @@ void DevicesBox::refresh()
             QStringList{row.name, row.state, row.calibrated}.join(QStringLiteral(". ")));
     }
     m_list->setVisible(!rows.empty());
-    m_list->updateGeometry();
+    m_none->setVisible(rows.empty());
     refreshButtons();
 }
 

@@ -2,7 +2,7 @@
 
 #include "models/registration/device_task.h"
 
-#include <QGroupBox>
+#include <QWidget>
 
 class QLabel;
 class QListWidget;
@@ -13,7 +13,7 @@ namespace carina
 
 /// The devices that track at the site: which there are, how each tracks and was calibrated; adds,
 /// calibrates, replaces and removes one.
-class DevicesBox : public QGroupBox
+class DevicesBox : public QWidget
 {
     Q_OBJECT
 
@@ -39,7 +39,8 @@ private:
     void calibrateChosen();
 
     DeviceTask& m_task;
-    QListWidget* m_list; ///< children of this
+    QLabel* m_none; ///< children of this
+    QListWidget* m_list;
     QPushButton* m_add;
     QPushButton* m_calibrate;
     QPushButton* m_replace;

@@ -5,6 +5,7 @@
 #include "ui/tracker/tracker_panel.h"
 
 #include <QPushButton>
+#include <QTabWidget>
 #include <QVBoxLayout>
 
 namespace carina
@@ -17,13 +18,18 @@ TrackerPage::TrackerPage(RegistrationModel& registration, PoseRecording& recordi
     another->setObjectName(QStringLiteral("anotherTracker"));
     auto* column = new QVBoxLayout{this};
     column->setContentsMargins({});
-    column->addWidget(new TrackerPanel{[this]() -> std::optional<TrackerSight> {
-        const RegistrationModel& model = this->registration();
-        return TrackerSight{model.trackerTrouble(), model.tools(), model.usualVolume()};
-    }});
+    auto* parts = new QTabWidget;
+    parts->setObjectName(QStringLiteral("trackerParts"));
+    parts->addTab(
+        new TrackerPanel{[this]() -> std::optional<TrackerSight> {
+            const RegistrationModel& model = this->registration();
+            return TrackerSight{model.trackerTrouble(), model.tools(), model.usualVolume()};
+        }},
+        tr("Tools that are &seen"));
+    parts->addTab(m_devices, tr("Devices of this s&ite"));
+    column->addWidget(parts);
     column->addWidget(new RecordButton{recording});
     column->addWidget(another);
-    column->addWidget(m_devices);
     connect(another, &QPushButton::clicked, this, &TrackerPage::anotherWanted);
     connect(m_devices, &DevicesBox::trackWanted, this, &TrackerPage::devicesWanted);
 }

@@ -12,10 +12,10 @@ const QString kRecord = QStringLiteral("record");
 const QString kRecordDevice = QStringLiteral("record-device");
 
 Result<std::optional<TrackerChoice>> chosenTracker(const QCommandLineParser& parser,
-                                                   const QString& site)
+                                                   const QString& site, const Progress& goesOn)
 {
     if (parser.isSet(kTracker))
-        return trackerNamed(parser.value(kTracker)).map([](TrackerChoice choice) {
+        return trackerNamed(parser.value(kTracker), goesOn).map([](TrackerChoice choice) {
             return std::optional{std::move(choice)};
         });
     if (site.isEmpty())
@@ -52,6 +52,8 @@ void addTrackerOption(QCommandLineParser& parser, const QString& without)
          QStringLiteral("FILE")});
 }
 
+bool namesTracker(const QCommandLineParser& parser) { return parser.isSet(kTracker); }
+
 QString recordOption(const QCommandLineParser& parser) { return parser.value(kRecord); }
 
 std::string recordDeviceOption(const QCommandLineParser& parser)
@@ -60,9 +62,9 @@ std::string recordDeviceOption(const QCommandLineParser& parser)
 }
 
 Result<std::optional<TrackerChoice>> trackerOption(const QCommandLineParser& parser,
-                                                   const QString& site)
+                                                   const QString& site, const Progress& goesOn)
 {
-    auto chosen = chosenTracker(parser, site);
+    auto chosen = chosenTracker(parser, site, goesOn);
     if (!chosen || !*chosen)
         return chosen;
     TrackerChoice& choice = **chosen;

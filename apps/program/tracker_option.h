@@ -16,6 +16,9 @@ namespace carina::program
 /// @param without what the program does without a tracker, as a sentence
 void addTrackerOption(QCommandLineParser& parser, const QString& without);
 
+/// Whether `--tracker` names the tracker, in place of the site's devices.
+[[nodiscard]] bool namesTracker(const QCommandLineParser& parser);
+
 /// `--record FILE`: records the poses of the tracker from the start on.
 [[nodiscard]] QString recordOption(const QCommandLineParser& parser);
 
@@ -28,7 +31,7 @@ void addTrackerOption(QCommandLineParser& parser, const QString& without);
 /// @param site its file; empty: none
 /// @returns the errors of trackerNamed and trackerOfSite; WrongOption for `--record-device` with a
 ///          tracker that exchanges no bytes.
-[[nodiscard]] Result<std::optional<TrackerChoice>> trackerOption(const QCommandLineParser& parser,
-                                                                 const QString& site);
+[[nodiscard]] Result<std::optional<TrackerChoice>>
+trackerOption(const QCommandLineParser& parser, const QString& site, const Progress& goesOn = {});
 
 } // namespace carina::program

@@ -1,7 +1,15 @@
 #include "apps/program/tracker_question.h"
 
+#include "apps/program/tracker_option.h"
+#include "models/tracker/background_work.h"
 #include "models/tracker/kept_trackers.h"
 #include "ui/tracker/tracker_dialog.h"
+
+#include <QCoreApplication>
+#include <QEventLoop>
+#include <QProgressDialog>
+
+#include <algorithm>
 
 namespace carina::program
 {
@@ -23,6 +31,25 @@ Result<std::optional<TrackerChoice>> askForTracker(const std::filesystem::path& 
             !wrote)
             return tl::unexpected(wrote.error());
     return std::optional{std::move(chosen)};
+}
+
+Result<std::optional<TrackerChoice>> readTrackerOption(const QCommandLineParser& parser,
+                                                       const QString& site)
+{
+    QProgressDialog shown{
+        QCoreApplication::translate("TrackerOption", "Reading the recording named by --tracker …"),
+        QCoreApplication::translate("TrackerOption", "Cancel"), 0, 100};
+    std::optional<Result<std::optional<TrackerChoice>>> read; // set by the thread that reads
+    BackgroundWork reading;
+    QEventLoop until;
+    QObject::connect(&reading, &BackgroundWork::progressed, &shown,
+                     [&] { shown.setValue(std::min(reading.percent(), shown.maximum() - 1)); });
+    QObject::connect(&shown, &QProgressDialog::canceled, &reading, &BackgroundWork::cancel);
+    QObject::connect(&reading, &BackgroundWork::finished, &until, &QEventLoop::quit);
+    shown.setValue(0); // from now on it is shown where it takes long
+    reading.start([&](const Progress& goesOn) { read = trackerOption(parser, site, goesOn); });
+    until.exec();
+    return *std::move(read);
 }
 
 } // namespace carina::program

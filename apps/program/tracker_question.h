@@ -2,6 +2,8 @@
 
 #include "models/tracker/tracker_form.h"
 
+#include <QCommandLineParser>
+
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -24,5 +26,11 @@ using HoldTracker = std::function<void(bool holds)>;
                                                                  const std::string& conversation,
                                                                  QWidget* parent = nullptr,
                                                                  const HoldTracker& hold = {});
+
+/// trackerOption, which is read beside the work of the program's windows: a recording may take
+/// long, and a window then tells how far it is and lets it be cancelled.
+/// @returns the errors of trackerOption; Cancelled.
+[[nodiscard]] Result<std::optional<TrackerChoice>>
+readTrackerOption(const QCommandLineParser& parser, const QString& site);
 
 } // namespace carina::program

@@ -108,8 +108,17 @@ Result<std::unique_ptr<RegistrationJournal>> journalOf(const RegistrationModel& 
     return RegistrationJournal::open(parser.value(kJournal), registration);
 }
 
-/// What the wizard's window ends with where another tracker is to be used.
+/// What the wizard's window ends with where another tracker is to be used, or the site's devices.
 constexpr int kAnotherTracker = 100;
+constexpr int kSiteDevices = 101;
+
+/// What one window leaves to the next one, with another tracker.
+struct Passed {
+    TrackerChoice tracker;
+    bool isOfSite = false;    ///< made of the devices that the site names
+    std::vector<Site> past{}; ///< for undo
+    QByteArray geometry{};    ///< of the window; empty before the first
+};
 
 /// The recording of the poses, which goes on through one tracker after another.
 struct Record {
@@ -142,10 +151,22 @@ private:
     Record& m_record;
 };
 
+/// Has a tracker deliver, or give its devices free.
+std::function<Result<void>(bool)> switchOf(Tracker& tracker)
+{
+    return [&tracker](bool tracks) -> Result<void> {
+        if (tracks)
+            return tracker.start();
+        tracker.stop();
+        return {};
+    };
+}
+
 /// The wizard with this tracker, until its window is closed.
 Result<int> work(const QCommandLineParser& parser, const program::ChosenPatient& patient,
-                 const TrackerChoice& tracker, Record& record)
+                 Passed& passed, Record& record)
 {
+    const TrackerChoice& tracker = passed.tracker;
     const std::string siteFile = parser.value(kSite).toStdString();
     auto site = RegistrationModel::siteOf(siteFile, *patient.model);
     if (!site)
@@ -158,15 +179,19 @@ Result<int> work(const QCommandLineParser& parser, const program::ChosenPatient&
     if (auto started = workplace->tracker().start(); !started)
         return tl::unexpected(started.error());
 
-    RegistrationModel registration{{.file = siteFile,
-                                    .tracker = &workplace->tracker(),
-                                    .trackerName = workplace->name,
-                                    .clock = workplace->clock,
-                                    .landmarks = landmarkSetsOf(patient),
-                                    .checks = checkPlacesOf(patient),
-                                    .usualVolume = usualVolume(tracker)},
-                                   std::move(*site),
-                                   *patient.model};
+    RegistrationModel registration{
+        {.file = siteFile,
+         .tracker = &workplace->tracker(),
+         .trackerName = workplace->name,
+         .clock = workplace->clock,
+         .landmarks = landmarkSetsOf(patient),
+         .checks = checkPlacesOf(patient),
+         .usualVolume = usualVolume(tracker),
+         .trackedDevices = passed.isOfSite ? std::optional{site->devices} : std::nullopt,
+         .track = switchOf(workplace->tracker()),
+         .past = std::move(passed.past)},
+        std::move(*site),
+        *patient.model};
     const auto journal = journalOf(registration, parser);
     if (!journal)
         return tl::unexpected(journal.error());
@@ -179,25 +204,63 @@ Result<int> work(const QCommandLineParser& parser, const program::ChosenPatient&
     RegistrationWindow window{registration, record.poses};
     QObject::connect(&window, &RegistrationWindow::anotherTrackerWanted, &window,
                      [] { QApplication::exit(kAnotherTracker); });
-    window.resize(*program::sizeOption(parser));
+    QObject::connect(&window, &RegistrationWindow::siteDevicesWanted, &window,
+                     [] { QApplication::exit(kSiteDevices); });
+    if (!window.restoreGeometry(passed.geometry))
+        window.resize(*program::sizeOption(parser));
     window.show();
-    return parser.isSet(kMeasure) ? measure(window, registration, *workplace->simulated, parser)
-                                  : QApplication::exec();
+    const int ended = parser.isSet(kMeasure)
+                          ? measure(window, registration, *workplace->simulated, parser)
+                          : QApplication::exec();
+    passed.past = registration.past();
+    passed.geometry = window.saveGeometry();
+    return ended;
 }
 
-/// The tracker that a person chooses; the present one, if there is any, where they do not.
-Result<std::optional<TrackerChoice>> chosenTracker(const QCommandLineParser& parser,
-                                                   std::optional<TrackerChoice> present)
+/// The tracker that a person chooses; nothing where they choose none.
+Result<std::optional<TrackerChoice>> chosenTracker(const QCommandLineParser& parser)
 {
     const QFileInfo site{parser.value(kSite)};
     const QString kept = site.absoluteDir().filePath(QStringLiteral("tracker.json"));
-    return program::askForTracker(kept.toStdString(), program::recordDeviceOption(parser))
-        .map([&](std::optional<TrackerChoice> chosen) {
-            return chosen ? std::move(chosen) : std::move(present);
-        });
+    return program::askForTracker(kept.toStdString(), program::recordDeviceOption(parser));
+}
+
+/// Goes on with the devices that the site names; with the present tracker where it names none that
+/// can be used.
+void passSiteDevices(Passed& passed, const QCommandLineParser& parser)
+{
+    auto devices = trackerOfSite(parser.value(kSite).toStdString());
+    passed.isOfSite = devices && *devices;
+    if (!passed.isOfSite)
+        return;
+    passed.tracker = **std::move(devices);
+    passed.tracker.conversation = program::recordDeviceOption(parser);
 }
 
 /// The wizard with one tracker after another.
+Result<int> workOn(const QCommandLineParser& parser, const program::ChosenPatient& patient,
+                   Passed passed)
+{
+    Record record{.wanted = program::recordOption(parser)};
+    for (;;) {
+        const auto ended = work(parser, patient, passed, record);
+        if (ended && *ended == kSiteDevices) {
+            passSiteDevices(passed, parser);
+        } else if (ended && *ended == kAnotherTracker) {
+            auto chosen = chosenTracker(parser);
+            if (!chosen)
+                return tl::unexpected(chosen.error());
+            if (*chosen) {
+                passed.tracker = **std::move(chosen);
+                passed.isOfSite = false;
+            }
+        } else {
+            return ended;
+        }
+    }
+}
+
+/// Asks for a tracker where there is none, and works with it at the site.
 Result<int> show(const QCommandLineParser& parser, const program::ChosenPatient& patient,
                  std::optional<TrackerChoice> tracker)
 {
@@ -210,20 +273,14 @@ Result<int> show(const QCommandLineParser& parser, const program::ChosenPatient&
         return fail(lock.error() == QLockFile::LockFailedError ? Errc::SiteInUse
                                                                : Errc::FileUnwritable,
                     siteFile);
-    Record record{.wanted = program::recordOption(parser)};
-    for (bool asks = !tracker;; asks = true) {
-        if (asks) {
-            auto chosen = chosenTracker(parser, std::move(tracker));
-            if (!chosen)
-                return tl::unexpected(chosen.error());
-            tracker = *std::move(chosen);
-        }
-        if (!tracker)
-            return 0;
-        const auto ended = work(parser, patient, *tracker, record);
-        if (!ended || *ended != kAnotherTracker)
-            return ended;
+    const bool isOfSite = tracker && !program::namesTracker(parser);
+    if (!tracker) {
+        auto chosen = chosenTracker(parser);
+        if (!chosen)
+            return tl::unexpected(chosen.error());
+        tracker = *std::move(chosen);
     }
+    return tracker ? workOn(parser, patient, {*std::move(tracker), isOfSite}) : Result<int>{0};
 }
 
 /// Whether the options can be used together, and folders be written to.
@@ -244,7 +301,7 @@ Result<void> checkOptions(const QCommandLineParser& parser,
 
 Result<int> run(const QCommandLineParser& parser)
 {
-    auto tracker = program::trackerOption(parser, parser.value(kSite));
+    auto tracker = program::readTrackerOption(parser, parser.value(kSite));
     if (!tracker)
         return tl::unexpected(tracker.error());
     if (const auto checked = checkOptions(parser, *tracker); !checked)

@@ -8,6 +8,7 @@
 #include "apps/program/program.h"
 #include "apps/program/site_option.h"
 #include "apps/program/tracker_option.h"
+#include "apps/program/tracker_question.h"
 #include "apps/trainee/tracker_change.h"
 #include "apps/trainee/trainee_station.h"
 #include "engine/io/anatomy_set/anatomy_cache.h"
@@ -202,7 +203,7 @@ Result<program::Entered> enter(const Entry& entry, const program::MeasureOptions
 /// The tracker that is asked for; for one that is not simulated with a site.
 Result<std::optional<TrackerChoice>> trackerFor(const QCommandLineParser& parser)
 {
-    auto chosen = program::trackerOption(parser, program::siteOption(parser));
+    auto chosen = program::readTrackerOption(parser, program::siteOption(parser));
     if (chosen && *chosen && !(*chosen)->isSimulated() && program::siteOption(parser).isEmpty())
         return fail(Errc::WrongOption,
                     "--tracker: it needs --site, which says where the patient lies");

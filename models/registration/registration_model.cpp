@@ -29,6 +29,16 @@ Result<Site> siteIn(const std::filesystem::path& file, const PatientModel& patie
     return site;
 }
 
+DeviceTask::Access accessOf(const RegistrationModel::Workplace& workplace)
+{
+    return {.tracker = workplace.tracker,
+            .trackerName = workplace.trackerName,
+            .clock = workplace.clock,
+            .tracked = workplace.trackedDevices,
+            .make = workplace.makeDevice,
+            .track = workplace.track};
+}
+
 /// Its own, and the landmarks, of which a fit may leave some out.
 std::vector<Landmark> placesToCheck(const RegistrationModel::Workplace& workplace)
 {
@@ -54,7 +64,7 @@ RegistrationModel::RegistrationModel(Workplace workplace, Site site, const Patie
     : QObject{parent},
       m_workplace{std::move(workplace)},
       m_patient{patient},
-      m_editor{m_workplace.file, std::move(site), m_workplace.today},
+      m_editor{m_workplace.file, std::move(site), m_workplace.today, m_workplace.past},
       m_watch{*m_workplace.tracker, m_workplace.clock},
       m_surfaces{patient},
       m_stylusTask{m_editor, m_watch},
@@ -63,7 +73,8 @@ RegistrationModel::RegistrationModel(Workplace workplace, Site site, const Patie
       m_fitTask{m_editor, m_watch, patient, m_surfaces},
       m_verifyTask{m_editor, m_watch, patient, m_surfaces, placesToCheck(m_workplace)},
       m_manikinTask{m_editor, patient, m_landmarkTask},
-      m_toolTask{m_editor, m_watch, patient}
+      m_toolTask{m_editor, m_watch, patient},
+      m_deviceTask{m_editor, m_workplace.file, accessOf(m_workplace)}
 {
     connect(&m_editor, &SiteEditor::changed, this, &RegistrationModel::followStep);
     connect(&m_editor, &SiteEditor::told, this, &RegistrationModel::told);
@@ -88,7 +99,10 @@ void RegistrationModel::followStep()
         m_watch.setTip(p_SQ);
         m_watch.watchFor(use());
     }
+    m_deviceTask.follow();
     Q_EMIT changed();
+    if (m_deviceTask.isOutdated())
+        Q_EMIT devicesChanged();
 }
 
 std::optional<ToolRole> RegistrationModel::touchedTool() const

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "models/patient/patient_model.h"
+#include "models/registration/device_task.h"
 #include "models/registration/fit_task.h"
 #include "models/registration/landmark_task.h"
 #include "models/registration/manikin_task.h"
@@ -70,6 +71,11 @@ public:
         std::vector<Landmark> checks{};              ///< places to check a registration at
         KnownVolume usualVolume = KnownVolume::None; ///< of such a tracker
         SiteEditor::Today today = &QDateTime::currentDateTimeUtc;
+        /// See DeviceTask::Access.
+        std::optional<std::vector<SiteDevice>> trackedDevices{};
+        MakeDevice makeDevice{};
+        std::function<Result<void>(bool tracks)> track{};
+        std::vector<Site> past{}; ///< of a model before, for undo()
     };
 
     /// @param site returned by siteOf
@@ -110,6 +116,9 @@ public:
     [[nodiscard]] ToolTask& toolTask() { return m_toolTask; }
     [[nodiscard]] const ToolTask& toolTask() const { return m_toolTask; }
 
+    [[nodiscard]] DeviceTask& devices() { return m_deviceTask; }
+    [[nodiscard]] const DeviceTask& devices() const { return m_deviceTask; }
+
     [[nodiscard]] ManikinTask& manikin() { return m_manikinTask; }
     [[nodiscard]] const ManikinTask& manikin() const { return m_manikinTask; }
 
@@ -133,6 +142,8 @@ public:
     [[nodiscard]] std::optional<StylusOnAnatomy> stylusOnAnatomy() const;
 
     [[nodiscard]] bool canUndo() const;
+    /// What the site was before, for a model that goes on with another tracker.
+    [[nodiscard]] const std::vector<Site>& past() const { return m_editor.past(); }
 
 public Q_SLOTS:
     /// Processes the tracker's samples since the last call; a timer calls it 30 times a second.
@@ -153,6 +164,9 @@ public Q_SLOTS:
 Q_SIGNALS:
     /// The site, the step or a problem changed.
     void changed();
+    /// The tracker was made of the site's devices, and these are others now: it has to be made
+    /// again (DeviceTask::isOutdated).
+    void devicesChanged();
     /// Something was done with the stylus, away from the screen: to be spoken aloud.
     void told(const QString& words);
 
@@ -179,6 +193,7 @@ private:
     VerifyTask m_verifyTask;
     ManikinTask m_manikinTask;
     ToolTask m_toolTask;
+    DeviceTask m_deviceTask;
     std::optional<SiteStep> m_followed; ///< the page that the present stylus use belongs to
     std::optional<Vec3> m_followedTip;
     bool m_followedAirway = false;          ///< whether the airway is touched

@@ -10,21 +10,6 @@ namespace carina
 namespace
 {
 
-void makeFitStale(Site& site, StaleCause cause)
-{
-    if (site.registration)
-        makeStale(site.registration->stale, cause);
-    if (site.verification)
-        makeStale(site.verification->stale, cause);
-}
-
-void makeTouchesStale(Site& site, StaleCause cause)
-{
-    for (TouchedPoint& touch : site.touched)
-        makeStale(touch.stale, cause);
-    makeFitStale(site, cause);
-}
-
 void makeToolsStale(Site& site, StaleCause cause)
 {
     for (SiteTool& tool : site.tools)
@@ -42,11 +27,6 @@ void putTouch(std::vector<TouchedPoint>& touched, const std::string& landmark,
 }
 
 } // namespace
-
-void makeStale(std::optional<StaleCause>& stale, StaleCause cause)
-{
-    stale = std::min(stale.value_or(cause), cause);
-}
 
 Site withTracker(Site site, std::string tracker)
 {

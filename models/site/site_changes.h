@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/geometry/fit/rigid_fit.h"
-#include "engine/io/site/site.h"
+#include "engine/io/site/stale_marks.h"
 #include "models/registration/stylus_watch.h"
 
 #include <optional>
@@ -52,10 +52,6 @@ namespace carina
 /// verdict.
 /// @pre it is registered.
 [[nodiscard]] Site withVerified(Site site, VerifiedPoint point);
-
-/// Marks a result as stale. Of several causes the one first in StaleCause is kept: a changed
-/// tracker invalidates a result whatever else has changed.
-void makeStale(std::optional<StaleCause>& stale, StaleCause cause);
 
 [[nodiscard]] Site withVerdict(Site site, Verdict verdict, std::string at);
 

@@ -6,8 +6,11 @@
 namespace carina
 {
 
-SiteEditor::SiteEditor(std::filesystem::path file, Site site, Today today)
-    : m_file{std::move(file)}, m_site{std::move(site)}, m_today{std::move(today)}
+SiteEditor::SiteEditor(std::filesystem::path file, Site site, Today today, std::vector<Site> past)
+    : m_file{std::move(file)},
+      m_site{std::move(site)},
+      m_today{std::move(today)},
+      m_past{std::move(past)}
 {
 }
 

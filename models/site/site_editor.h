@@ -24,7 +24,8 @@ public:
     using Today = std::function<QDateTime()>;
 
     /// @param site as read from the file
-    SiteEditor(std::filesystem::path file, Site site, Today today);
+    /// @param past what the site was before, oldest first, for undo()
+    SiteEditor(std::filesystem::path file, Site site, Today today, std::vector<Site> past = {});
 
     [[nodiscard]] const Site& site() const { return m_site; }
     [[nodiscard]] QDateTime today() const { return m_today(); }
@@ -38,6 +39,7 @@ public:
     void enter(SiteStep step);
 
     [[nodiscard]] bool canUndo() const { return !m_past.empty(); }
+    [[nodiscard]] const std::vector<Site>& past() const { return m_past; }
     void undo();
 
     /// One sentence: the last failure; empty after a success.

@@ -28,7 +28,8 @@ public:
     {
         switch (reason) {
         case StaleReason::Tracker:
-            return tr("Out of date: the tracker was changed afterwards.");
+            return tr("Out of date: the tracker, or the frame of one of its devices, was changed "
+                      "afterwards.");
         case StaleReason::Stylus:
             return tr("Out of date: the stylus was calibrated afterwards.");
         case StaleReason::Landmarks:
@@ -148,7 +149,10 @@ public:
         if (tool.isBent())
             return tr("%1: bent, or its markers were moved. Calibrate it again.").arg(name);
         if (tool.stale == StaleCause::Tracker)
-            return tr("%1: the tracker was changed afterwards. Calibrate it again.").arg(name);
+            return tr("%1: the tracker, or the frame of one of its devices, was changed "
+                      "afterwards. "
+                      "Calibrate it again.")
+                .arg(name);
         if (tool.stale)
             return tr("%1: the stylus was calibrated afterwards. Touch its tip to check it.")
                 .arg(name);

@@ -27,7 +27,7 @@ public:
     {
         switch (standing.reason) {
         case StaleReason::Tracker:
-            return tr("▲ stale: another tracker");
+            return tr("▲ stale: tracker changed");
         case StaleReason::Stylus:
             return tr("▲ stale: stylus calibrated anew");
         case StaleReason::Landmarks:
@@ -55,7 +55,8 @@ public:
     {
         switch (standing.reason) {
         case StaleReason::Tracker:
-            return tr("The manikin was registered with another tracker: register it again");
+            return tr("The manikin was registered before the tracker, or one of its devices, was "
+                      "changed: register it again");
         case StaleReason::Stylus:
             return tr("The registration is out of date, because the stylus was calibrated anew: "
                       "touch the landmarks again");

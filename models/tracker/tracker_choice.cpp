@@ -143,7 +143,7 @@ Result<std::unique_ptr<Tracker>> makeSet(const DeviceSet& set, const std::string
 
 } // namespace
 
-Result<TrackerChoice> trackerNamed(const QString& words)
+Result<TrackerChoice> trackerNamed(const QString& words, const Progress& goesOn)
 {
     if (words == kSimulated)
         return TrackerChoice{SimulatedDevice{}};
@@ -153,9 +153,9 @@ Result<TrackerChoice> trackerNamed(const QString& words)
                 return TrackerChoice{SimulatedDevice{std::move(settings)}};
             });
     if (words.startsWith(kRecorded))
-        return recordedTracker(words.mid(kRecorded.size()).toStdString(), Playing::Once);
+        return recordedTracker(words.mid(kRecorded.size()).toStdString(), Playing::Once, goesOn);
     if (words.startsWith(kLooped))
-        return recordedTracker(words.mid(kLooped.size()).toStdString(), Playing::Looped);
+        return recordedTracker(words.mid(kLooped.size()).toStdString(), Playing::Looped, goesOn);
     return describedIn(words.toStdString());
 }
 

@@ -48,8 +48,9 @@ struct TrackerChoice {
 /// "recorded:FILE", a recording
 /// (readAnyRecording), which is played once; "looped:FILE", one that is played again and again;
 /// otherwise a file that describes a tracker (describedIn).
-/// @returns the errors of reading that file and of readSimulatedOptions.
-[[nodiscard]] Result<TrackerChoice> trackerNamed(const QString& words);
+/// A recording takes long.
+/// @returns the errors of reading that file and of readSimulatedOptions; Cancelled.
+[[nodiscard]] Result<TrackerChoice> trackerNamed(const QString& words, const Progress& goesOn = {});
 
 /// What a file describes (readAnyDescription).
 /// @returns the errors of reading it.

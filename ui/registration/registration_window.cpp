@@ -104,6 +104,7 @@ void RegistrationWindow::addPages()
     connect(overview, &OverviewPage::reportWanted, this, &RegistrationWindow::askForReport);
     auto* tracker = new TrackerPage{m_registration, m_recording};
     connect(tracker, &TrackerPage::anotherWanted, this, &RegistrationWindow::anotherTrackerWanted);
+    connect(tracker, &TrackerPage::devicesWanted, this, &RegistrationWindow::siteDevicesWanted);
     m_pages = {overview,
                tracker,
                new StylusPage{m_registration},
@@ -144,6 +145,8 @@ void RegistrationWindow::connectModel()
 {
     connect(&m_registration, &RegistrationModel::changed, this, &RegistrationWindow::refresh);
     connect(&m_registration, &RegistrationModel::told, this, &RegistrationWindow::hear);
+    connect(&m_registration, &RegistrationModel::devicesChanged, this,
+            &RegistrationWindow::siteDevicesWanted);
     auto* live = new QTimer{this};
     connect(live, &QTimer::timeout, this, &RegistrationWindow::refreshProgress);
     live->start(kLiveInterval_ms);

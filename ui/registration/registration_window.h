@@ -41,6 +41,9 @@ public:
 Q_SIGNALS:
     /// A person wants to work with another tracker than the model has.
     void anotherTrackerWanted();
+    /// The site's devices are to be tracked with: a person wants it, or the tracker was made of
+    /// them and they were changed.
+    void siteDevicesWanted();
 
 private:
     void addPages();

@@ -6,7 +6,9 @@
 namespace carina
 {
 
-/// Chooses the present tracker for the site, or another one.
+class DevicesBox;
+
+/// Chooses the present tracker for the site, or another one; and the site's devices.
 class TrackerPage : public RegistrationPage
 {
     Q_OBJECT
@@ -14,11 +16,18 @@ class TrackerPage : public RegistrationPage
 public:
     TrackerPage(RegistrationModel& registration, PoseRecording& recording);
 
+    void refresh() override;
+    void refreshLive() override;
     [[nodiscard]] QString actionText() const override;
     void act() override;
 
 Q_SIGNALS:
     void anotherWanted();
+    /// The site's devices are to be used in place of the present tracker.
+    void devicesWanted();
+
+private:
+    DevicesBox* m_devices; ///< a child of this
 };
 
 } // namespace carina

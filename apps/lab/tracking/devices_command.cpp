@@ -1,10 +1,10 @@
 #include "apps/lab/command/words.h"
 #include "apps/lab/commands.h"
 #include "apps/lab/tracking/watched_body.h"
+#include "engine/io/site/devices/device_changes.h"
 #include "engine/io/site/devices/device_json.h"
 #include "engine/io/site/devices/site_devices.h"
 #include "engine/io/site/site_file.h"
-#include "engine/tracking/several/frame_calibration.h"
 
 #include <QDateTime>
 #include <QJsonArray>
@@ -16,10 +16,6 @@ namespace carina::lab
 {
 namespace
 {
-
-// Above these something other than the trackers' errors is in the residuals.
-constexpr Length kWorstFit = millimetres(5.0);
-constexpr Angle kWorstTurn = degrees(2.0);
 
 namespace devices_option
 {
@@ -67,8 +63,7 @@ struct ChangedSite {
     /// As the site file names it.
     [[nodiscard]] std::string nameOf(const QString& device) const
     {
-        std::error_code ignored;
-        return std::filesystem::proximate(device.toStdString(), folder(), ignored).string();
+        return deviceFile(folder(), device.toStdString());
     }
     [[nodiscard]] auto find(const std::string& name)
     {
@@ -86,33 +81,34 @@ QJsonObject reportOf(const Words& words, const Site& site)
             {devices_key::kDevices, devices}};
 }
 
-/// Writes the site with its devices, where these can be used together.
-Result<QJsonObject> store(const Words& words, const ChangedSite& changed)
+/// Writes the site with other devices, where these can be used together.
+Result<QJsonObject> store(const Words& words, const std::filesystem::path& file,
+                          const Result<Site>& site)
 {
-    return readSiteDevices(changed.folder(), changed.site.devices)
-        .and_then([&](const auto&) { return writeSiteFile(changed.file, changed.site); })
-        .map([&] { return reportOf(words, changed.site); });
+    if (!site)
+        return tl::unexpected(site.error());
+    return writeSiteFile(file, *site).map([&] { return reportOf(words, *site); });
 }
 
-Result<QJsonObject> setFirst(const Words& words, ChangedSite changed)
+Result<QJsonObject> setFirst(const Words& words, const ChangedSite& changed)
 {
     if (changed.site.devices.size() > 1)
         return words.refuse(QStringLiteral("keeps the first device while others are calibrated to "
                                            "it; remove these before."));
-    changed.site.devices = {{.file = changed.nameOf(words.text(devices_option::kFirst))}};
-    return store(words, changed);
+    const std::string name = changed.nameOf(words.text(devices_option::kFirst));
+    return store(words, changed.file, withFirstDevice(changed.site, changed.folder(), name));
 }
 
 Result<QJsonObject> removeOne(const Words& words, ChangedSite changed)
 {
-    const auto device = changed.find(changed.nameOf(words.text(devices_option::kRemove)));
+    const std::string name = changed.nameOf(words.text(devices_option::kRemove));
+    const auto device = changed.find(name);
     if (device == changed.site.devices.end())
         return words.refuse(QStringLiteral("finds no such device in the site."));
     if (device == changed.site.devices.begin() && changed.site.devices.size() > 1)
         return words.refuse(QStringLiteral("keeps the first device while others are calibrated to "
                                            "it; remove these before."));
-    changed.site.devices.erase(device);
-    return store(words, changed);
+    return store(words, changed.file, withoutDevice(changed.site, changed.folder(), name));
 }
 
 /// What both devices saw of the body.
@@ -143,29 +139,27 @@ Result<WatchedBody> bodyFor(const Words& words, const std::vector<PlacedDescript
                      fromSeconds(*seconds));
 }
 
-Result<QJsonObject> calibrate(const Words& words, ChangedSite& changed, std::size_t added,
-                              const WatchedBody& body)
+/// Of a device with the name that the site file has for it.
+Result<QJsonObject> calibrate(const Words& words, const ChangedSite& changed,
+                              const std::string& name, const WatchedBody& body)
 {
     const auto found = calibrateFrames(body.first, body.second);
     if (!found)
         return words.refuse(QStringLiteral("finds no frame: %1.")
                                 .arg(QString::fromStdString(found.error().detail)));
-    SiteDevice& device = changed.site.devices[added];
-    device.frame = SiteDeviceFrame{
-        .place = found->place,
-        .rms = found->rms.si,
-        .turn = found->turn,
-        .pairs = int(found->pairs),
-        .calibratedAt = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()};
-    const bool isAcceptable = found->rms <= kWorstFit && found->turn <= kWorstTurn;
-    auto report =
-        isAcceptable ? store(words, changed) : Result<QJsonObject>{reportOf(words, changed.site)};
+    const SiteDevice device{
+        .file = name,
+        .frame = deviceFrame(*found,
+                             QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString())};
+    auto report = isAcceptable(*found) ? store(words, changed.file,
+                                               withDevice(changed.site, changed.folder(), device))
+                                       : Result<QJsonObject>{reportOf(words, changed.site)};
     if (!report)
         return report;
     report->insert(devices_key::kFrame, jsonDevice(device)[devices_key::kFrame]);
     report->insert(devices_key::kOutliers, qint64(found->outliers));
     report->insert(devices_key::kBodies, jsonPose(found->X_OP));
-    report->insert(kAcceptable, isAcceptable);
+    report->insert(kAcceptable, isAcceptable(*found));
     return report;
 }
 
@@ -182,13 +176,14 @@ Result<QJsonObject> add(const Words& words, ChangedSite changed)
     if (device == changed.site.devices.begin())
         return words.refuse(QStringLiteral("calibrates other devices to the first."));
     const auto added = std::size_t(device - changed.site.devices.begin());
-    if (device == changed.site.devices.end())
-        changed.site.devices.push_back({.file = name, .frame = SiteDeviceFrame{}});
-    const auto devices = readSiteDevices(changed.folder(), changed.site.devices);
+    std::vector<SiteDevice> withAdded = changed.site.devices;
+    if (added == withAdded.size())
+        withAdded.push_back({.file = name, .frame = SiteDeviceFrame{}});
+    const auto devices = readSiteDevices(changed.folder(), withAdded);
     if (!devices)
         return tl::unexpected(devices.error());
     return bodyFor(words, *devices, added).and_then([&](const WatchedBody& body) {
-        return calibrate(words, changed, added, body);
+        return calibrate(words, changed, name, body);
     });
 }
 
@@ -210,7 +205,7 @@ Result<QJsonObject> devices(const Words& words)
         return tl::unexpected(site.error());
     ChangedSite changed{file, site ? *std::move(site) : Site{}};
     if (words.has(devices_option::kFirst))
-        return setFirst(words, std::move(changed));
+        return setFirst(words, changed);
     if (words.has(devices_option::kAdd))
         return add(words, std::move(changed));
     if (words.has(devices_option::kRemove))

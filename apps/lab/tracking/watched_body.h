@@ -1,13 +1,10 @@
 #pragma once
 
 #include "engine/io/site/devices/tracker_file.h"
-#include "engine/tracking/pose_sample.h"
+#include "engine/tracking/several/body_watch.h"
 
 namespace carina::lab
 {
-
-/// What one device saw of a body, in its own frame.
-using BodySamples = std::vector<PoseSample>;
 
 /// A device that sees the body, and its name of the tool that is fixed to it.
 struct Watcher {
@@ -15,16 +12,8 @@ struct Watcher {
     std::string tool;
 };
 
-/// What two devices saw of one body.
-struct WatchedBody {
-    BodySamples first;
-    BodySamples second;
-};
-
 /// Tracks with both devices for so long, with their stamps on one clock.
-/// @returns the errors of describedTracker and of Tracker::start; WrongOption for a tool that a
-///          device does not have; TrackerFailed where a device has not seen its tool at all, with
-///          what keeps it from that.
+/// @returns the errors of describedTracker, BodyWatch::begin and BodyWatch::end.
 [[nodiscard]] Result<WatchedBody> watchBody(const Watcher& first, const Watcher& second,
                                             Duration duration);
 

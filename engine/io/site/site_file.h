@@ -41,11 +41,11 @@ namespace carina
 ///     digest        of all other fields (checkDigest of them as JSON without blanks, in the order
 ///                   of their names), 40 hexadecimal digits
 ///
-/// stale is the input changed after the result: "tracker", "stylus", "landmarks", "manikin",
-/// "touches" or "fit". The earlier versions are read too: "carina.site/5" without
-/// devices, "carina.site/4" without tools, "carina.site/3" without a digest, which
-/// is what a person writes by hand, "carina.site/2" without manikin and localisations, and
-/// "carina.site/1" with one "stylus" and fewer fields.
+/// stale is the input changed after the result: "tracker", also for the frame of one of its
+/// devices, "stylus", "landmarks", "manikin", "touches" or "fit". The earlier versions are read
+/// too: "carina.site/5" without devices, "carina.site/4" without tools, "carina.site/3" without a
+/// digest, which is what a person writes by hand, "carina.site/2" without manikin and
+/// localisations, and "carina.site/1" with one "stylus" and fewer fields.
 ///
 /// @returns FileNotFound, FileUnreadable, FileEmpty; UnknownFormat for another schema;
 ///          FileMalformed where the digest does not match, or a field is missing, of the wrong

@@ -1,6 +1,7 @@
 #include "engine/tracking/several/frame_calibration.h"
 
 #include "engine/geometry/rotation.h"
+#include "engine/tracking/several/body_motion.h"
 #include "engine/tracking/time_shift.h"
 
 #include <Eigen/Dense>
@@ -50,17 +51,10 @@ Mat3 crossOf(const Vec3& v)
 /// How much the body was turned about its second axis, RMS about the mean.
 Angle secondTurn(const std::vector<BodySeenTwice>& pairs)
 {
-    Mat3 sum = Mat3::Zero();
+    std::vector<RigidTransform> poses;
     for (const BodySeenTwice& pair : pairs)
-        sum += pair.X_TO.rotation().toRotationMatrix();
-    const Quat mean{nearestRotation(sum)};
-    Mat3 spread = Mat3::Zero();
-    for (const BodySeenTwice& pair : pairs) {
-        const Vec3 turn = rotationVector(mean.conjugate() * pair.X_TO.rotation());
-        spread += turn * turn.transpose();
-    }
-    const Eigen::SelfAdjointEigenSolver<Mat3> axes{spread / double(pairs.size())};
-    return radians(std::sqrt(std::max(axes.eigenvalues()[1], 0.0)));
+        poses.push_back(pair.X_TO);
+    return bodyMotion(poses).turned[1];
 }
 
 /// The rotations by the largest singular value of mean(R_DP kron R_TO), which takes vec(R_OP) to
@@ -257,6 +251,11 @@ Result<FrameCalibration> calibrateFrames(std::span<const PoseSample> first,
                 return calibration;
             });
     });
+}
+
+bool isAcceptable(const FrameCalibration& found)
+{
+    return found.rms <= kWorstFit && found.turn <= kWorstTurn;
 }
 
 } // namespace carina

@@ -53,6 +53,12 @@ seenTwice(std::span<const PoseSample> first, std::span<const PoseSample> second,
 [[nodiscard]] Result<FrameCalibration> calibrateFrames(std::span<const PoseSample> first,
                                                        std::span<const PoseSample> second);
 
+/// Whether a calibration may be used: above kWorstFit and kWorstTurn something other than the
+/// trackers' errors is in the residuals, such as tools on two bodies.
+[[nodiscard]] bool isAcceptable(const FrameCalibration& found);
+
+inline constexpr Length kWorstFit = millimetres(5.0);
+inline constexpr Angle kWorstTurn = degrees(2.0);
 inline constexpr std::size_t kFewestSeenTwice = 50;
 /// How much the body is to be turned about at least two axes, RMS about the mean.
 inline constexpr Angle kLeastTurnTwice = degrees(8.0);

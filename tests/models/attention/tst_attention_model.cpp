@@ -296,7 +296,7 @@ void TestAttentionModel::saysWhoseRegistrationCannotBeReliedOn_data()
     row("stylus", {State::Stale, Why::Stylus, {}}, "stylus");
     row("landmarks", {State::Stale, Why::Landmarks, {}}, "landmarks were changed");
     row("touches", {State::Stale, Why::Touches, {}}, "touched again");
-    row("tracker", {State::Stale, Why::Tracker, {}}, "another tracker");
+    row("tracker", {State::Stale, Why::Tracker, {}}, "one of its devices");
     row("patient", {State::Stale, Why::Patient, {}}, "another patient");
     row("manikin", {State::Stale, Why::Manikin, {}}, "was moved");
     row("registering", {State::Stale, Why::Registering, {}}, "being registered");

@@ -89,7 +89,9 @@ public:
                                          .clock = [this] { return std::optional{m_now}; },
                                          .landmarks = sets(),
                                          .checks = checks(),
-                                         .today = [this] { return m_today; }},
+                                         .today = [this] { return m_today; },
+                                         .trackedDevices = m_trackedDevices,
+                                         .past = m_past},
             RegistrationModel::siteOf(file(), patient()).value(), patient());
     }
 
@@ -188,6 +190,8 @@ public:
     QString m_trackerName = QStringLiteral("Written tracker");
     SessionTime m_now{std::chrono::seconds{100}};
     QDateTime m_today{{2004, 3, 27}, {10, 15}, Qt::UTC};
+    std::optional<std::vector<SiteDevice>> m_trackedDevices{};
+    std::vector<Site> m_past{}; ///< of a model before
 
 private:
     /// Making the patient takes seconds: where a run of tests has a cache of its own, the first

@@ -3,6 +3,8 @@
 
 #include <QSignalSpy>
 
+#include <fstream>
+
 namespace carina::registration_model_test
 {
 namespace
@@ -211,6 +213,44 @@ private Q_SLOTS:
         model->undo();
         QVERIFY(!model->canUndo());
         QCOMPARE(model->task(SiteStep::Tracker).state, TaskState::Open);
+    }
+
+    /// As when it goes on with another tracker.
+    void undoesWhatWasDoneInAModelBefore()
+    {
+        RegistrationSite site;
+        auto model = site.model();
+        model->setOperator(QStringLiteral("A. Frei"));
+        model->setOperator(QStringLiteral("M. Keller"));
+        site.m_past = model->past();
+        model = site.model();
+        QVERIFY(model->canUndo());
+        model->undo();
+        QCOMPARE(model->site().operatorName, std::string{"A. Frei"});
+        model->undo();
+        QVERIFY(model->site().operatorName.empty());
+        QVERIFY(!model->canUndo());
+    }
+
+    /// A tracker that was made of the site's devices has to be made anew once they are others.
+    void tellsThatTheDevicesChanged()
+    {
+        RegistrationSite site;
+        std::ofstream{site.beside("tracker.json")}
+            << R"({"schema": "carina.tracker/1", "kind": "openigtlink",)"
+               R"( "address": "192.0.2.8:18944", "tools": [{"name": "Chin", "role": "jaw"}]})";
+        const auto other = site.model();
+        QSignalSpy unasked{other.get(), &RegistrationModel::devicesChanged};
+        other->devices().setFirst({"tracker.json"});
+        QCOMPARE(other->devices().count(), 1U);
+        QCOMPARE(unasked.count(), 0); // its tracker is none of them
+        site.m_trackedDevices = other->site().devices;
+        const auto model = site.model();
+        QSignalSpy changed{model.get(), &RegistrationModel::devicesChanged};
+        model->setOperator(QStringLiteral("A. Frei"));
+        QCOMPARE(changed.count(), 0);
+        model->devices().remove(0);
+        QVERIFY(changed.count() > 0);
     }
 
     void saysHowItsToolsAreSeen()

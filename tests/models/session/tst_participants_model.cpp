@@ -217,7 +217,7 @@ void TestParticipantsModel::saysHowEachRegistrationStands_data()
     row("stylus", {State::Stale, Why::Stylus, {}}, "▲ stale: stylus calibrated anew");
     row("landmarks", {State::Stale, Why::Landmarks, {}}, "▲ stale: landmarks changed");
     row("touches", {State::Stale, Why::Touches, {}}, "▲ stale: landmarks touched anew");
-    row("tracker", {State::Stale, Why::Tracker, {}}, "▲ stale: another tracker");
+    row("tracker", {State::Stale, Why::Tracker, {}}, "▲ stale: tracker changed");
     row("patient", {State::Stale, Why::Patient, {}}, "▲ stale: another patient");
     row("manikin", {State::Stale, Why::Manikin, {}}, "▲ stale: manikin moved");
     row("registering", {State::Stale, Why::Registering, {}}, "▲ stale: being registered again");

@@ -101,10 +101,10 @@ private Q_SLOTS:
         row("no patient in particular", withPatient(verifiedSite(), ""), State::Good, Why::None,
             "✓ registered", "");
         row("another tracker", withTracker(verifiedSite(), "Tracker B"), State::Stale, Why::Tracker,
-            "▲ stale: another tracker", "register it again");
+            "▲ stale: tracker changed", "register it again");
         row("another tracker and back",
             withTracker(withTracker(verifiedSite(), "Tracker B"), kTracker), State::Stale,
-            Why::Tracker, "▲ stale: another tracker", "register it again");
+            Why::Tracker, "▲ stale: tracker changed", "register it again");
         row("stylus", withStylus(verifiedSite(), someTip()), State::Stale, Why::Stylus,
             "▲ stale: stylus calibrated anew", "touch the landmarks again");
         row("landmark moved", withLandmarkMoved(verifiedSite()), State::Stale, Why::Landmarks,

@@ -3,6 +3,7 @@
 import subprocess
 
 MOST_TABS = 150
+MOST_ENTRIES = 30  # of a list that drops down
 MOST_NOTCHES = 40  # of the wheel
 
 
@@ -38,6 +39,14 @@ class Hands:
 
     def wheel(self, down):
         self._do("click", 5 if down else 4)
+
+
+def arrow_between(one, other):
+    """The arrow key that leads from one control towards another."""
+    right, down = (b - a for a, b in zip(one.middle, other.middle))
+    if abs(right) > abs(down):
+        return "Right" if right > 0 else "Left"
+    return "Down" if down > 0 else "Up"
 
 
 class Person:
@@ -99,7 +108,7 @@ class WithMouse(Person):
 
     def bring(self, panel):
         """A panel that stands behind others."""
-        self.activate(self.view.find(role="page tab", name=panel))
+        self.activate(self.view.get(role="page tab", name=panel))
 
 
 class WithKeyboard(Person):
@@ -107,8 +116,27 @@ class WithKeyboard(Person):
 
     def activate(self, control):
         self.hands.activations += 1
-        self.focus(control)
-        self.hands.key("space")
+        if control.role == "radio button":
+            self._go_to_radio_button(control)
+        else:
+            self.focus(control)
+            self.hands.key("space")
+
+    def _go_to_radio_button(self, button):
+        """Tab comes to the one that is chosen, and arrows go on from there."""
+        buttons = [each for each in button.parent.children if each.role == button.role]
+        chosen = next(each for each in buttons if "checked" in each.states)
+        self.focus(chosen)
+        self._press_until(arrow_between(chosen, button), lambda: self.is_on(button), len(buttons),
+                          button)
+
+    def _press_until(self, key, is_there, most, what):
+        for _ in range(most):
+            if self.view.soon(is_there):
+                return
+            self.hands.key(key)
+        if not self.view.soon(is_there):
+            raise AssertionError(f"{key} does not come to {what}")
 
     def focus(self, field):
         if not self.view.tab_until(lambda node: node is not None and node.path == field.path,
@@ -119,8 +147,9 @@ class WithKeyboard(Person):
         self.hands.activations += 2  # as with the mouse: open, and take
         self.focus(box)
         self.hands.key("alt+Down")
-        self.view.wait(f"the entry {entry}", role="list item", name=entry)
-        self.hands.write(entry)
+        item = self.view.wait(f"the entry {entry}", role="list item", name=entry)
+        self.hands.key("Home")
+        self._press_until("Down", lambda: self.view.is_selected(item), MOST_ENTRIES, item)
         self.hands.key("Return")
 
     def take(self, item):
@@ -129,7 +158,7 @@ class WithKeyboard(Person):
         self.hands.key("Home")
 
     def bring(self, panel):
-        tab = self.view.find(role="page tab", name=panel)
+        tab = self.view.get(role="page tab", name=panel)
         tabs = [each for each in tab.parent.children if each.role == "page tab"]
         front = next(place for place, each in enumerate(tabs) if "focused" in each.states)
         steps = tabs.index(tab) - front

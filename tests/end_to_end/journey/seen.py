@@ -13,7 +13,7 @@ ROOT = "/org/a11y/atspi/accessible/root"
 REGISTRY = "org.a11y.atspi.Registry"
 ACCESSIBLE = "org.a11y.atspi.Accessible"
 NULL = "/org/a11y/atspi/null"
-CALL_MS = 20_000  # of a program that is busy with something else
+CALL_MS = 60_000  # of a program that is busy with something else
 # Places in the bits of the state, from the AT-SPI specification.
 STATES = {"checked": 4, "editable": 7, "enabled": 8, "expanded": 10, "focusable": 11, "focused": 12,
           "selected": 23, "sensitive": 24, "showing": 25, "visible": 30}

@@ -9,7 +9,7 @@ import checks
 from computers import Computer, make_switch
 from hands import Hands, WithKeyboard, WithMouse
 from seen import Accessibility, wait_for
-from view import View
+from view import ANSWERS_S, STARTS_S, View
 
 MOST_CLICKS = 5  # from the start page to the first breath
 LEAST_SHARE = {"1280x800": 0.5, "1920x1080": 0.666}  # of the picture in the console's window
@@ -75,15 +75,15 @@ class Story:
     def fill_the_start_page(self):
         console = self.console
         self.start(console, self.asked.instructor, CONSOLE)
-        console.view.wait_ready("a session to begin", 60, name="Begin the session")
+        console.view.wait_ready("a session to begin", STARTS_S, name="Begin the session")
         self.look_at("the start page", console)
         console.hands.activations = 0
-        console.choose(console.view.find(role="combo box"), ADULT)
-        console.activate(console.view.find(role="radio button", name="This network"))
+        console.choose(console.view.get(role="combo box"), ADULT)
+        console.activate(console.view.get(role="radio button", name="This network"))
 
     def begin(self):
         console = self.console
-        console.view.wait("who is chosen", 60, has="Adult")
+        console.view.wait("who is chosen", STARTS_S, has="Adult")
         console.activate(console.view.wait_ready("a session to begin", 60,
                                                  name="Begin the session"))
         self.come_to_the_console()
@@ -97,20 +97,20 @@ class Story:
 
     def join(self, trainee, name, code):
         self.start(trainee, self.asked.trainee, JOINING)
-        trainee.view.wait("the session that was found", 30, role="list item",
+        trainee.view.wait("the session that was found", ANSWERS_S, role="list item",
                           has="Routine intubation")
         for field, words in (("Your name", name), ("Code", code)):
-            trainee.write_into(trainee.view.find(role="text", name=field), words)
+            trainee.write_into(trainee.view.get(role="text", name=field), words)
         self.look_at("the join window", trainee)
         trainee.activate(trainee.view.wait_ready("to join", name="Join", role="push button"))
-        trainee.view.wait("the session", 60, has="Waiting for the instructor to start")
+        trainee.view.wait("the session", STARTS_S, has="Waiting for the instructor to start")
         self.open(trainee, TRAINEE)
         self.look_at("the trainee's window", trainee)
         self.console.view.wait(f"that {name} is here", has="participants: ")
 
     def first_breath(self):
         console = self.console
-        console.activate(console.view.find(role="push button", name="Start"))
+        console.activate(console.view.get(role="push button", name="Start"))
         console.view.wait("that it runs", has="● Running")
         films = self.film_all()
         for person, each in zip([console, *self.trainees], films):
@@ -143,7 +143,7 @@ class Story:
         console = self.console
         before = self.film_all(FILM_S / 2)
         self.bring("Condition")
-        console.activate(console.view.find(role="push button", name="Add another condition"))
+        console.activate(console.view.get(role="push button", name="Add another condition"))
         kind = console.view.wait("the kind", role="combo box", name="ARDS")
         console.choose(kind, CONDITION)
         self.type_number("Severity of the condition, 0 to 1", SEVERITY)
@@ -163,7 +163,7 @@ class Story:
         before = self.film_all(FILM_S / 4)
         self.bring("Parts")
         console.choose(console.view.beside("Cut", "combo box"), "Everything")
-        show = console.view.find(begins="Show what you see to")
+        show = console.view.get(begins="Show what you see to")
         if not console.is_on(show):
             console.activate(show)
         for trainee in self.trainees:
@@ -196,18 +196,18 @@ class Story:
             trainee.view.wait("that it looks for the instructor", has=CONNECTING)
         self.keep("console killed")
         self.start(console, self.asked.instructor, CONSOLE)
-        session = console.view.wait("the earlier session", 60, role="list item",
+        session = console.view.wait("the earlier session", STARTS_S, role="list item",
                                     has="Routine intubation")
         self.look_at("the start page with an earlier session", console)
         console.take(session)
-        network = console.view.find(role="radio button", name="This network")
+        network = console.view.get(role="radio button", name="This network")
         if "checked" not in network.states:
             console.activate(network)
         console.activate(console.view.wait_ready("to resume", name="Resume"))
-        console.view.wait("the console", 60, has="join at port")
+        console.view.wait("the console", STARTS_S, has="join at port")
         began = time.monotonic()
         for trainee in self.trainees:
-            trainee.view.wait("that it is back", 30, has="Paused")
+            trainee.view.wait("that it is back", ANSWERS_S, has="Paused")
             back = time.monotonic() - began
             print(f"{trainee.view.computer.name} is back {back:.1f} s after the console's window")
             if back > BACK_S:
@@ -222,9 +222,9 @@ class Story:
 
     def end(self):
         console = self.console
-        console.activate(console.view.find(role="push button", name="End"))
+        console.activate(console.view.get(role="push button", name="End"))
         console.activate(console.view.wait("the question", role="push button", name="Really end?"))
-        console.view.wait("what happened", 30, name="The session has ended")
+        console.view.wait("what happened", ANSWERS_S, name="The session has ended")
         self.open(console, CONSOLE)
         for trainee in self.trainees:
             trainee.view.wait("that it has ended", has="The session has ended")
@@ -234,23 +234,23 @@ class Story:
 
     def begin_another(self):
         console = self.console
-        console.activate(console.view.find(role="push button", name="New session"))
-        begin = console.view.wait_ready("another session to begin", 60, name="Begin the session")
+        console.activate(console.view.get(role="push button", name="New session"))
+        begin = console.view.wait_ready("another session to begin", STARTS_S, name="Begin the session")
         self.open(console, CONSOLE)
         self.keep("start page again")
         console.activate(begin)
         console.activate(self.come_to_the_console())
         console.view.wait("that it runs", has="● Running")
         trainee = self.trainees[0]
-        trainee.activate(trainee.view.find(role="push button", name="Join another session"))
-        trainee.view.wait("the window to join", 30, role="push button", name="Join")
-        trainee.view.wait("the new session", 30, role="list item", has="Routine intubation")
+        trainee.activate(trainee.view.get(role="push button", name="Join another session"))
+        trainee.view.wait("the window to join", ANSWERS_S, role="push button", name="Join")
+        trainee.view.wait("the new session", ANSWERS_S, role="list item", has="Routine intubation")
         self.keep("another session")
 
     # What it is made of
 
     def come_to_the_console(self):
-        start = self.console.view.wait("the console", 60, role="push button", name="Start")
+        start = self.console.view.wait("the console", STARTS_S, role="push button", name="Start")
         self.open(self.console, CONSOLE)
         return start
 
@@ -261,7 +261,7 @@ class Story:
 
     def open(self, person, window):
         """A new window gets the keyboard, and the whole screen, as from a window manager."""
-        shown = person.view.wait("its window", 60, role_in=WINDOWS, name=window)
+        shown = person.view.wait("its window", STARTS_S, role_in=WINDOWS, name=window)
         if shown.role != "dialog":
             person.hands.resize(window, self.size)
         person.hands.give_keyboard(window)
@@ -271,7 +271,7 @@ class Story:
         self.console.view.wait(f"the panel {panel}", role="frame", name=panel)
 
     def type_number(self, name, number):
-        self.console.enter(self.console.view.find(role="spin box", name=name), number)
+        self.console.enter(self.console.view.get(role="spin box", name=name), number)
 
     def port(self):
         status = self.console.view.wait("its port", has="join at port")

@@ -2,9 +2,10 @@
 
 from seen import ITEM_ROLES, Accessibility, wait_for
 
-STARTS_S = 120  # on a busy machine: a patient is made first
-ANSWERS_S = 30
+STARTS_S = 180  # on a busy machine: a patient is made first
+ANSWERS_S = 90
 MOVES_S = 10
+SOON_S = 0.7
 
 
 class View:
@@ -43,6 +44,10 @@ class View:
         return wait_for(f"{self.computer.name} shows {what}",
                         lambda: self._running() and self.find(**wanted), limit_s)
 
+    def get(self, **wanted):
+        """What is about to be used: it comes when the program has the time."""
+        return self.wait(", ".join(f"{key} {value}" for key, value in wanted.items()), **wanted)
+
     def wait_ready(self, what, limit_s=ANSWERS_S, **wanted):
         """That it can be used, too."""
         def ready():
@@ -57,6 +62,17 @@ class View:
     def wait_for_value(self, box, number):
         wait_for(f"{box} has {number}",
                  lambda: abs((self.accessibility.value(box) or 0) - number) < 1e-6, ANSWERS_S)
+
+    def is_selected(self, item):
+        return "selected" in self.accessibility.states([item])[0]
+
+    @staticmethod
+    def soon(is_there):
+        """Whether it becomes true before a person would press once more."""
+        try:
+            return wait_for("", is_there, SOON_S, 0.02)
+        except AssertionError:
+            return False
 
     def beside(self, label, role):
         """The control of this role to the right of a label."""

@@ -44,11 +44,11 @@ def follows(before, after):
             return after.box[0] >= before.box[0]
         return after.box[1] >= before.box[1]
     one, other = (pane or before).box, (next_pane or after).box
-    return other[0] >= one[0] + one[2] or other[1] >= one[1] + one[3] or contains(one, other)
+    return other[0] >= one[0] + one[2] or other[1] >= one[1] + one[3] or contains(one, other) or contains(other, one)
 
 
 def contains(outer, inner):
-    """A box with a title around what is read after it."""
+    """A box with a title around what is read with it, or a picture and what lies over its edge."""
     return (outer[0] <= inner[0] and outer[1] <= inner[1]
             and outer[0] + outer[2] >= inner[0] + inner[2]
             and outer[1] + outer[3] >= inner[1] + inner[3])

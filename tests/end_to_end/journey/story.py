@@ -84,7 +84,7 @@ class Story:
     def begin(self):
         console = self.console
         console.view.wait("who is chosen", STARTS_S, has="Adult")
-        console.activate(console.view.wait_ready("a session to begin", 60,
+        console.activate(console.view.wait_ready("a session to begin", STARTS_S,
                                                  name="Begin the session"))
         self.come_to_the_console()
         self.check_share()
@@ -104,9 +104,13 @@ class Story:
         self.look_at("the join window", trainee)
         trainee.activate(trainee.view.wait_ready("to join", name="Join", role="push button"))
         trainee.view.wait("the session", STARTS_S, has="Waiting for the instructor to start")
+        wait_for(f"{name} has the session's patient", lambda: not any(
+            "The session's patient" in words for words in trainee.view.words()), STARTS_S)
         self.open(trainee, TRAINEE)
         self.look_at("the trainee's window", trainee)
-        self.console.view.wait(f"that {name} is here", has="participants: ")
+        present = 2 + self.trainees.index(trainee)  # with the instructor
+        self.console.view.wait(f"that {name} is here", role="page tab",
+                               has=f"participants: {present}")
 
     def first_breath(self):
         console = self.console

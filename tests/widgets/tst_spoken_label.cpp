@@ -40,6 +40,14 @@ private Q_SLOTS:
         QCOMPARE(spokenOf(label), QStringLiteral("Paused"));
     }
 
+    void saysWhatALabelOfAFieldShows()
+    {
+        QLabel field;
+        PlainLabel label{QStringLiteral("Ne&xt && last")};
+        label.setBuddy(&field);
+        QCOMPARE(spokenOf(label), QStringLiteral("Next & last"));
+    }
+
     void saysOtherWordsInsteadWhereThereAre()
     {
         PlainLabel label{QStringLiteral("▲ Tom is aw…")};

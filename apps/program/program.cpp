@@ -5,6 +5,7 @@
 #include "models/errors/error_text.h"
 #include "models/text/shown_as_is.h"
 #include "widgets/scene/view/graphics.h"
+#include "widgets/spoken_label.h"
 #include "widgets/theme/dark_theme.h"
 
 #include <QLocale>
@@ -43,10 +44,11 @@ void tellUnlessAWarning(QtMsgType type, const QMessageLogContext& context, const
         std::fprintf(stderr, "%s\n", qPrintable(qFormatLogMessage(type, context, text)));
 }
 
-/// Theme and translations.
+/// Theme, translations and what is read aloud.
 void prepareProgram(QApplication& application)
 {
     applyDarkTheme(application);
+    installSpokenLabels();
     auto* translator = new QTranslator{&application};
     const QString catalogues = QStringLiteral(":/carina/translations");
     if (translator->load(QLocale{}, QStringLiteral("carina"), QStringLiteral("_"), catalogues)

@@ -78,10 +78,14 @@ public:
         return told;
     }
 
+    /// The folder may be still to be made: it is where its nearest parent is.
     static QString disk(const QString& folder)
     {
-        const QStorageInfo disk{folder};
-        if (!disk.isValid() || !QFileInfo{folder}.isWritable())
+        QFileInfo there{QFileInfo{folder}.absoluteFilePath()};
+        while (!there.exists() && !there.isRoot())
+            there.setFile(there.absolutePath());
+        const QStorageInfo disk{there.absoluteFilePath()};
+        if (!disk.isValid() || !there.isDir() || !there.isWritable())
             return tr("▲ %1 cannot be written into: choose another folder with --data").arg(folder);
         const QString free = QLocale{}.formattedDataSize(disk.bytesAvailable());
         return disk.bytesAvailable() < kLowDisk_bytes

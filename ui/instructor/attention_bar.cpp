@@ -2,6 +2,7 @@
 
 #include "models/text/shown_as_is.h"
 #include "widgets/plain_label.h"
+#include "widgets/spoken_label.h"
 
 #include <QAccessible>
 #include <QHBoxLayout>
@@ -65,7 +66,7 @@ void AttentionBar::setModel(AttentionModel& model)
         widest = std::max(widest, m_action->sizeHint().width());
     }
     m_action->setFixedWidth(widest);
-    setFixedHeight(sizeHint().height()); // also while there is nothing to say
+    setFixedHeight(sizeHint().height()); // whatever it says
     connect(&model, &AttentionModel::changed, this, &AttentionBar::refresh);
     refresh();
 }
@@ -86,8 +87,7 @@ void AttentionBar::refresh()
 {
     const auto& all = m_model->all();
     const Attention before = std::exchange(m_shown, first());
-    m_action->setVisible(!all.empty());
-    m_text->setVisible(!all.empty());
+    setVisible(!all.empty());
     m_more->setVisible(all.size() > 1);
     m_action->setText(m_shown.action);
     m_action->setAccessibleDescription(m_shown.text);
@@ -103,7 +103,7 @@ void AttentionBar::showText()
     const QString text = tr("▲ %1", "what needs attention").arg(m_shown.text);
     m_text->setText(m_text->fontMetrics().elidedText(text, Qt::ElideRight, m_text->width()));
     m_text->setToolTip(shownAsIs(m_shown.text));
-    m_text->setAccessibleName(m_shown.text);
+    speakInstead(*m_text, m_shown.text);
 }
 
 void AttentionBar::announce(const QString& text)

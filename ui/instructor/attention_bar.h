@@ -13,7 +13,7 @@ namespace carina
 {
 
 /// One line with what needs attention most urgently, and the button that settles it or shows where
-/// it is; a menu has the rest. Where nothing needs attention the line is empty; its height stays.
+/// it is; a menu has the rest. Where nothing needs attention the line is hidden.
 ///
 /// What is shown stays under a pointer or with the focus until it is settled, so that nobody
 /// presses a button that has just changed its meaning. A screen reader hears each new matter.

@@ -4,6 +4,7 @@
 #include "models/station/people_words.h"
 #include "ui/instructor/panel_docks.h"
 #include "ui/instructor/projector_window.h"
+#include "ui/instructor/reading_order.h"
 #include "ui/instructor/session_control.h"
 #include "ui/instructor/status_line.h"
 #include "ui/instructor/view_controls.h"
@@ -14,6 +15,7 @@
 
 #include <QCloseEvent>
 #include <QDockWidget>
+#include <QScrollArea>
 #include <QShowEvent>
 #include <QTimer>
 #include <QToolButton>
@@ -225,6 +227,18 @@ void InstructorWindow::keepPanels()
 {
     if (m_isLaidOut)
         m_kept.keepPanels(m_docks->state());
+}
+
+bool InstructorWindow::focusNextPrevChild(bool next)
+{
+    QWidget* to = nextInReadingOrder(*this, next);
+    if (!to)
+        return false;
+    to->setFocus(next ? Qt::TabFocusReason : Qt::BacktabFocusReason);
+    for (QWidget* around = to->parentWidget(); around; around = around->parentWidget())
+        if (auto* area = qobject_cast<QScrollArea*>(around))
+            area->ensureWidgetVisible(to);
+    return true;
 }
 
 void InstructorWindow::closeEvent(QCloseEvent* event)

@@ -20,7 +20,7 @@ public:
     using Group = QList<QDockWidget*>;
 
     /// Pixels: with it the picture has half of a window of 1280x800, and two thirds of 1920x1080.
-    static constexpr int kColumnWidth = 400;
+    static constexpr int kColumnWidth = 470;
     /// From this height on, each group has a place of its own.
     static constexpr int kHighWindow = 1000;
 

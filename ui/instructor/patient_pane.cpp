@@ -2,6 +2,9 @@
 
 #include "ui_patient_pane.h"
 
+#include <QEvent>
+#include <QWindow>
+
 namespace carina
 {
 
@@ -10,6 +13,11 @@ PatientPane::PatientPane(QWidget* parent)
 {
     m_ui->setupUi(this);
     m_ui->scene->setBackground(palette().color(QPalette::Base));
+    m_ui->centreLayout->removeWidget(m_ui->attentionBar);
+    m_ui->attentionBar->setAttribute(Qt::WA_NativeWindow); // else the scene's own would cover it
+    m_ui->attentionBar->setAutoFillBackground(true);
+    m_ui->attentionBar->installEventFilter(this);
+    m_ui->scene->installEventFilter(this);
     connect(m_ui->exaggeration, &QDoubleSpinBox::valueChanged, this,
             [this](double factor) { m_view->exaggerate(factor); });
 }
@@ -30,6 +38,24 @@ void PatientPane::show(const PatientModel& patient, StationView& view)
         m_stationScene->show(patient, view);
     else
         m_stationScene = std::make_unique<StationScene>(*m_ui->scene, patient, view);
+}
+
+bool PatientPane::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::Resize || event->type() == QEvent::Move
+        || event->type() == QEvent::Show)
+        layAttention();
+    return QWidget::eventFilter(watched, event);
+}
+
+/// Over the upper edge of the picture.
+void PatientPane::layAttention()
+{
+    const QRect picture = m_ui->scene->geometry();
+    m_ui->attentionBar->setGeometry(picture.x(), picture.y(), picture.width(),
+                                    m_ui->attentionBar->height());
+    if (QWindow* window = m_ui->attentionBar->windowHandle())
+        window->raise();
 }
 
 SceneView& PatientPane::scene() { return *m_ui->scene; }

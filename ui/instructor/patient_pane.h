@@ -16,8 +16,9 @@ class PatientPane;
 namespace carina
 {
 
-/// The middle of the console: the patient of the station that is shown, and above it the stations
-/// and what needs attention.
+/// The middle of the console: the patient of the station that is shown, above it the stations, and
+/// over the upper edge of the picture what needs attention, so that the picture has this room while
+/// nothing does and does not move when something does.
 class PatientPane : public QWidget
 {
     Q_OBJECT
@@ -37,7 +38,12 @@ public:
     [[nodiscard]] StationView& view() { return *m_view; }
     [[nodiscard]] SceneView& scene();
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
+    void layAttention();
+
     std::unique_ptr<Ui::PatientPane> m_ui;
     StationView* m_view = nullptr;
     std::unique_ptr<StationScene> m_stationScene;

@@ -2,6 +2,7 @@
 
 #include "models/text/shown_as_is.h"
 #include "widgets/plain_label.h"
+#include "widgets/spoken_label.h"
 
 #include <QAction>
 #include <QTimer>
@@ -119,7 +120,7 @@ void SessionControl::refresh()
     const QString name =
         m_phase->fontMetrics().elidedText(m_session.name(), Qt::ElideRight, kWidestName);
     m_phase->setText(name + kNameGap + words);
-    m_phase->setAccessibleName(tr("%1: %2", "session; its phase").arg(m_session.name(), words));
+    speakInstead(*m_phase, tr("%1: %2", "session; its phase").arg(m_session.name(), words));
     m_actions.start.setText(phase == SessionPhase::Paused ? tr("&Go on") : tr("&Start"));
     m_actions.start.setEnabled(m_session.canStart());
     m_actions.pause.setEnabled(m_session.canPause());

@@ -2,6 +2,7 @@
 
 #include "models/text/shown_as_is.h"
 #include "widgets/plain_label.h"
+#include "widgets/spoken_label.h"
 
 #include <QHBoxLayout>
 
@@ -28,7 +29,7 @@ void StatusLine::say(const QStringList& statements)
     if (statements == m_statements)
         return;
     m_statements = statements;
-    m_label->setAccessibleName(statements.join(QStringLiteral(". ")));
+    speakInstead(*m_label, statements.join(QStringLiteral(". ")));
     m_label->setToolTip(shownAsIs(statements.join(QLatin1Char{'\n'})));
     fit();
 }

@@ -132,6 +132,13 @@ void JoinDialog::layOut()
     column->addWidget(m_missing);
     column->addWidget(buttons);
     m_join->setDefault(true); // of this dialog, now that it is in it
+    QWidget* before = m_list;
+    for (QWidget* next : std::initializer_list<QWidget*>{
+             m_address, m_port, m_code, m_name, m_role, m_station, m_more, m_certificate, m_join,
+             buttons->button(QDialogButtonBox::Cancel)}) {
+        setTabOrder(before, next);
+        before = next;
+    }
 }
 
 void JoinDialog::choose(const QModelIndex& session)

@@ -11,7 +11,7 @@ namespace
 {
 
 constexpr int kMostListed = 20;
-constexpr int kWidest = 320; ///< pixels
+constexpr int kWidest = 480; ///< pixels
 
 /// A button's text in which & is no mark of a key.
 QString unmarked(QString text) { return text.replace(QLatin1Char{'&'}, QStringLiteral("&&")); }

@@ -121,16 +121,15 @@ void StartPage::addPatient(QFormLayout& form, const SessionPlan& begin)
     m_who->addItem(tr("Woman of 30 years, 175 cm"), QStringLiteral("adult, woman"));
     m_who->addItem(tr("From figures"), kFigures);
     m_who->addItem(tr("From a folder of surfaces"), kFolder);
-    const int known = m_who->findData(begin.patient);
+    const int known =
+        begin.patient.isEmpty() ? 0 : m_who->findData(begin.patient); // as without --patient
     m_who->setCurrentIndex(!begin.folder.isEmpty() ? m_who->findData(kFolder)
                            : known >= 0            ? known
                                                    : m_who->findData(kFigures));
     m_figures->setObjectName(QStringLiteral("figures"));
     m_figures->setAccessibleName(tr("Figures of the patient"));
     // Words that patientFromWords reads, in English whatever the language.
-    m_figures->setText(known >= 0 || begin.patient.isEmpty()
-                           ? QStringLiteral("45 years, 182 cm, man")
-                           : begin.patient);
+    m_figures->setText(known >= 0 ? QStringLiteral("45 years, 182 cm, man") : begin.patient);
     m_figures->setToolTip(tr("Age in years, height in cm, man, woman, boy or girl, slim or obese, "
                              "and as in “airway 250 mm” the way from teeth to carina"));
     m_browse->setToolTip(tr("An anatomy set: surfaces in OBJ, PLY, STL or glTF"));

@@ -84,10 +84,22 @@ private Q_SLOTS:
         QVERIFY(stateOf(lines, "Site").startsWith(QStringLiteral("▲")));
     }
 
-    void refusesAFolderThatIsNotThere()
+    /// As for a person who never started the console before.
+    void tellsTheDiskOfAFolderThatIsStillToBeMade()
     {
+        const ScratchFolder folder;
         const auto lines =
-            readiness({.folder = QStringLiteral("/no/such/folder"), .today = kThreeDaysLater});
+            readiness({.folder = folder.filePath("new/folder"), .today = kThreeDaysLater});
+        QVERIFY2(!stateOf(lines, "Disk").contains(QStringLiteral("cannot be written")),
+                 qPrintable(stateOf(lines, "Disk")));
+    }
+
+    void refusesAFolderThatCannotBeMade()
+    {
+        const ScratchFolder folder;
+        const QString file = folder.write("file", "");
+        const auto lines =
+            readiness({.folder = file + QStringLiteral("/folder"), .today = kThreeDaysLater});
         QVERIFY(stateOf(lines, "Disk").startsWith(QStringLiteral("▲")));
     }
 };

@@ -107,6 +107,25 @@ private Q_SLOTS:
         QCOMPARE(dialog.focusWidget()->objectName(), QStringLiteral("code"));
     }
 
+    void tabGoesFromAboveToBelow()
+    {
+        FoundSessionsModel sessions{freePort()};
+        Entrance entrance{{}, join()};
+        JoinDialog dialog{sessions, entrance, complete()};
+        dialog.show();
+        const QStringList wanted{
+            QStringLiteral("sessions"), QStringLiteral("address"), QStringLiteral("port"),
+            QStringLiteral("code"),     QStringLiteral("name"),    QStringLiteral("role"),
+            QStringLiteral("station"),  QStringLiteral("more"),    QStringLiteral("join")};
+        find<QListView>(dialog, "sessions").setFocus();
+        QStringList passed;
+        while (passed.size() < wanted.size()) {
+            passed += dialog.focusWidget()->objectName();
+            QTest::keyClick(dialog.focusWidget(), Qt::Key_Tab);
+        }
+        QCOMPARE(passed, wanted);
+    }
+
     void whatWasTypedIsNotReplacedByASession()
     {
         const std::uint16_t port = freePort();

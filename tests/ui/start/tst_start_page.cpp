@@ -86,6 +86,15 @@ private Q_SLOTS:
         QVERIFY(plan.folder.isEmpty() && plan.reach == SessionReach::ThisComputer);
     }
 
+    void offersTheChildWhereNobodyWasNamed()
+    {
+        Shown shown;
+        const StartPage page{shown.stored, shown.patient, {}, [](const QString&, const auto*) {
+                                 return std::vector<ReadyLine>{};
+                             }};
+        QCOMPARE(page.plan().patient, QStringLiteral("child"));
+    }
+
     void beginsNothingWithoutAName()
     {
         Shown shown;

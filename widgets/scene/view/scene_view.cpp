@@ -2,6 +2,7 @@
 
 #include "widgets/scene/view/scene_renderer.h"
 #include "widgets/scene/view/scene_window.h"
+#include "widgets/scene/view/spoken_scene.h"
 
 #include "engine/core/expects.h"
 #include "engine/core/monotonic_clock.h"
@@ -57,6 +58,7 @@ SceneView::SceneView(QWidget* parent)
 {
     QWidget* container = QWidget::createWindowContainer(m_window, this);
     container->setFocusPolicy(Qt::StrongFocus);
+    speakScene(*container, *m_window);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins({});
     layout->addWidget(container);

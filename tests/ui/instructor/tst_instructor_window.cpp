@@ -4,6 +4,7 @@
 #include "ui/instructor/projector_window.h"
 #include "widgets/scene/view/graphics.h"
 #include "widgets/scene/view/scene_view.h"
+#include "widgets/second_press.h"
 #include "widgets/theme/dark_theme.h"
 
 #include <QDockWidget>
@@ -38,10 +39,10 @@ struct Shown : ConsoleDesk {
         window.resize(size); // as the program does
         settle();
     }
-    static void settle()
+    static void settle(std::chrono::milliseconds time = std::chrono::milliseconds{50})
     {
         bool isDue = false;
-        QTimer::singleShot(50, qApp, [&isDue] { isDue = true; });
+        QTimer::singleShot(time, qApp, [&isDue] { isDue = true; });
         QVERIFY(soon([&isDue] { return isDue; }));
     }
     /// The picture's share of the window.
@@ -216,6 +217,29 @@ private Q_SLOTS:
         Shown::settle();
         QCOMPARE(shown.action("end").text(), QStringLiteral("Really &end?"));
         QCOMPARE(shown.buttons(), before);
+    }
+
+    void endsOnlyByASecondPressAfterAPause()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        shown.decide(SessionPhase::Running);
+        QAction& end = shown.action("end");
+        QVERIFY(!end.autoRepeat());
+        const auto phase = [&shown] {
+            shown.node.advance(std::chrono::seconds{1}); // what was decided takes effect
+            return shown.session.phase();
+        };
+        QCOMPARE(phase(), SessionPhase::Running);
+        QTest::mouseDClick(shown.find<QToolBar>("sessionBar").widgetForAction(&end),
+                           Qt::LeftButton);
+        end.trigger(); // as a key that is held
+        Shown::settle();
+        QCOMPARE(phase(), SessionPhase::Running);
+        Shown::settle(SecondPress::kLeastPause + std::chrono::milliseconds{200});
+        end.trigger();
+        Shown::settle();
+        QCOMPARE(phase(), SessionPhase::Ended);
     }
 
     void saysWhatNeedsAttentionWithoutMovingThePicture()

@@ -27,6 +27,7 @@ namespace
 {
 
 constexpr int kRefreshInterval_ms = 250;
+constexpr int kRefusalShown_ms = 10000;
 
 } // namespace
 
@@ -52,6 +53,8 @@ InstructorWindow::InstructorWindow(const ConsoleModels& models, KeptConsole& kep
     m_ui->statusBar->addPermanentWidget(new UndoButton{m_history});
     m_ui->statusBar->addWidget(m_status, 1);
     fillSessionBar();
+    connect(m_ui->pane, &PatientPane::refused, m_ui->statusBar,
+            [this](const QString& why) { m_ui->statusBar->showMessage(why, kRefusalShown_ms); });
     connect(&m_models.attention, &AttentionModel::showWanted, this, &InstructorWindow::showPlaceOf);
     connect(&m_models.session, &SessionModel::changed, this, &InstructorWindow::refresh);
     auto* timer = new QTimer{this};

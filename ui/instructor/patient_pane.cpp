@@ -12,6 +12,7 @@ PatientPane::PatientPane(QWidget* parent)
     m_ui->scene->setBackground(palette().color(QPalette::Base));
     connect(m_ui->exaggeration, &QDoubleSpinBox::valueChanged, this,
             [this](double factor) { m_view->exaggerate(factor); });
+    connect(m_ui->exaggeration, &CheckedDoubleSpinBox::refused, this, &PatientPane::refused);
 }
 
 PatientPane::~PatientPane() = default;

@@ -37,6 +37,10 @@ public:
     [[nodiscard]] StationView& view() { return *m_view; }
     [[nodiscard]] SceneView& scene();
 
+Q_SIGNALS:
+    /// A number typed here was refused; one sentence with the range.
+    void refused(const QString& why);
+
 private:
     std::unique_ptr<Ui::PatientPane> m_ui;
     StationView* m_view = nullptr;

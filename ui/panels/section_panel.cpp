@@ -1,5 +1,7 @@
 #include "ui/panels/section_panel.h"
 
+#include "ui/refusal_line.h"
+#include "widgets/checked_spin_box.h"
 #include "widgets/plain_label.h"
 #include "widgets/scene/view/scene_view.h"
 
@@ -8,7 +10,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSlider>
-#include <QSpinBox>
 
 #include <array>
 #include <cmath>
@@ -51,7 +52,7 @@ SectionPanel::SectionPanel(QWidget* parent)
       m_what{new QComboBox},
       m_side{new QComboBox},
       m_slider{new QSlider{Qt::Horizontal}},
-      m_depth{new QSpinBox},
+      m_depth{new CheckedSpinBox},
       m_detail{new QComboBox}
 {
     fillChoices();
@@ -98,6 +99,9 @@ void SectionPanel::layOut()
     auto* label = new PlainLabel{tr("Depth")};
     label->setBuddy(m_slider);
     form->addRow(label, depth);
+    auto* refused = new RefusalLine;
+    refused->watch(*m_depth);
+    form->addRow(refused);
     form->addRow(tr("Detail"), m_detail);
 }
 

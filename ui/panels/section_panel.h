@@ -9,11 +9,11 @@
 
 class QComboBox;
 class QSlider;
-class QSpinBox;
 
 namespace carina
 {
 
+class CheckedSpinBox;
 class SceneView;
 
 /// Controls the section plane of a view: what is cut, from which side, and how deep; and whether
@@ -42,7 +42,7 @@ private:
     QComboBox* m_what;
     QComboBox* m_side;
     QSlider* m_slider;
-    QSpinBox* m_depth;
+    CheckedSpinBox* m_depth;
     QComboBox* m_detail;
 };
 

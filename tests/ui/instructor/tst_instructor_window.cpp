@@ -2,6 +2,7 @@
 #include "tests/support/test_class.h"
 #include "tests/ui/instructor/console_desk.h"
 #include "ui/instructor/projector_window.h"
+#include "widgets/checked_spin_box.h"
 #include "widgets/scene/view/graphics.h"
 #include "widgets/scene/view/scene_view.h"
 #include "widgets/second_press.h"
@@ -10,6 +11,7 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QMenu>
+#include <QStatusBar>
 #include <QTabBar>
 #include <QTableView>
 #include <QToolBar>
@@ -307,6 +309,53 @@ private Q_SLOTS:
         wanted.setChecked(true);
         shown.window.close();
         QVERIFY(soon([&] { return !projector(); }));
+    }
+
+    void refusesAMotionThatIsOutOfRange()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        auto& motion = shown.find<CheckedDoubleSpinBox>("exaggeration");
+        motion.selectAll();
+        QTest::keyClicks(&motion, QStringLiteral("30"));
+        QTest::keyClick(&motion, Qt::Key_Return);
+        QCOMPARE(motion.value(), 1.0);
+        const QString told = shown.find<QStatusBar>("statusBar").currentMessage();
+        QVERIFY2(told.contains(QStringLiteral("30")), qPrintable(told));
+    }
+
+    void hasEachAltKeyOnce_data()
+    {
+        QTest::addColumn<QByteArray>("change");
+        QTest::addColumn<QByteArray>("people");
+        for (const char* change : {"breathingDock", "conditionDock", "actionsDock", "partsDock"})
+            for (const char* people :
+                 {"waveformDock", "participantsDock", "invitationDock", "networkDock"})
+                QTest::addRow("%s and %s", change, people)
+                    << QByteArray{change} << QByteArray{people};
+    }
+    // Whatever is in front, and whether or not a control can be used just then.
+    void hasEachAltKeyOnce()
+    {
+        QFETCH(const QByteArray, change);
+        QFETCH(const QByteArray, people);
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        shown.node.sharePatient(FakeSessionNode::kInstructor);
+        shown.decide(SessionPhase::Running);
+        for (const QByteArray& dock : {change, people})
+            shown.dock(dock.constData()).raise();
+        Shown::settle();
+        for (const QByteArray& dock : {change, people})
+            QVERIFY2(shown.dock(dock.constData()).isEnabled(), dock.constData());
+        std::map<QString, QStringList> keys;
+        for (const QWidget* control : shown.window.findChildren<QWidget*>())
+            if (const QString key = altKeyOf(*control); !key.isEmpty())
+                keys[key] += control->objectName() + QLatin1Char{' '} + textOf(*control);
+        QVERIFY(keys.size() > 8);
+        for (const auto& [key, controls] : keys)
+            QVERIFY2(controls.size() == 1,
+                     qPrintable(key + QStringLiteral(": ") + controls.join(QStringLiteral(", "))));
     }
 
     void goesFullScreenAndBack()

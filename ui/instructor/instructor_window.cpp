@@ -290,6 +290,12 @@ void InstructorWindow::refresh()
     refreshStatus();
 }
 
+void InstructorWindow::setReach(SessionReach reach)
+{
+    m_reach = reach;
+    m_ui->invitation->show(m_models.session.node(), m_reach);
+}
+
 void InstructorWindow::refreshInvitation()
 {
     const SessionNode& node = m_models.session.node();
@@ -299,7 +305,7 @@ void InstructorWindow::refreshInvitation()
         return;
     m_shownCodes = codes;
     m_shownLocked = isLocked;
-    m_ui->invitation->show(node);
+    m_ui->invitation->show(node, m_reach);
 }
 
 /// What the picture shows that is not the patient as usual.

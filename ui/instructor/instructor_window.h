@@ -73,6 +73,8 @@ public:
 
     [[nodiscard]] StationScene& stationScene();
 
+    /// Who can come into the session, as the invitation tells it.
+    void setReach(SessionReach reach);
     /// Asked before the window is closed; while it says no, the window stays.
     void onClose(std::function<bool()> mayClose) { m_mayClose = std::move(mayClose); }
 
@@ -115,6 +117,7 @@ private:
     std::unique_ptr<SceneTeacher> m_teacher;
     std::unique_ptr<PartChooser> m_chooser;
     QString m_part; ///< that was chosen in the picture
+    SessionReach m_reach = SessionReach::ThisComputer;
     JoinCodes m_shownCodes;
     bool m_shownLocked = false;
 };

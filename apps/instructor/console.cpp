@@ -134,6 +134,8 @@ Result<void> Console::host(const HostRequest& request,
     m_start->setBusy(false);
     if (opened)
         leaveStart();
+    else
+        m_stored->read(); // go on looking
     return opened;
 }
 

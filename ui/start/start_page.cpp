@@ -85,6 +85,7 @@ StartPage::StartPage(StoredSessionsModel& stored, PlannedPatient& patient, const
     columns->addLayout(right, 1);
     connect(&m_patient, &PlannedPatient::changed, this, &StartPage::refresh);
     connect(&m_stored, &QAbstractItemModel::rowsInserted, this, &StartPage::refreshEarlier);
+    connect(&m_stored, &QAbstractItemModel::modelReset, this, &StartPage::refreshEarlier);
     connect(&m_stored, &StoredSessionsModel::completed, this, &StartPage::refreshEarlier);
     choosePatient();
     refreshEarlier();
@@ -197,7 +198,7 @@ QGroupBox* StartPage::earlierSessions()
     connect(m_resume, &QPushButton::clicked, this, &StartPage::resume);
     auto* column = new QVBoxLayout{box};
     column->addWidget(m_list, 1);
-    column->addWidget(m_none, 1, Qt::AlignTop);
+    column->addWidget(m_none, 0, Qt::AlignTop);
     column->addWidget(m_resume);
     return box;
 }
@@ -347,8 +348,8 @@ void StartPage::refreshReadiness()
 void StartPage::refreshEarlier()
 {
     const bool isEmpty = m_stored.rowCount() == 0;
-    m_none->setVisible(isEmpty);
-    m_none->setText(m_stored.isComplete() ? tr("There is none.") : tr("Looking …"));
+    m_none->setVisible(isEmpty || !m_stored.isComplete());
+    m_none->setText(!m_stored.isComplete() ? tr("Looking …") : tr("There is none."));
     m_list->setVisible(!isEmpty);
     refresh();
 }

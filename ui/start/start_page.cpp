@@ -16,6 +16,7 @@
 #include <QListView>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QTimer>
 
 namespace carina
 {
@@ -23,6 +24,7 @@ namespace
 {
 
 constexpr int kColumnWidth = 560;
+constexpr int kReadinessInterval_ms = 3000;
 constexpr int kReadyNameColumn = 0;
 constexpr int kReadyStateColumn = 1;
 
@@ -87,10 +89,20 @@ StartPage::StartPage(StoredSessionsModel& stored, PlannedPatient& patient, const
     connect(&m_stored, &QAbstractItemModel::rowsInserted, this, &StartPage::refreshEarlier);
     connect(&m_stored, &QAbstractItemModel::modelReset, this, &StartPage::refreshEarlier);
     connect(&m_stored, &StoredSessionsModel::completed, this, &StartPage::refreshEarlier);
+    auto* look = new QTimer{this};
+    connect(look, &QTimer::timeout, this, &StartPage::refreshReadiness);
+    look->start(kReadinessInterval_ms);
     choosePatient();
     refreshEarlier();
     m_name->setFocus();
     m_name->selectAll();
+}
+
+bool StartPage::event(QEvent* event)
+{
+    if (event->type() == QEvent::WindowActivate)
+        refreshReadiness();
+    return QWidget::event(event);
 }
 
 QGroupBox* StartPage::newSession(const SessionPlan& begin)

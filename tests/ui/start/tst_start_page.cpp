@@ -17,6 +17,8 @@
 #include <QSignalSpy>
 #include <QTimer>
 
+#include <algorithm>
+
 namespace carina::start_page_test
 {
 namespace
@@ -32,15 +34,15 @@ template <class Widget> Widget& find(const QWidget& window, const char* name)
 /// A page over an empty folder.
 struct Shown {
     test::ScratchFolder folder;
+    QString disk = QStringLiteral("✓ 9 GB free");
     StoredSessionsModel stored{folder.path()};
     PlannedPatient patient{AnatomyCache::defaultFolder()};
-    StartPage page{
-        stored,
-        patient,
-        {.name = QStringLiteral("Ward 3"), .patient = QStringLiteral("child")},
-        [](const QString&, const PatientModel*) {
-            return std::vector<ReadyLine>{{QStringLiteral("Disk"), QStringLiteral("✓ 9 GB free")}};
-        }};
+    StartPage page{stored,
+                   patient,
+                   {.name = QStringLiteral("Ward 3"), .patient = QStringLiteral("child")},
+                   [this](const QString&, const PatientModel*) {
+                       return std::vector<ReadyLine>{{QStringLiteral("Disk"), disk}};
+                   }};
 
     [[nodiscard]] bool isMade() const
     {
@@ -134,7 +136,25 @@ private Q_SLOTS:
         QVERIFY(shown.page.plan().reach == SessionReach::ByLink);
     }
 
-    void everyControlHasANameAndIsReached()
+    void keepsUpWithWhatIsReady()
+    {
+        Shown shown;
+        const auto isTold = [&shown] {
+            const auto labels = shown.page.findChildren<QLabel*>(QStringLiteral("ready"));
+            return std::ranges::any_of(
+                labels, [&](const QLabel* label) { return label->text() == shown.disk; });
+        };
+        QVERIFY(isTold());
+        shown.disk = QStringLiteral("▲ 1 MB free");
+        QVERIFY(test::soon(isTold, std::chrono::seconds{10})); // by itself
+        shown.disk = QStringLiteral("✓ 5 GB free");
+        QEvent back{QEvent::WindowActivate};
+        QCoreApplication::sendEvent(&shown.page, &back);
+        QVERIFY(isTold()); // at once
+    }
+
+    /// In the order in which they are read: who can join stands above what begins the session.
+    void asksWhoCanJoinBeforeItBegins()
     {
         Shown shown;
         shown.page.show();

@@ -44,6 +44,9 @@ InstructorWindow::InstructorWindow(const ConsoleModels& models, KeptConsole& kep
     m_models.respiration.setHistory(m_history);
     m_models.actions.setHistory(m_history);
     m_models.lesson.setHistory(m_history);
+    m_models.conduct.setHistory(m_history);
+    m_ui->parts->setHistory(m_history);
+    m_ui->section->setHistory(m_history);
     m_ui->pane->setModels(m_models.stations, m_models.attention);
     m_ui->pane->show(*m_models.patient.patient(), view);
     fillPanels();

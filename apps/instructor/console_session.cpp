@@ -150,6 +150,8 @@ bool ConsoleSession::mayClose()
     const Leaving chosen = askBeforeLeaving(told, m_session.canEnd(), &m_window);
     if (chosen == Leaving::EndForAll)
         m_session.end(); // and its end page comes
+    if (chosen == Leaving::ToStartPage)
+        m_onLeft();
     return chosen == Leaving::CloseForNow;
 }
 

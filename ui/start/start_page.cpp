@@ -75,7 +75,7 @@ StartPage::StartPage(StoredSessionsModel& stored, PlannedPatient& patient, const
     m_problem->setObjectName(QStringLiteral("problem"));
     m_problem->setWordWrap(true);
     auto* left = new QVBoxLayout;
-    for (QGroupBox* box : {newSession(begin), whoCanJoin(begin.reach), earlierSessions()})
+    for (QGroupBox* box : {whoCanJoin(begin.reach), newSession(begin), earlierSessions()})
         left->addWidget(box);
     left->setStretch(2, 1);
     left->addWidget(m_problem);

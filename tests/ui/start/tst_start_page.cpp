@@ -7,7 +7,6 @@
 #include "ui/start/start_page.h"
 #include "widgets/scene/view/graphics.h"
 
-#include <QAccessible>
 #include <QApplication>
 #include <QComboBox>
 #include <QLabel>
@@ -158,16 +157,17 @@ private Q_SLOTS:
     {
         Shown shown;
         shown.page.show();
-        for (const QWidget* control : shown.page.findChildren<QWidget*>()) {
-            const bool isControl = qobject_cast<const QLineEdit*>(control)
-                                   || qobject_cast<const QAbstractButton*>(control)
-                                   || qobject_cast<const QComboBox*>(control);
-            if (!isControl)
-                continue;
-            QAccessibleInterface* told =
-                QAccessible::queryAccessibleInterface(const_cast<QWidget*>(control));
-            QVERIFY2(!told->text(QAccessible::Name).isEmpty(), qPrintable(control->objectName()));
-            QVERIFY2(control->focusPolicy() & Qt::TabFocus, qPrintable(control->objectName()));
+        const auto top = [&shown](const char* name) {
+            return find<QWidget>(shown.page, name).mapTo(&shown.page, QPoint{}).y();
+        };
+        QVERIFY(top("network") < top("begin"));
+        QStringList path;
+        find<QRadioButton>(shown.page, "thisComputer").setFocus();
+        for (QWidget* at = shown.page.focusWidget(); at->objectName() != QStringLiteral("begin");
+             at = shown.page.focusWidget()) {
+            QVERIFY(path.size() < 20);
+            path += at->objectName();
+            QTest::keyClick(at, Qt::Key_Tab);
         }
     }
 
@@ -189,6 +189,7 @@ private Q_SLOTS:
         QTest::addColumn<int>("leaving");
         QTest::newRow("stay") << QByteArray{"stay"} << int(Leaving::Stay);
         QTest::newRow("close") << QByteArray{"closeForNow"} << int(Leaving::CloseForNow);
+        QTest::newRow("start page") << QByteArray{"toStartPage"} << int(Leaving::ToStartPage);
         QTest::newRow("end") << QByteArray{"endForAll"} << int(Leaving::EndForAll);
     }
 

@@ -259,7 +259,7 @@ void InstructorWindow::addMenuButton()
     m_ui->sessionBar->addWidget(space);
     auto* panels = new QToolButton;
     panels->setObjectName(QStringLiteral("panels"));
-    panels->setText(tr("Pane&ls"));
+    panels->setText(tr("&Panels"));
     panels->setToolTip(tr("Bring a panel, lay all as at first, full screen, second window"));
     panels->setFocusPolicy(Qt::TabFocus);
     panels->setPopupMode(QToolButton::InstantPopup);

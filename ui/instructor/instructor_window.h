@@ -14,6 +14,7 @@
 #include "models/session/participants_model.h"
 #include "models/session/people_model.h"
 #include "models/session/session_model.h"
+#include "models/session/session_plan.h"
 #include "models/station/stations_model.h"
 #include "ui/lesson/scene_teacher.h"
 #include "ui/scene/part_chooser.h"

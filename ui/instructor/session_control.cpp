@@ -109,7 +109,7 @@ void SessionControl::refresh()
         m_phase->fontMetrics().elidedText(m_session.name(), Qt::ElideRight, kWidestName);
     m_phase->setText(name + kNameGap + words);
     m_phase->setAccessibleName(tr("%1: %2", "session; its phase").arg(m_session.name(), words));
-    m_actions.start.setText(phase == SessionPhase::Paused ? tr("&Go on") : tr("&Start"));
+    m_actions.start.setText(phase == SessionPhase::Paused ? tr("Go on") : tr("Start"));
     m_actions.start.setEnabled(m_session.canStart());
     m_actions.pause.setEnabled(m_session.canPause());
     m_actions.end.setEnabled(m_session.canEnd());

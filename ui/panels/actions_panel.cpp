@@ -106,7 +106,7 @@ void ActionsPanel::refreshObject()
     // Whichever is pressed is the last to be shut, so that the keyboard goes on to one of the rest.
     m_ui->putBack->setEnabled(object.canPutBack());
     m_ui->lift->setEnabled(object.canLift());
-    m_ui->ask->setText(object.isAsking() ? tr("Do not &ask any more") : tr("&Ask for it"));
+    m_ui->ask->setText(object.isAsking() ? tr("Do not a&sk any more") : tr("A&sk for it"));
     m_ui->ask->setEnabled(object.canAsk());
     m_ui->takeOver->setVisible(object.isInstructor());
     m_ui->takeOver->setEnabled(object.canTakeOver());

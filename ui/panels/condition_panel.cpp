@@ -91,7 +91,7 @@ void ConditionPanel::layOut()
             rows->addRow(label, field);
     };
     add(m_position, "position", tr("Pos&ition"), tr("Position of the patient"));
-    add(m_conditions, "conditions", tr("Con&ditions"), tr("Conditions of the lungs, a list"));
+    add(m_conditions, "conditions", tr("C&onditions"), tr("Conditions of the lungs, a list"));
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(m_add);
     buttons->addWidget(m_remove);
@@ -104,23 +104,23 @@ void ConditionPanel::layOut()
     const QString pressure = tr(" cmH2O");
     m_peep = addNumber(*rows, "peep", tr("PEEP"),
                        tr("Positive end-expiratory pressure (PEEP), cmH2O"), pressure);
-    m_driving = addNumber(*rows, "driving", tr("&Above PEEP"),
+    m_driving = addNumber(*rows, "driving", tr("Above PEEP"),
                           tr("Inspiratory pressure above PEEP, cmH2O"), pressure);
-    m_limit = addNumber(*rows, "limit", tr("Limi&t"), tr("Pressure limit of the airway, cmH2O"),
-                        pressure);
-    m_pause = addNumber(*rows, "pause", tr("&Pause"),
+    m_limit =
+        addNumber(*rows, "limit", tr("Limit"), tr("Pressure limit of the airway, cmH2O"), pressure);
+    m_pause = addNumber(*rows, "pause", tr("Pau&se"),
                         tr("Pause at the end of inspiration, per cent of inspiration"), tr(" %"));
     m_ownRate =
-        addNumber(*rows, "ownRate", tr("&Own breaths"),
+        addNumber(*rows, "ownRate", tr("Own breaths"),
                   tr("Own efforts of a patient who is ventilated, per minute"), tr(" /min"));
-    m_ownEffort = addNumber(*rows, "ownEffort", tr("E&ffort"),
+    m_ownEffort = addNumber(*rows, "ownEffort", tr("Effort"),
                             tr("Strength of own efforts, per cent of a quiet breath's"), tr(" %"));
-    m_trigger = addNumber(*rows, "trigger", tr("Tri&gger"),
+    m_trigger = addNumber(*rows, "trigger", tr("Trigger"),
                           tr("Flow trigger: inspiratory flow at which the ventilator begins a "
                              "breath, litres per minute"),
                           tr(" L/min"));
     explain();
-    add(m_tube, "tube", tr("Tu&be"), tr("Inner diameter of the tracheal tube, millimetres"));
+    add(m_tube, "tube", tr("&Tube"), tr("Inner diameter of the tracheal tube, millimetres"));
     m_travelling->setObjectName(QStringLiteral("travelling"));
     m_travelling->setWordWrap(true);
     m_travelling->setAlignment(Qt::AlignLeft | Qt::AlignTop);

@@ -59,8 +59,8 @@ InvitationPanel::InvitationPanel(QWidget* parent)
       m_reach{new PlainLabel},
       m_certificate{new PlainLabel},
       m_showPicture{new QPushButton{tr("&QR code")}},
-      m_copy{new QPushButton{tr("Copy &link")}},
-      m_newCode{new QPushButton{tr("Ne&w code…")}}
+      m_copy{new QPushButton{tr("Copy lin&k")}},
+      m_newCode{new QPushButton{tr("N&ew code…")}}
 {
     auto* rows = new QGridLayout;
     rows->setColumnStretch(1, 1);

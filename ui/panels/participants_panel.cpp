@@ -95,7 +95,7 @@ void ParticipantsPanel::refresh()
             ? tr("What the chosen participant sends has its effect again")
             : tr("The chosen participant sees everything, and what they send has no effect"));
     m_ui->mute->setEnabled(standing.canMute && !standing.isBanned);
-    m_ui->remove->setText(standing.isBanned ? tr("&Let back in") : tr("Remo&ve…"));
+    m_ui->remove->setText(standing.isBanned ? tr("L&et back in") : tr("R&emove…"));
     m_ui->remove->setEnabled(standing.canRemove || standing.isBanned);
     m_ui->lock->setChecked(m_conduct->isLocked());
     const bool areSeveral = m_stations->open().size() > 1;

@@ -319,7 +319,8 @@ void TestConditionPanel::namesEveryControlForAScreenReader()
     const Desk desk;
     for (const char* name :
          {"position", "conditions", "addCondition", "removeCondition", "condition", "severity",
-          "severitySlider", "side", "mode", "peep", "driving", "limit", "tube"})
+          "severitySlider", "side", "mode", "peep", "driving", "limit", "pause", "ownRate",
+          "ownEffort", "trigger", "tube"})
         QVERIFY2(!desk.find<QWidget>(name).accessibleName().isEmpty(), name);
     const WaveformPanel waveforms;
     int plots = 0;

@@ -156,6 +156,7 @@ private Q_SLOTS:
     void asksWhoCanJoinBeforeItBegins()
     {
         Shown shown;
+        QVERIFY(shown.isMade());
         shown.page.show();
         const auto top = [&shown](const char* name) {
             return find<QWidget>(shown.page, name).mapTo(&shown.page, QPoint{}).y();
@@ -169,6 +170,7 @@ private Q_SLOTS:
             path += at->objectName();
             QTest::keyClick(at, Qt::Key_Tab);
         }
+        QVERIFY2(path.contains(QStringLiteral("name")), qPrintable(path.join(QLatin1Char{' '})));
     }
 
     void afterTheEndThereIsAnother()

@@ -1,6 +1,7 @@
 #include "widgets/checked_spin_box.h"
 
 #include <QCoreApplication>
+#include <QKeyEvent>
 #include <QToolTip>
 
 #include <optional>
@@ -52,12 +53,38 @@ template <class Box> QString putBack(const Box& box, const QString& value, QStri
              box.suffix(), text);
 }
 
+/// Whether something else is in the field than its value. @param value as text
+template <class Box> bool isHalfTyped(const Box& box, const QString& value)
+{
+    const bool isSpecial = box.value() == box.minimum() && !box.specialValueText().isEmpty();
+    return box.text() != (isSpecial ? box.specialValueText() : box.prefix() + value + box.suffix());
+}
+
+/// With these keys a field puts back what was typed before, also before it was entered.
+bool isKeyOfUndo(const QEvent& event)
+{
+    if (event.type() != QEvent::ShortcutOverride && event.type() != QEvent::KeyPress)
+        return false;
+    const auto& key = static_cast<const QKeyEvent&>(event);
+    return key.matches(QKeySequence::Undo) || key.matches(QKeySequence::Redo);
+}
+
 void showBeneath(const QWidget& box, const QString& why)
 {
     QToolTip::showText(box.mapToGlobal(box.rect().bottomLeft()), why);
 }
 
 } // namespace
+
+CheckedSpinBox::CheckedSpinBox(QWidget* parent) : QSpinBox{parent} { setKeyboardTracking(false); }
+
+bool CheckedSpinBox::event(QEvent* event)
+{
+    if (!isKeyOfUndo(*event) || isHalfTyped(*this, textFromValue(value())))
+        return QSpinBox::event(event);
+    event->ignore();
+    return false;
+}
 
 QValidator::State CheckedSpinBox::validate(QString& input, int& position) const
 {
@@ -70,6 +97,19 @@ void CheckedSpinBox::fixup(QString& input) const
         showBeneath(*this, why);
         Q_EMIT refused(why);
     }
+}
+
+CheckedDoubleSpinBox::CheckedDoubleSpinBox(QWidget* parent) : QDoubleSpinBox{parent}
+{
+    setKeyboardTracking(false);
+}
+
+bool CheckedDoubleSpinBox::event(QEvent* event)
+{
+    if (!isKeyOfUndo(*event) || isHalfTyped(*this, textFromValue(value())))
+        return QDoubleSpinBox::event(event);
+    event->ignore();
+    return false;
 }
 
 QValidator::State CheckedDoubleSpinBox::validate(QString& input, int& position) const

@@ -8,7 +8,8 @@ namespace carina
 
 // Boxes for numbers that are typed: one outside the range can be typed as it is, and is refused
 // with the range as it is entered, where Qt's own would keep the digits that fit. The value then
-// stays.
+// stays; it changes as a number is entered, not with each digit. The key of undo takes back typing
+// as long as a number is half typed; else it is left to the window.
 
 /// A box for whole numbers.
 class CheckedSpinBox : public QSpinBox
@@ -16,10 +17,12 @@ class CheckedSpinBox : public QSpinBox
     Q_OBJECT
 
 public:
-    using QSpinBox::QSpinBox;
+    explicit CheckedSpinBox(QWidget* parent = nullptr);
 
     [[nodiscard]] QValidator::State validate(QString& input, int& position) const override;
     void fixup(QString& input) const override;
+
+    bool event(QEvent* event) override;
 
 Q_SIGNALS:
     /// A number was refused; one sentence with the range and its unit.
@@ -32,10 +35,12 @@ class CheckedDoubleSpinBox : public QDoubleSpinBox
     Q_OBJECT
 
 public:
-    using QDoubleSpinBox::QDoubleSpinBox;
+    explicit CheckedDoubleSpinBox(QWidget* parent = nullptr);
 
     [[nodiscard]] QValidator::State validate(QString& input, int& position) const override;
     void fixup(QString& input) const override;
+
+    bool event(QEvent* event) override;
 
 Q_SIGNALS:
     /// A number was refused; one sentence with the range and its unit.

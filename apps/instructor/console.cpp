@@ -134,6 +134,8 @@ Result<void> Console::host(const HostRequest& request,
     m_start->setBusy(false);
     if (opened)
         leaveStart();
+    else
+        m_stored->read(); // go on looking
     return opened;
 }
 
@@ -150,6 +152,8 @@ Result<void> Console::open(HostedSession hosted, const std::optional<program::Ch
     m_session = *std::move(session);
     if (m_options.measure.folder.isEmpty())
         m_session->onEnded([this] { showEnd(); });
+    m_session->onLeft(
+        [this] { QMetaObject::invokeMethod(this, &Console::goToStart, Qt::QueuedConnection); });
     return {};
 }
 
@@ -180,6 +184,14 @@ void Console::showEnd()
     m_end->move(m_session->window().pos());
     m_end->show();
     m_session->window().hide();
+}
+
+/// The session is closed once there is another window, and is listed once it is closed.
+void Console::goToStart()
+{
+    showStart();
+    m_session.reset();
+    m_stored->read();
 }
 
 QWidget& Console::shown()

@@ -39,6 +39,7 @@ private:
     [[nodiscard]] Result<void> open(HostedSession hosted,
                                     const std::optional<program::ChosenPatient>& laid);
     void showEnd();
+    void goToStart();
     void leaveStart();
     [[nodiscard]] QWidget& shown();
 

@@ -42,6 +42,7 @@ ConsoleSession::ConsoleSession(HostedSession hosted, const program::ChosenPatien
                m_shown.view()}
 {
     m_attention.setPatient(m_shown.patient());
+    m_window.setReach(m_hosted.reach);
     m_shown.onShown(
         [this](const PatientModel& another, StationView& view) { m_window.show(another, view); });
     m_window.onClose([this] { return mayClose(); });
@@ -149,6 +150,8 @@ bool ConsoleSession::mayClose()
     const Leaving chosen = askBeforeLeaving(told, m_session.canEnd(), &m_window);
     if (chosen == Leaving::EndForAll)
         m_session.end(); // and its end page comes
+    if (chosen == Leaving::ToStartPage)
+        m_onLeft();
     return chosen == Leaving::CloseForNow;
 }
 

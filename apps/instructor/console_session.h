@@ -33,6 +33,9 @@ public:
     /// the session. One that had ended before it was opened never calls.
     void onEnded(std::function<void()> callback);
 
+    /// Called when a person wants this session closed and the start page in its place.
+    void onLeft(std::function<void()> callback) { m_onLeft = std::move(callback); }
+
 private:
     ConsoleSession(HostedSession hosted, const program::ChosenPatient& patient,
                    const QString& folder);
@@ -65,6 +68,7 @@ private:
     std::unique_ptr<program::Journal> m_journal;
     std::unique_ptr<OfferGiver> m_giver;
     std::function<void()> m_onEnded;
+    std::function<void()> m_onLeft;
     QTimer m_looking; ///< when an end takes effect, no fact arrives
 };
 

@@ -102,7 +102,7 @@ Result<HostedSession> hostSession(const HostRequest& request, const ConsoleOptio
     if (!node)
         return tl::unexpected(node.error());
     keepReach(request.file, request.reach);
-    HostedSession hosted{*std::move(node), nullptr, request.file};
+    HostedSession hosted{*std::move(node), nullptr, request.file, request.reach};
     if (auto beacon = beaconOf(*hosted.node, request.reach))
         hosted.beacon = *std::move(beacon);
     else

@@ -14,6 +14,7 @@ struct HostedSession {
     std::unique_ptr<SessionNode> node;
     std::unique_ptr<SessionBeacon> beacon; ///< null where another program has its port
     QString file;                          ///< that it is stored in
+    SessionReach reach = SessionReach::ThisComputer;
 };
 
 /// How a session is hosted.

@@ -255,7 +255,7 @@ bool canFollow(SessionPhase before, SessionPhase after)
 {
     switch (before) {
     case SessionPhase::Prepared:
-        return after == SessionPhase::Running;
+        return after == SessionPhase::Running || after == SessionPhase::Ended; // begun by mistake
     case SessionPhase::Running:
         return after == SessionPhase::Paused || after == SessionPhase::Ended;
     case SessionPhase::Paused:

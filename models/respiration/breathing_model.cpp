@@ -70,9 +70,7 @@ void BreathingModel::setStation(StationId station)
     if (std::exchange(m_stations.shown, station) == station)
         return;
     m_wishes = {};
-    m_undo.clear();
-    if (m_history)
-        m_history->forget(*this);
+    m_steps.clear();
     refresh();
     Q_EMIT changed();
 }
@@ -172,27 +170,25 @@ void BreathingModel::set(BreathingParameter parameter, double value)
         return;
     // A drag is one change: only its first step is what undo goes back to.
     const QString text = textOf(parameter, value);
-    if (!pending(parameter) || m_undo.empty() || m_undo.back().parameter != parameter) {
-        m_undo.push_back({parameter, before});
-        if (m_history)
-            m_history->add(*this, text, [this] { undo(); });
-    } else if (m_history) {
-        m_history->retitle(*this, text);
-    }
-    ask(parameter, {m_stations.target(), value});
+    const Setting wanted{m_stations.target(), value, m_over};
+    if (pending(parameter) && m_steps.lastIsAbout(std::size_t(parameter)))
+        m_steps.goOn(wanted, text);
+    else
+        m_steps.add(std::size_t(parameter), wanted, before, text, [this] { undo(); });
+    ask(parameter, wanted);
 }
 
 void BreathingModel::undo()
 {
-    if (m_undo.empty())
+    const auto step = m_steps.takeLast();
+    if (!step)
         return;
-    const Change change = m_undo.back();
-    m_undo.pop_back();
-    for (const Setting& before : change.before)
+    const auto parameter = static_cast<BreathingParameter>(step->thing);
+    for (const Setting& before : step->before)
         if (before.station == m_stations.shown)
-            ask(change.parameter, before);
+            ask(parameter, before);
         else
-            propose(change.parameter, before);
+            propose(parameter, before);
 }
 
 void BreathingModel::ask(BreathingParameter parameter, const Setting& setting)
@@ -210,7 +206,6 @@ void BreathingModel::ask(BreathingParameter parameter, const Setting& setting)
 void BreathingModel::propose(BreathingParameter parameter, const Setting& setting)
 {
     SessionNode& node = m_session.node();
-    const auto asked = [this](BreathingParameter of) { return pending(of).value_or(value(of)); };
     switch (parameter) {
     case BreathingParameter::Rate:
         node.propose(setting.station, fact::BreathingRateSet{perMinute(setting.value)});
@@ -222,19 +217,36 @@ void BreathingModel::propose(BreathingParameter parameter, const Setting& settin
         node.propose(setting.station, fact::InspiratoryFractionSet{fractionOf(setting.value)});
         break;
     case BreathingParameter::Own:
-        node.propose(setting.station, fact::BreathingStopped{setting.value == 0.0, m_over});
+        node.propose(setting.station, fact::BreathingStopped{setting.value == 0.0, setting.over});
         break;
     case BreathingParameter::BagRate:
-        node.propose(setting.station,
-                     fact::BagSqueezed{{perMinute(setting.value),
-                                        millilitres(asked(BreathingParameter::BagVolume))}});
-        break;
     case BreathingParameter::BagVolume:
-        node.propose(setting.station,
-                     fact::BagSqueezed{{perMinute(asked(BreathingParameter::BagRate)),
-                                        millilitres(setting.value)}});
+        proposeBag(parameter, setting);
         break;
     }
+}
+
+/// Each station keeps its own other value.
+void BreathingModel::proposeBag(BreathingParameter parameter, const Setting& setting)
+{
+    SessionNode& node = m_session.node();
+    for (const StationId station : stationsOf(*node.state(), setting.station)) {
+        const auto valueOfBag = [&](BreathingParameter of) {
+            return of == parameter ? setting.value : askedAt(station, of);
+        };
+        node.propose(station,
+                     fact::BagSqueezed{{perMinute(valueOfBag(BreathingParameter::BagRate)),
+                                        millilitres(valueOfBag(BreathingParameter::BagVolume))}});
+    }
+}
+
+/// What is decided there or was asked for.
+double BreathingModel::askedAt(StationId station, BreathingParameter parameter) const
+{
+    const Wish& wish = m_wishes[std::size_t(parameter)];
+    const std::optional<Setting>& wanted = wish.latest ? wish.latest : wish.sent;
+    const bool isMeant = wanted && (wanted->station == station || wanted->station == kAllStations);
+    return isMeant ? wanted->value : valueAt(station, SessionTime::max(), parameter);
 }
 
 bool BreathingModel::isUnderWay(BreathingParameter parameter, double sent) const
@@ -248,6 +260,14 @@ bool BreathingModel::isUnderWay(BreathingParameter parameter, double sent) const
     return same(valueAt(m_stations.shown, SessionTime::max(), parameter), sent);
 }
 
+/// Whether this is what is decided, or is asked for and not answered yet.
+bool BreathingModel::isSo(BreathingParameter parameter, StationId station, double value) const
+{
+    return m_wishes[std::size_t(parameter)].sent
+           || (m_session.node().state()->isOpen(station)
+               && same(valueAt(station, SessionTime::max(), parameter), value));
+}
+
 void BreathingModel::refresh()
 {
     for (const BreathingParameter parameter : kBreathingParameters) {
@@ -258,7 +278,11 @@ void BreathingModel::refresh()
                 ask(parameter, *next);
         }
     }
-    Shown shown{{}, largestTidalVolume_ml(), ownBreathing()};
+    if (m_session.node().pending().empty())
+        m_steps.dropOverruled([this](const auto& step, StationId station) {
+            return isSo(static_cast<BreathingParameter>(step.thing), station, step.set.value);
+        });
+    Shown shown{{}, largestTidalVolume_ml(), ownBreathing(), canUndo()};
     for (const BreathingParameter parameter : kBreathingParameters)
         shown.values[std::size_t(parameter)] = {value(parameter), pending(parameter)};
     if (std::exchange(m_shown, shown) != shown)

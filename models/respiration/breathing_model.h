@@ -2,10 +2,8 @@
 
 #include "engine/session/facts/fact_rules.h"
 #include "models/respiration/addressed_stations.h"
-#include "models/session/change_history.h"
+#include "models/respiration/change_steps.h"
 #include "models/session/session_model.h"
-
-#include <QPointer>
 
 #include <array>
 #include <optional>
@@ -44,9 +42,10 @@ public:
     /// Shows the patient of another station from now on. What was changed before cannot be undone.
     void setStation(StationId station);
     /// Adds its changes to a history from now on, by which alone they are to be undone.
-    void setHistory(ChangeHistory& history) { m_history = &history; }
-    [[nodiscard]] bool hasHistory() const { return !m_history.isNull(); }
-    /// Whether a change is for the patients of all open stations, by one fact with one effect time.
+    void setHistory(ChangeHistory& history) { m_steps.setHistory(history); }
+    [[nodiscard]] bool hasHistory() const { return m_steps.hasHistory(); }
+    /// Whether a change is for the patients of all open stations, by one fact with one effect time;
+    /// rate and volume of the bag, which are one fact, by one for each station.
     void setForAll(bool all);
 
     /// The value in force now.
@@ -58,14 +57,15 @@ public:
     /// The pending changes, one per line: "Breathing rate → 24 /min"; empty if there are none.
     [[nodiscard]] QString travellingText() const;
 
-    [[nodiscard]] bool canUndo() const { return !m_undo.empty(); }
+    [[nodiscard]] bool canUndo() const { return !m_steps.isEmpty(); }
 
     void set(BreathingParameter parameter, double value);
     /// How long breathing takes to stop or to go on again, from the next such change on.
     void setStoppingTime(Duration over) { m_over = over; }
     /// The share of the patient's own breathing that is left now, 0 to 1.
     [[nodiscard]] double ownBreathing() const;
-    /// Sets the parameter changed last back to what it was before, at each station.
+    /// Sets the parameter changed last back to what it was before, at each station where nobody
+    /// decided otherwise since; at once, also where the change was one over a time.
     void undo();
 
 Q_SIGNALS:
@@ -77,10 +77,7 @@ private:
     struct Setting {
         StationId station;
         double value = 0.0;
-    };
-    struct Change {
-        BreathingParameter parameter;
-        std::vector<Setting> before; ///< of each station that was changed
+        Duration over{}; ///< how long breathing takes to stop or to go on
     };
     /// The requested values of one parameter.
     struct Wish {
@@ -92,6 +89,7 @@ private:
         std::array<std::pair<double, std::optional<double>>, kBreathingParameters.size()> values;
         int largestTidalVolume_ml = 0;
         double ownBreathing = 1.0;
+        bool canUndo = false;
 
         friend bool operator==(const Shown&, const Shown&) = default;
     };
@@ -100,16 +98,18 @@ private:
     [[nodiscard]] double valueAt(StationId station, SessionTime t,
                                  BreathingParameter parameter) const;
     [[nodiscard]] std::vector<Setting> present(BreathingParameter parameter) const;
+    [[nodiscard]] double askedAt(StationId station, BreathingParameter parameter) const;
+    [[nodiscard]] bool isSo(BreathingParameter parameter, StationId station, double value) const;
     void ask(BreathingParameter parameter, const Setting& setting);
     [[nodiscard]] bool isUnderWay(BreathingParameter parameter, double sent) const;
     void propose(BreathingParameter parameter, const Setting& setting);
+    void proposeBag(BreathingParameter parameter, const Setting& setting);
     void refresh();
 
     SessionModel& m_session;
-    QPointer<ChangeHistory> m_history;
     AddressedStations m_stations;
     std::array<Wish, kBreathingParameters.size()> m_wishes;
-    std::vector<Change> m_undo;
+    ChangeSteps<Setting> m_steps{*this};
     Duration m_over{};
     Shown m_shown; ///< at the latest changed()
 };

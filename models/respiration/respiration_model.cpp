@@ -64,9 +64,7 @@ void RespirationModel::setStation(StationId station)
     if (std::exchange(m_stations.shown, station) == station)
         return;
     m_wishes = {};
-    m_undo.clear();
-    if (m_history)
-        m_history->forget(*this);
+    m_steps.clear();
     refresh();
     Q_EMIT changed();
 }
@@ -217,26 +215,21 @@ void RespirationModel::set(const Decision& decision)
     if (std::ranges::all_of(before, isSo) || !obstacle().isEmpty())
         return;
     // A drag is one change: only its first step is what undo goes back to.
-    const bool goesOn =
-        !m_undo.empty() && m_undo.back().front().decision.index() == thing && pending(thing);
     const QString text = tr(kThingNames[thing]).arg(std::visit(DecisionText{}, decision));
-    if (!goesOn) {
-        m_undo.push_back(before);
-        if (m_history)
-            m_history->add(*this, text, [this] { undo(); });
-    } else if (m_history) {
-        m_history->retitle(*this, text);
-    }
-    ask({m_stations.target(), decision});
+    const Setting wanted{m_stations.target(), decision};
+    if (pending(thing) && m_steps.lastIsAbout(thing))
+        m_steps.goOn(wanted, text);
+    else
+        m_steps.add(thing, wanted, before, text, [this] { undo(); });
+    ask(wanted);
 }
 
 void RespirationModel::undo()
 {
-    if (m_undo.empty())
+    const auto step = m_steps.takeLast();
+    if (!step)
         return;
-    const std::vector<Setting> change = m_undo.back();
-    m_undo.pop_back();
-    for (const Setting& before : change)
+    for (const Setting& before : step->before)
         if (before.station == m_stations.shown)
             ask(before);
         else
@@ -270,6 +263,12 @@ bool RespirationModel::isUnderWay(const Decision& sent) const
     return decidedAt(m_stations.shown, sent.index(), SessionTime::max()) == sent;
 }
 
+bool RespirationModel::isDecided(StationId station, const Decision& decision) const
+{
+    return m_session.node().state()->isOpen(station)
+           && decidedAt(station, decision.index(), SessionTime::max()) == decision;
+}
+
 void RespirationModel::refresh()
 {
     for (Wish& wish : m_wishes) {
@@ -279,12 +278,17 @@ void RespirationModel::refresh()
         if (const auto next = std::exchange(wish.latest, std::nullopt))
             ask(*next);
     }
+    if (m_session.node().pending().empty())
+        m_steps.dropOverruled([this](const auto& step, StationId station) {
+            return m_wishes[step.thing].sent || isDecided(station, step.set.decision);
+        });
     Shown now;
     for (std::size_t thing = 0; thing < kThings; ++thing) {
         now.decisions[thing] = shown(thing);
         now.pending[thing] = pending(thing).has_value();
     }
     now.obstacle = obstacle();
+    now.canUndo = canUndo();
     if (std::exchange(m_shown, now) != now)
         Q_EMIT changed();
 }

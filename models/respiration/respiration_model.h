@@ -5,10 +5,8 @@
 #include "engine/session/facts/fact_rules.h"
 #include "engine/session/respiration/respiration_rules.h"
 #include "models/respiration/addressed_stations.h"
-#include "models/session/change_history.h"
+#include "models/respiration/change_steps.h"
 #include "models/session/session_model.h"
-
-#include <QPointer>
 
 #include <array>
 #include <optional>
@@ -37,8 +35,8 @@ public:
     /// Shows the patient of another station from now on. What was changed before cannot be undone.
     void setStation(StationId station);
     /// Adds its changes to a history from now on, by which alone they are to be undone.
-    void setHistory(ChangeHistory& history) { m_history = &history; }
-    [[nodiscard]] bool hasHistory() const { return !m_history.isNull(); }
+    void setHistory(ChangeHistory& history) { m_steps.setHistory(history); }
+    [[nodiscard]] bool hasHistory() const { return m_steps.hasHistory(); }
     /// Whether a change is for the patients of all open stations, by one fact with one effect time.
     void setForAll(bool all) { m_stations.all = all; }
 
@@ -74,8 +72,8 @@ public:
     /// One sentence: why this person cannot change anything; empty if they can.
     [[nodiscard]] QString obstacle() const;
 
-    [[nodiscard]] bool canUndo() const { return !m_undo.empty(); }
-    /// Reverts the last change, at each station.
+    [[nodiscard]] bool canUndo() const { return !m_steps.isEmpty(); }
+    /// Reverts the last change, at each station where nobody decided otherwise since.
     void undo();
 
 Q_SIGNALS:
@@ -102,6 +100,7 @@ private:
                                                 BodyPosition{}};
         std::array<bool, kThings> pending{};
         QString obstacle;
+        bool canUndo = false;
 
         friend bool operator==(const Shown&, const Shown&) = default;
     };
@@ -112,6 +111,7 @@ private:
     [[nodiscard]] std::optional<Decision> pending(std::size_t thing) const;
     [[nodiscard]] Decision shown(std::size_t thing) const;
     [[nodiscard]] bool isUnderWay(const Decision& sent) const;
+    [[nodiscard]] bool isDecided(StationId station, const Decision& decision) const;
     [[nodiscard]] std::optional<LungConditions> with(std::size_t place, ConditionKind kind) const;
     void set(const Decision& decision);
     void ask(const Setting& setting);
@@ -119,11 +119,10 @@ private:
     void refresh();
 
     SessionModel& m_session;
-    QPointer<ChangeHistory> m_history;
     AddressedStations m_stations;
     std::array<Wish, kThings> m_wishes;
-    std::vector<std::vector<Setting>> m_undo; ///< before each change, at each station
-    Shown m_shown;                            ///< at the latest changed()
+    ChangeSteps<Setting> m_steps{*this};
+    Shown m_shown; ///< at the latest changed()
 };
 
 } // namespace carina

@@ -25,6 +25,15 @@ void ChangeHistory::retitle(const QObject& owner, const QString& text)
     Q_EMIT changed();
 }
 
+bool ChangeHistory::goOn(const QObject& owner, const QString& text, int topic)
+{
+    if (m_changes.empty() || m_changes.back().owner != &owner || m_changes.back().topic != topic)
+        return false;
+    m_changes.back().text = text;
+    Q_EMIT changed();
+    return true;
+}
+
 void ChangeHistory::forget(const QObject& owner)
 {
     if (std::erase_if(m_changes, [&owner](const Change& c) { return c.owner == &owner; }) > 0)

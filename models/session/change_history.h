@@ -25,6 +25,8 @@ public:
              int topic = 0);
     /// The owner's last change goes on, as a slider that is dragged: it is called so from now on.
     void retitle(const QObject& owner, const QString& text);
+    /// Whether the last change of all is the owner's and about this thing; it is called so then.
+    bool goOn(const QObject& owner, const QString& text, int topic);
     /// Removes the changes of an owner, which can no longer be taken back.
     void forget(const QObject& owner);
     /// Likewise those about one thing.

@@ -45,6 +45,14 @@ bool ConductModel::isShortEnough(const QString& reason)
 
 void ConductModel::setMuted(ParticipantId participant, bool muted)
 {
+    const QString name = standingOf(participant).name;
+    const auto takeBack = [this, participant, muted] {
+        if (standingOf(participant).isMuted == muted) // else somebody decided since
+            decide(fact::ParticipantMuted{participant, !muted});
+    };
+    if (m_history)
+        m_history->add(*this, muted ? tr("%1 → muted").arg(name) : tr("%1 → not muted").arg(name),
+                       takeBack);
     decide(fact::ParticipantMuted{participant, muted});
 }
 
@@ -55,7 +63,16 @@ void ConductModel::remove(ParticipantId participant, const QString& reason, bool
 
 void ConductModel::letBack(ParticipantId participant) { decide(fact::BanLifted{participant}); }
 
-void ConductModel::setLocked(bool locked) { decide(fact::SessionLocked{locked}); }
+void ConductModel::setLocked(bool locked)
+{
+    if (m_history)
+        m_history->add(*this, locked ? tr("Session → locked") : tr("Session → unlocked"),
+                       [this, locked] {
+                           if (isLocked() == locked)
+                               decide(fact::SessionLocked{!locked});
+                       });
+    decide(fact::SessionLocked{locked});
+}
 
 void ConductModel::changeCode(Role role) { decide(fact::RoleCodeChanged{role}); }
 

@@ -1,6 +1,9 @@
 #pragma once
 
+#include "models/session/change_history.h"
 #include "models/session/session_model.h"
+
+#include <QPointer>
 
 namespace carina
 {
@@ -31,6 +34,9 @@ public:
     [[nodiscard]] Standing standingOf(ParticipantId participant) const;
     [[nodiscard]] bool isLocked() const;
 
+    /// Adds what is muted and locked to a history from now on.
+    void setHistory(ChangeHistory& history) { m_history = &history; }
+
     /// Whether a reason for a removal fits into its fact.
     [[nodiscard]] static bool isShortEnough(const QString& reason);
 
@@ -49,6 +55,7 @@ private:
     void decide(FactBody body);
 
     SessionModel& m_session;
+    QPointer<ChangeHistory> m_history;
 };
 
 } // namespace carina

@@ -171,20 +171,29 @@ QString certificateText(const SessionNode& host)
     return name.isEmpty() ? QString{} : JoinWords::tr("Its certificate is for %1.").arg(name);
 }
 
-QString reachText(const SessionNode& host)
+QString reachText(const SessionNode& host, SessionReach reach)
 {
-    if (!host.isOpen())
-        return JoinWords::tr("○ Only programs on this computer can join. They find the session "
-                             "automatically, or at 127.0.0.1 port %1.")
-            .arg(host.port());
     QStringList addresses;
     for (const std::string& address : ownAddresses())
         addresses.push_back(QString::fromStdString(address));
-    return JoinWords::tr("● Open to the network. Other computers find the session automatically, "
-                         "or at %1 port %2.")
-        .arg(addresses.isEmpty() ? JoinWords::tr("an address of this computer")
-                                 : addresses.join(JoinWords::tr(" or ")))
-        .arg(host.port());
+    const QString own = addresses.isEmpty() ? JoinWords::tr("an address of this computer")
+                                            : addresses.join(JoinWords::tr(" or "));
+    const QString port = QString::number(host.port());
+    switch (reach) {
+    case SessionReach::ThisComputer:
+        return JoinWords::tr("○ Only programs on this computer can join. They find the session "
+                             "automatically, or at 127.0.0.1 port %1.")
+            .arg(port);
+    case SessionReach::Network:
+        return JoinWords::tr("● Open to the network. Other computers find the session "
+                             "automatically, or at %1 port %2.")
+            .arg(own, port);
+    case SessionReach::ByLink:
+        return JoinWords::tr("◆ By link only. Nobody finds the session by searching: give them its "
+                             "link, or the address %1, the port %2 and the code.")
+            .arg(own, port);
+    }
+    return {};
 }
 
 } // namespace carina

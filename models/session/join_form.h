@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/net/node/session_node.h"
+#include "models/session/session_plan.h"
 
 #include <QString>
 
@@ -61,7 +62,7 @@ void fillIn(JoinSettings& settings, const JoinForm& form);
 /// A text with the name that guests must find in the host's certificate; empty if it has none.
 [[nodiscard]] QString certificateText(const SessionNode& host);
 
-/// A text, after its state mark, on who can reach a session hosted here.
-[[nodiscard]] QString reachText(const SessionNode& host);
+/// A text, after its state mark, on who can reach a session hosted here, and how they find it.
+[[nodiscard]] QString reachText(const SessionNode& host, SessionReach reach);
 
 } // namespace carina

@@ -99,6 +99,8 @@ QVariant ParticipantsModel::data(const QModelIndex& index, int role) const
         return shownAsIs(registrationTip(*row.registration));
     if (role == Qt::ToolTipRole && index.column() == Same && row.seesTheSame)
         return shownAsIs(figuresText(row));
+    if (role == Qt::AccessibleDescriptionRole && index.column() == Same && row.seesTheSame)
+        return figuresText(row);
     if (role == Qt::ToolTipRole && index.column() == Name)
         return shownAsIs(row.name);
     if (role == Qt::TextAlignmentRole && index.column() >= Sends && index.column() <= Delay)

@@ -87,10 +87,7 @@ bool SessionModel::canStart() const
 
 bool SessionModel::canPause() const { return phase() == SessionPhase::Running; }
 
-bool SessionModel::canEnd() const
-{
-    return phase() == SessionPhase::Running || phase() == SessionPhase::Paused;
-}
+bool SessionModel::canEnd() const { return phase() != SessionPhase::Ended; }
 
 void SessionModel::start() { setPhase(SessionPhase::Running); }
 void SessionModel::pause() { setPhase(SessionPhase::Paused); }

@@ -126,32 +126,49 @@ StoredSession storedSession(const QString& file)
 }
 
 StoredSessionsModel::StoredSessionsModel(QString folder, QObject* parent)
-    : QAbstractListModel{parent}
+    : QAbstractListModel{parent}, m_folder{std::move(folder)}
 {
     m_reader.setMaxThreadCount(1);
-    m_reader.start([this, folder = std::move(folder)] {
-        for (const QString& file : sessionFiles(folder).mid(0, kMost)) {
-            if (m_stops)
-                return;
-            QMetaObject::invokeMethod(
-                this, [this, session = storedSession(file)] { take(session); },
-                Qt::QueuedConnection);
-        }
-        QMetaObject::invokeMethod(
-            this,
-            [this] {
-                m_isComplete = true;
-                Q_EMIT completed();
-            },
-            Qt::QueuedConnection);
-    });
+    read();
 }
 
 StoredSessionsModel::~StoredSessionsModel() { stop(); }
 
+void StoredSessionsModel::read()
+{
+    stop();
+    beginResetModel();
+    m_sessions.clear();
+    m_isComplete = false;
+    endResetModel();
+    m_reader.start([this, run = m_run.load()] {
+        for (const QString& file : sessionFiles(m_folder)) {
+            if (m_run != run)
+                return;
+            tell(run, [this, session = storedSession(file)] { take(session); });
+        }
+        tell(run, [this] {
+            m_isComplete = true;
+            Q_EMIT completed();
+        });
+    });
+}
+
+/// What an earlier run found is not taken twice.
+void StoredSessionsModel::tell(int run, std::function<void()> found)
+{
+    QMetaObject::invokeMethod(
+        this,
+        [this, run, found = std::move(found)] {
+            if (m_run == run)
+                found();
+        },
+        Qt::QueuedConnection);
+}
+
 void StoredSessionsModel::stop()
 {
-    m_stops = true;
+    ++m_run;
     m_reader.waitForDone();
 }
 

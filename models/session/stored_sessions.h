@@ -9,6 +9,7 @@
 #include <QThreadPool>
 
 #include <atomic>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -39,15 +40,12 @@ void keepReach(const QString& file, SessionReach reach);
 /// Reads the session in a file; another program that has it open keeps it.
 [[nodiscard]] StoredSession storedSession(const QString& file);
 
-/// The sessions in a folder that have not ended, the last ones first; read on another thread.
+/// All sessions in a folder that have not ended, the last ones first; read on another thread.
 class StoredSessionsModel : public QAbstractListModel
 {
     Q_OBJECT
 
 public:
-    /// How many of the files are looked at.
-    static constexpr qsizetype kMost = 20;
-
     /// Begins to read.
     explicit StoredSessionsModel(QString folder, QObject* parent = nullptr);
     /// Waits until no file is open.
@@ -55,6 +53,8 @@ public:
 
     /// Whether all were read.
     [[nodiscard]] bool isComplete() const { return m_isComplete; }
+    /// Begins to read anew.
+    void read();
     /// Reads no further file, and returns when none is open: then a session can be opened.
     void stop();
 
@@ -71,10 +71,12 @@ Q_SIGNALS:
 
 private:
     void take(const StoredSession& session);
+    void tell(int run, std::function<void()> found);
 
+    const QString m_folder;
     std::vector<StoredSession> m_sessions;
     bool m_isComplete = false;
-    std::atomic<bool> m_stops{false};
+    std::atomic<int> m_run{0}; ///< of reading; an earlier one goes no further
     QThreadPool m_reader;
 };
 

@@ -17,6 +17,8 @@ namespace
 /// A host says something every 250 ms; so two in a row may be lost. What others track is lost
 /// sooner than the connection is given up, and not for the tracker's sake.
 constexpr Duration kHostSilent = std::chrono::milliseconds{800};
+/// From then on a person is not to wait for it without a choice.
+constexpr Duration kHostMissed = std::chrono::seconds{5};
 /// For so long it is said that a token was replaced.
 constexpr Duration kTokenTold = std::chrono::minutes{1};
 /// For so long it is said that an instructor moved this participant.
@@ -34,6 +36,15 @@ bool hostIsHere(const SessionNode& node)
     const auto links = node.links();
     return std::ranges::any_of(links, [](const LinkReport& link) {
         return link.state == LinkState::Connected && link.sinceLastDatagram < kHostSilent;
+    });
+}
+
+/// One that cannot be reached any more is looked for on and on.
+bool hostIsMissed(const SessionNode& node)
+{
+    const auto links = node.links();
+    return std::ranges::any_of(links, [](const LinkReport& link) {
+        return link.state != LinkState::Ended && link.sinceLastDatagram >= kHostMissed;
     });
 }
 
@@ -136,6 +147,10 @@ QString situation(const SessionNode& node, const StationMoment& moment, ViewOutp
         return phaseNotice(phase);
     if (const auto refusal = node.refusal())
         return errorText(*refusal);
+    if (hostIsMissed(node))
+        return noticeWords(QT_TRANSLATE_NOOP(
+            "StationNotice", "The instructor's program does not answer. This one goes on looking "
+                             "for it; to join another session, press Esc"));
     if (!hostIsHere(node))
         return noticeWords(QT_TRANSLATE_NOOP("StationNotice", "Connecting to the instructor …"));
     if (phase != SessionPhase::Running)
@@ -171,6 +186,8 @@ bool isOver(const SessionNode& node)
     const auto now = node.now();
     return isRemoved(node) || (now && node.state()->phaseAt(*now) == SessionPhase::Ended);
 }
+
+bool offersAnother(const SessionNode& node) { return isOver(node) || hostIsMissed(node); }
 
 bool isRemoved(const SessionNode& node)
 {

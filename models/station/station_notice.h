@@ -26,6 +26,10 @@ namespace carina
 /// Whether nothing more happens here: the session has ended, or isRemoved().
 [[nodiscard]] bool isOver(const SessionNode& node);
 
+/// Whether a person is offered another session: this one is over, or its host has been silent for
+/// some seconds and may never come back.
+[[nodiscard]] bool offersAnother(const SessionNode& node);
+
 /// Whether the host removed this program for good, so that nothing it offers has an effect.
 [[nodiscard]] bool isRemoved(const SessionNode& node);
 

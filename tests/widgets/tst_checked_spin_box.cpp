@@ -1,6 +1,7 @@
 #include "tests/support/test_class.h"
 #include "widgets/checked_spin_box.h"
 
+#include <QShortcut>
 #include <QSignalSpy>
 
 namespace carina::checked_spin_box_test
@@ -13,6 +14,53 @@ template <class Box> void type(Box& box, const QString& text)
     box.selectAll();
     QTest::keyClicks(&box, text);
     QTest::keyClick(&box, Qt::Key_Return);
+}
+
+/// A window with a box and an undo of its own.
+template <class Box> struct Window {
+    QWidget window;
+    Box box{&window};
+    QShortcut undo{QKeySequence::Undo, &window};
+    QSignalSpy undone{&undo, &QShortcut::activated};
+
+    Window()
+    {
+        box.setRange(20, 1000);
+        box.setKeyboardTracking(false);
+        box.setSuffix(QStringLiteral(" ml"));
+        box.setValue(280);
+        window.show();
+        box.setFocus();
+    }
+    void press(QKeySequence::StandardKey key) { QTest::keySequence(&box, QKeySequence{key}); }
+};
+
+template <class Box> void leavesUndoToTheWindow()
+{
+    Window<Box> with;
+    QVERIFY(QTest::qWaitForWindowActive(&with.window));
+    type(with.box, QStringLiteral("400"));
+    with.press(QKeySequence::Undo);
+    QCOMPARE(with.undone.count(), 1);
+    QCOMPARE(with.box.value(), 400);
+    QTest::keyClicks(&with.box, QStringLiteral("5")); // half typed
+    with.press(QKeySequence::Undo);
+    QCOMPARE(with.undone.count(), 1);
+    QVERIFY(!with.box.text().contains(QLatin1Char{'5'}));
+}
+
+/// Nor is an earlier number put back where the window has no undo.
+template <class Box> void keepsWhatWasEntered()
+{
+    Window<Box> with;
+    with.undo.setEnabled(false);
+    type(with.box, QStringLiteral("400"));
+    for (const auto key : {QKeySequence::Undo, QKeySequence::Redo}) {
+        with.press(key);
+        QVERIFY(with.box.text().contains(QStringLiteral("400")));
+    }
+    with.box.clearFocus();
+    QCOMPARE(with.box.value(), 400);
 }
 
 } // namespace
@@ -71,6 +119,18 @@ private Q_SLOTS:
         QVERIFY(refused.count() >= 1);
         type(box, QStringLiteral("2.25"));
         QCOMPARE(box.value(), 2.25);
+    }
+
+    void leavesTheKeyOfUndoToTheWindow()
+    {
+        leavesUndoToTheWindow<CheckedSpinBox>();
+        leavesUndoToTheWindow<CheckedDoubleSpinBox>();
+    }
+
+    void keepsWhatWasEnteredAgainstTheKeyOfUndo()
+    {
+        keepsWhatWasEntered<CheckedSpinBox>();
+        keepsWhatWasEntered<CheckedDoubleSpinBox>();
     }
 
     void takesNoLetters()

@@ -29,6 +29,7 @@ namespace
 {
 
 constexpr int kRefreshInterval_ms = 250;
+constexpr int kRefusalShown_ms = 10000;
 
 } // namespace
 
@@ -45,6 +46,9 @@ InstructorWindow::InstructorWindow(const ConsoleModels& models, KeptConsole& kep
     m_models.respiration.setHistory(m_history);
     m_models.actions.setHistory(m_history);
     m_models.lesson.setHistory(m_history);
+    m_models.conduct.setHistory(m_history);
+    m_ui->parts->setHistory(m_history);
+    m_ui->section->setHistory(m_history);
     m_ui->pane->setModels(m_models.stations, m_models.attention);
     m_ui->pane->show(*m_models.patient.patient(), view);
     fillPanels();
@@ -54,6 +58,8 @@ InstructorWindow::InstructorWindow(const ConsoleModels& models, KeptConsole& kep
     m_ui->statusBar->addPermanentWidget(new UndoButton{m_history});
     m_ui->statusBar->addWidget(m_status, 1);
     fillSessionBar();
+    connect(m_ui->pane, &PatientPane::refused, m_ui->statusBar,
+            [this](const QString& why) { m_ui->statusBar->showMessage(why, kRefusalShown_ms); });
     connect(&m_models.attention, &AttentionModel::showWanted, this, &InstructorWindow::showPlaceOf);
     connect(&m_models.session, &SessionModel::changed, this, &InstructorWindow::refresh);
     auto* timer = new QTimer{this};
@@ -267,7 +273,7 @@ void InstructorWindow::addMenuButton()
     m_ui->sessionBar->addWidget(space);
     auto* panels = new QToolButton;
     panels->setObjectName(QStringLiteral("panels"));
-    panels->setText(tr("Pane&ls"));
+    panels->setText(tr("&Panels"));
     panels->setToolTip(tr("Bring a panel, lay all as at first, full screen, second window"));
     panels->setFocusPolicy(Qt::TabFocus);
     panels->setPopupMode(QToolButton::InstantPopup);
@@ -306,6 +312,12 @@ void InstructorWindow::refresh()
     refreshStatus();
 }
 
+void InstructorWindow::setReach(SessionReach reach)
+{
+    m_reach = reach;
+    m_ui->invitation->show(m_models.session.node(), m_reach);
+}
+
 void InstructorWindow::refreshInvitation()
 {
     const SessionNode& node = m_models.session.node();
@@ -315,7 +327,7 @@ void InstructorWindow::refreshInvitation()
         return;
     m_shownCodes = codes;
     m_shownLocked = isLocked;
-    m_ui->invitation->show(node);
+    m_ui->invitation->show(node, m_reach);
 }
 
 /// What the picture shows that is not the patient as usual.

@@ -14,6 +14,7 @@
 #include "models/session/participants_model.h"
 #include "models/session/people_model.h"
 #include "models/session/session_model.h"
+#include "models/session/session_plan.h"
 #include "models/station/stations_model.h"
 #include "ui/lesson/scene_teacher.h"
 #include "ui/scene/part_chooser.h"
@@ -73,6 +74,8 @@ public:
 
     [[nodiscard]] StationScene& stationScene();
 
+    /// Who can come into the session, as the invitation tells it.
+    void setReach(SessionReach reach);
     /// Asked before the window is closed; while it says no, the window stays.
     void onClose(std::function<bool()> mayClose) { m_mayClose = std::move(mayClose); }
 
@@ -116,6 +119,7 @@ private:
     std::unique_ptr<SceneTeacher> m_teacher;
     std::unique_ptr<PartChooser> m_chooser;
     QString m_part; ///< that was chosen in the picture
+    SessionReach m_reach = SessionReach::ThisComputer;
     JoinCodes m_shownCodes;
     bool m_shownLocked = false;
 };

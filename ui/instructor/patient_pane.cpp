@@ -20,6 +20,7 @@ PatientPane::PatientPane(QWidget* parent)
     m_ui->scene->installEventFilter(this);
     connect(m_ui->exaggeration, &QDoubleSpinBox::valueChanged, this,
             [this](double factor) { m_view->exaggerate(factor); });
+    connect(m_ui->exaggeration, &CheckedDoubleSpinBox::refused, this, &PatientPane::refused);
 }
 
 PatientPane::~PatientPane() = default;

@@ -41,6 +41,10 @@ public:
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
+Q_SIGNALS:
+    /// A number typed here was refused; one sentence with the range.
+    void refused(const QString& why);
+
 private:
     void layAttention();
 

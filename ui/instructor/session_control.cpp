@@ -5,17 +5,14 @@
 #include "widgets/spoken_label.h"
 
 #include <QAction>
-#include <QTimer>
 
 #include <algorithm>
-#include <utility>
 
 namespace carina
 {
 namespace
 {
 
-constexpr int kEndAsked_ms = 4000;
 constexpr int kWidestName = 190; ///< pixels, of the session; the tool tip has all of it
 const QString kNameGap = QStringLiteral("   ");
 
@@ -66,7 +63,12 @@ SessionControl::SessionControl(QToolBar& bar, SessionModel& session, const Actio
     addActions();
     connect(&m_actions.start, &QAction::triggered, &m_session, &SessionModel::start);
     connect(&m_actions.pause, &QAction::triggered, &m_session, &SessionModel::pause);
-    connect(&m_actions.end, &QAction::triggered, this, &SessionControl::endOnSecondPress);
+    connect(&m_actions.end, &QAction::triggered, &m_end, &SecondPress::press);
+    connect(&m_end, &SecondPress::changed, this, &SessionControl::refresh);
+    connect(&m_end, &SecondPress::confirmed, this, [this] {
+        m_session.end();
+        refresh();
+    });
     refresh();
 }
 
@@ -92,25 +94,12 @@ void SessionControl::addPhase()
 void SessionControl::addActions()
 {
     for (QAction* action : {&m_actions.start, &m_actions.pause, &m_actions.end}) {
+        action->setAutoRepeat(false);
         m_bar.addAction(action);
         m_bar.widgetForAction(action)->setFocusPolicy(Qt::TabFocus);
     }
-    reserve(m_bar, m_actions.start, tr("&Go on"));
-    reserve(m_bar, m_actions.end, tr("Really &end?"));
-}
-
-void SessionControl::endOnSecondPress()
-{
-    if (std::exchange(m_endAsked, false)) {
-        m_session.end();
-        return refresh();
-    }
-    m_endAsked = true;
-    refresh();
-    QTimer::singleShot(kEndAsked_ms, this, [this] {
-        m_endAsked = false;
-        refresh();
-    });
+    reserve(m_bar, m_actions.start, tr("Go on"));
+    reserve(m_bar, m_actions.end, tr("Really end?"));
 }
 
 void SessionControl::refresh()
@@ -121,11 +110,11 @@ void SessionControl::refresh()
         m_phase->fontMetrics().elidedText(m_session.name(), Qt::ElideRight, kWidestName);
     m_phase->setText(name + kNameGap + words);
     speakInstead(*m_phase, tr("%1: %2", "session; its phase").arg(m_session.name(), words));
-    m_actions.start.setText(phase == SessionPhase::Paused ? tr("&Go on") : tr("&Start"));
+    m_actions.start.setText(phase == SessionPhase::Paused ? tr("Go on") : tr("Start"));
     m_actions.start.setEnabled(m_session.canStart());
     m_actions.pause.setEnabled(m_session.canPause());
     m_actions.end.setEnabled(m_session.canEnd());
-    m_actions.end.setText(m_endAsked ? tr("Really &end?") : tr("&End"));
+    m_actions.end.setText(m_end.isAsked() ? tr("Really end?") : tr("End"));
 }
 
 } // namespace carina

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "models/session/session_model.h"
+#include "widgets/second_press.h"
 
 #include <QToolBar>
 
@@ -31,13 +32,12 @@ public:
 private:
     void addPhase();
     void addActions();
-    void endOnSecondPress();
 
     QToolBar& m_bar;
     SessionModel& m_session;
     Actions m_actions;
     QLabel* m_phase;
-    bool m_endAsked = false;
+    SecondPress m_end;
 };
 
 } // namespace carina

@@ -1,9 +1,12 @@
 #include "ui/panels/actions_panel.h"
 
 #include "models/text/shown_as_is.h"
+#include "ui/refusal_line.h"
 #include "ui_actions_panel.h"
 
 #include <QSignalBlocker>
+
+#include <utility>
 
 namespace carina
 {
@@ -35,6 +38,9 @@ ActionsPanel::ActionsPanel(QWidget* parent)
     : QWidget{parent}, m_ui{std::make_unique<Ui::ActionsPanel>()}
 {
     m_ui->setupUi(this);
+    auto* refused = new RefusalLine;
+    refused->watch(*m_ui->speed);
+    m_ui->rows->insertWidget(m_ui->rows->indexOf(m_ui->goRow), refused);
     setFocusProxy(m_ui->object);
 }
 
@@ -100,7 +106,7 @@ void ActionsPanel::refreshObject()
     // Whichever is pressed is the last to be shut, so that the keyboard goes on to one of the rest.
     m_ui->putBack->setEnabled(object.canPutBack());
     m_ui->lift->setEnabled(object.canLift());
-    m_ui->ask->setText(object.isAsking() ? tr("Do not &ask any more") : tr("&Ask for it"));
+    m_ui->ask->setText(object.isAsking() ? tr("Do not a&sk any more") : tr("A&sk for it"));
     m_ui->ask->setEnabled(object.canAsk());
     m_ui->takeOver->setVisible(object.isInstructor());
     m_ui->takeOver->setEnabled(object.canTakeOver());
@@ -108,18 +114,26 @@ void ActionsPanel::refreshObject()
     m_ui->heir->setEnabled(!heirs.empty());
 }
 
-void ActionsPanel::refreshAction()
+/// A suffix that is set puts the value into the field, in place of what is being typed.
+void ActionsPanel::refreshSpeed()
 {
     const QSignalBlocker blocker{m_ui->speed};
-    const auto [largest, unit] = ObjectActionModel::speedScale(m_model->kind());
+    if (std::exchange(m_shownKind, m_model->kind()) != m_model->kind()) {
+        const auto [largest, unit] = ObjectActionModel::speedScale(m_model->kind());
+        m_ui->speed->setRange(-largest, largest);
+        m_ui->speed->setSuffix(QLatin1Char(' ') + unit);
+        m_ui->speed->setToolTip(shownAsIs(tr("-%1 to %1 %2").arg(largest).arg(unit)));
+    }
+    if (m_ui->speed->value() != m_model->speed())
+        m_ui->speed->setValue(m_model->speed());
+}
+
+void ActionsPanel::refreshAction()
+{
     m_ui->kind->setCurrentIndex(static_cast<int>(m_model->kind()));
     m_ui->axis->setCurrentIndex(static_cast<int>(m_model->axis()));
     m_ui->axis->setEnabled(m_model->hasAxis());
-    m_ui->speed->setRange(-largest, largest);
-    m_ui->speed->setSuffix(QLatin1Char(' ') + unit);
-    m_ui->speed->setToolTip(shownAsIs(tr("-%1 to %1 %2").arg(largest).arg(unit)));
-    if (m_ui->speed->value() != m_model->speed())
-        m_ui->speed->setValue(m_model->speed());
+    refreshSpeed();
     // Whichever is pressed is the last to be shut, so that the keyboard goes on to one of the rest.
     m_ui->putAllBack->setEnabled(m_model->canPutAllBack());
     m_ui->undoAction->setVisible(!m_model->hasHistory()); // which has one for all panels

@@ -5,6 +5,7 @@
 #include <QWidget>
 
 #include <memory>
+#include <optional>
 
 class QComboBox;
 
@@ -36,8 +37,10 @@ private:
     void refresh();
     void refreshObject();
     void refreshAction();
+    void refreshSpeed();
 
     std::unique_ptr<Ui::ActionsPanel> m_ui;
+    std::optional<ActionKind> m_shownKind; ///< whose range and unit the speed has
     ObjectActionModel* m_model = nullptr;
 };
 

@@ -1,6 +1,7 @@
 #include "ui/panels/breathing_panel.h"
 
 #include "models/text/shown_as_is.h"
+#include "ui/refusal_line.h"
 #include "ui_breathing_panel.h"
 #include "widgets/plain_label.h"
 
@@ -43,15 +44,14 @@ BreathingPanel::BreathingPanel(QWidget* parent)
       m_left{new PlainLabel},
       m_bagRate{new CheckedSpinBox},
       m_bagVolume{new CheckedSpinBox},
-      m_refused{new PlainLabel}
+      m_refused{new RefusalLine}
 {
     m_ui->setupUi(this);
     addApnoea();
     addBag();
-    m_refused->setObjectName(QStringLiteral("refused"));
-    m_refused->setAccessibleName(tr("Why a number was refused"));
-    m_refused->setWordWrap(true);
-    m_refused->hide();
+    for (const CheckedSpinBox* box : {m_ui->rate, m_ui->tidalVolume, m_bagRate, m_bagVolume})
+        m_refused->watch(*box);
+    m_refused->watch(*m_ui->ratio);
     m_ui->columns->insertWidget(m_ui->columns->indexOf(m_ui->travelling), m_refused);
     QWidget* before = m_ui->ratio;
     for (QWidget* next : {static_cast<QWidget*>(m_stops), static_cast<QWidget*>(m_over),
@@ -105,26 +105,10 @@ void BreathingPanel::addBag()
     auto* row = new QHBoxLayout;
     row->addWidget(label, 1);
     for (CheckedSpinBox* box : {m_bagRate, m_bagVolume}) {
-        box->setKeyboardTracking(false);
         box->setAlignment(Qt::AlignRight);
         row->addWidget(box);
     }
     m_ui->columns->insertLayout(m_ui->columns->indexOf(m_ui->travelling), row);
-}
-
-/// The line stays until a number is taken.
-void BreathingPanel::connectRefusals()
-{
-    const auto tell = [this](const QString& why) {
-        m_refused->setText(why);
-        m_refused->show();
-    };
-    for (CheckedSpinBox* box : {m_ui->rate, m_ui->tidalVolume, m_bagRate, m_bagVolume}) {
-        connect(box, &CheckedSpinBox::refused, this, tell);
-        connect(box, &QSpinBox::valueChanged, m_refused, &QWidget::hide);
-    }
-    connect(m_ui->ratio, &CheckedDoubleSpinBox::refused, this, tell);
-    connect(m_ui->ratio, &QDoubleSpinBox::valueChanged, m_refused, &QWidget::hide);
 }
 
 BreathingPanel::~BreathingPanel() = default;
@@ -151,7 +135,6 @@ void BreathingPanel::setModel(BreathingModel& model)
         m_model->set(BreathingParameter::BagRate, rate == kNoBag ? 0.0 : double(rate));
     });
     connect(m_bagVolume, &QSpinBox::valueChanged, this, sets(BreathingParameter::BagVolume));
-    connectRefusals();
     connect(m_ui->undo, &QPushButton::clicked, &model, &BreathingModel::undo);
     connect(&model, &BreathingModel::changed, this, &BreathingPanel::refresh);
     refresh();

@@ -19,6 +19,7 @@ namespace carina
 {
 
 class CheckedSpinBox;
+class RefusalLine;
 
 /// Shows and sets the patient's breathing. A control shows the value in force or, while a change is
 /// pending, the requested value; pending changes are listed below. Breathing can stop, at once or
@@ -38,7 +39,6 @@ public:
 private:
     void addApnoea();
     void addBag();
-    void connectRefusals();
     void refresh();
     void refreshApnoea(int largest_ml);
     [[nodiscard]] double shown(BreathingParameter parameter) const;
@@ -50,7 +50,7 @@ private:
     QLabel* m_left; ///< what is left of breathing
     CheckedSpinBox* m_bagRate;
     CheckedSpinBox* m_bagVolume;
-    QLabel* m_refused;
+    RefusalLine* m_refused;
 };
 
 } // namespace carina

@@ -3,11 +3,11 @@
 #include "engine/core/units.h"
 #include "models/respiration/respiration_words.h"
 #include "models/text/shown_as_is.h"
+#include "ui/refusal_line.h"
 #include "widgets/checked_spin_box.h"
 #include "widgets/plain_label.h"
 
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -65,6 +65,7 @@ ConditionPanel::ConditionPanel(QWidget* parent)
       m_side{new QComboBox},
       m_mode{new QComboBox},
       m_tube{new CheckedDoubleSpinBox},
+      m_refused{new RefusalLine},
       m_travelling{new PlainLabel},
       m_undo{new QPushButton{tr("&Undo last change")}}
 {
@@ -90,7 +91,7 @@ void ConditionPanel::layOut()
             rows->addRow(label, field);
     };
     add(m_position, "position", tr("Pos&ition"), tr("Position of the patient"));
-    add(m_conditions, "conditions", tr("Con&ditions"), tr("Conditions of the lungs, a list"));
+    add(m_conditions, "conditions", tr("C&onditions"), tr("Conditions of the lungs, a list"));
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(m_add);
     buttons->addWidget(m_remove);
@@ -103,23 +104,23 @@ void ConditionPanel::layOut()
     const QString pressure = tr(" cmH2O");
     m_peep = addNumber(*rows, "peep", tr("PEEP"),
                        tr("Positive end-expiratory pressure (PEEP), cmH2O"), pressure);
-    m_driving = addNumber(*rows, "driving", tr("&Above PEEP"),
+    m_driving = addNumber(*rows, "driving", tr("Above PEEP"),
                           tr("Inspiratory pressure above PEEP, cmH2O"), pressure);
-    m_limit = addNumber(*rows, "limit", tr("Limi&t"), tr("Pressure limit of the airway, cmH2O"),
-                        pressure);
-    m_pause = addNumber(*rows, "pause", tr("&Pause"),
+    m_limit =
+        addNumber(*rows, "limit", tr("Limit"), tr("Pressure limit of the airway, cmH2O"), pressure);
+    m_pause = addNumber(*rows, "pause", tr("Pau&se"),
                         tr("Pause at the end of inspiration, per cent of inspiration"), tr(" %"));
     m_ownRate =
-        addNumber(*rows, "ownRate", tr("&Own breaths"),
+        addNumber(*rows, "ownRate", tr("Own breaths"),
                   tr("Own efforts of a patient who is ventilated, per minute"), tr(" /min"));
-    m_ownEffort = addNumber(*rows, "ownEffort", tr("E&ffort"),
+    m_ownEffort = addNumber(*rows, "ownEffort", tr("Effort"),
                             tr("Strength of own efforts, per cent of a quiet breath's"), tr(" %"));
-    m_trigger = addNumber(*rows, "trigger", tr("Tri&gger"),
+    m_trigger = addNumber(*rows, "trigger", tr("Trigger"),
                           tr("Flow trigger: inspiratory flow at which the ventilator begins a "
                              "breath, litres per minute"),
                           tr(" L/min"));
     explain();
-    add(m_tube, "tube", tr("Tu&be"), tr("Inner diameter of the tracheal tube, millimetres"));
+    add(m_tube, "tube", tr("&Tube"), tr("Inner diameter of the tracheal tube, millimetres"));
     m_travelling->setObjectName(QStringLiteral("travelling"));
     m_travelling->setWordWrap(true);
     m_travelling->setAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -129,8 +130,9 @@ void ConditionPanel::layOut()
     m_obstacle->setObjectName(QStringLiteral("obstacle"));
     m_obstacle->setWordWrap(true);
     auto* column = new QVBoxLayout{this};
-    for (QWidget* widget : {static_cast<QWidget*>(m_obstacle), m_controls,
-                            static_cast<QWidget*>(m_travelling), static_cast<QWidget*>(m_undo)})
+    for (QWidget* widget :
+         {static_cast<QWidget*>(m_obstacle), m_controls, static_cast<QWidget*>(m_refused),
+          static_cast<QWidget*>(m_travelling), static_cast<QWidget*>(m_undo)})
         column->addWidget(widget);
     column->addStretch(1);
 }
@@ -167,16 +169,15 @@ void ConditionPanel::explain()
     m_severity->setToolTip(tr("0 is healthy; 0.3 mild, 0.6 moderate, 0.9 severe"));
 }
 
-QDoubleSpinBox* ConditionPanel::addNumber(QFormLayout& rows, const char* objectName,
-                                          const QString& label, const QString& accessibleName,
-                                          const QString& unit)
+CheckedDoubleSpinBox* ConditionPanel::addNumber(QFormLayout& rows, const char* objectName,
+                                                const QString& label, const QString& accessibleName,
+                                                const QString& unit)
 {
     auto* box = new CheckedDoubleSpinBox;
     box->setObjectName(QLatin1String{objectName});
     box->setAccessibleName(accessibleName);
     box->setSuffix(unit);
     box->setDecimals(0);
-    box->setKeyboardTracking(false);
     box->setAlignment(Qt::AlignRight);
     rows.addRow(label, box);
     return box;
@@ -219,10 +220,11 @@ void ConditionPanel::offerChoices()
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         box->setMinimumContentsLength(kShownLetters);
     }
-    for (QDoubleSpinBox* box : {m_severity, m_tube}) {
-        box->setKeyboardTracking(false);
+    for (CheckedDoubleSpinBox* box : {m_severity, m_tube})
         box->setAlignment(Qt::AlignRight);
-    }
+    for (const CheckedDoubleSpinBox* box : {m_severity, m_peep, m_driving, m_limit, m_pause,
+                                            m_ownRate, m_ownEffort, m_trigger, m_tube})
+        m_refused->watch(*box);
 }
 
 void ConditionPanel::setModel(RespirationModel& model)
@@ -267,7 +269,7 @@ void ConditionPanel::connectVentilator()
         settings.mode = static_cast<VentilationMode>(place);
         m_model->setVentilator(settings);
     });
-    const auto vary = [this](QDoubleSpinBox* box, void (*set)(VentilatorSettings&, double)) {
+    const auto vary = [this](CheckedDoubleSpinBox* box, void (*set)(VentilatorSettings&, double)) {
         connect(box, &QDoubleSpinBox::valueChanged, this, [this, set](double value) {
             VentilatorSettings settings = m_model->ventilator();
             set(settings, value);
@@ -403,7 +405,7 @@ void ConditionPanel::refreshVentilator(const VentilatorSettings& ventilator)
     display(*m_ownRate, inPerMinute(ventilator.ownRate));
     display(*m_ownEffort, 100.0 * ventilator.ownEffort);
     display(*m_trigger, inLitresPerMinute(ventilator.trigger));
-    for (QDoubleSpinBox* box : {m_peep, m_ownRate, m_trigger})
+    for (CheckedDoubleSpinBox* box : {m_peep, m_ownRate, m_trigger})
         box->setEnabled(isVentilated);
     m_driving->setEnabled(ventilator.mode == VentilationMode::PressureControl);
     m_limit->setEnabled(isByVolume);

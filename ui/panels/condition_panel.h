@@ -5,7 +5,6 @@
 #include <QWidget>
 
 class QComboBox;
-class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
 class QListWidget;
@@ -14,6 +13,9 @@ class QSlider;
 
 namespace carina
 {
+
+class CheckedDoubleSpinBox;
+class RefusalLine;
 
 /// Shows and sets the patient's position, diseases, ventilator and tube. The diseases are a list;
 /// the controls below it change the one that is selected. A control shows the value
@@ -32,8 +34,8 @@ public:
 private:
     void layOut();
     void explain();
-    QDoubleSpinBox* addNumber(QFormLayout& rows, const char* objectName, const QString& label,
-                              const QString& accessibleName, const QString& unit);
+    CheckedDoubleSpinBox* addNumber(QFormLayout& rows, const char* objectName, const QString& label,
+                                    const QString& accessibleName, const QString& unit);
     void offerChoices();
     void connectCondition();
     void connectVentilator();
@@ -57,18 +59,19 @@ private:
     QPushButton* m_add;
     QPushButton* m_remove;
     QComboBox* m_condition;
-    QDoubleSpinBox* m_severity;
+    CheckedDoubleSpinBox* m_severity;
     QSlider* m_severitySlider;
     QComboBox* m_side;
     QComboBox* m_mode;
-    QDoubleSpinBox* m_peep = nullptr;
-    QDoubleSpinBox* m_driving = nullptr;
-    QDoubleSpinBox* m_limit = nullptr;
-    QDoubleSpinBox* m_pause = nullptr;
-    QDoubleSpinBox* m_ownRate = nullptr;
-    QDoubleSpinBox* m_ownEffort = nullptr;
-    QDoubleSpinBox* m_trigger = nullptr;
-    QDoubleSpinBox* m_tube;
+    CheckedDoubleSpinBox* m_peep = nullptr;
+    CheckedDoubleSpinBox* m_driving = nullptr;
+    CheckedDoubleSpinBox* m_limit = nullptr;
+    CheckedDoubleSpinBox* m_pause = nullptr;
+    CheckedDoubleSpinBox* m_ownRate = nullptr;
+    CheckedDoubleSpinBox* m_ownEffort = nullptr;
+    CheckedDoubleSpinBox* m_trigger = nullptr;
+    CheckedDoubleSpinBox* m_tube;
+    RefusalLine* m_refused;
     QLabel* m_travelling;
     QPushButton* m_undo;
 };

@@ -59,8 +59,8 @@ InvitationPanel::InvitationPanel(QWidget* parent)
       m_reach{new PlainLabel},
       m_certificate{new PlainLabel},
       m_showPicture{new QPushButton{tr("&QR code")}},
-      m_copy{new QPushButton{tr("Copy &link")}},
-      m_newCode{new QPushButton{tr("Ne&w code…")}}
+      m_copy{new QPushButton{tr("Copy lin&k")}},
+      m_newCode{new QPushButton{tr("N&ew code…")}}
 {
     auto* rows = new QGridLayout;
     rows->setColumnStretch(1, 1);
@@ -73,6 +73,7 @@ InvitationPanel::InvitationPanel(QWidget* parent)
     m_showPicture->setCheckable(true);
     m_showPicture->setToolTip(tr("The link as a QR code, for the camera of another computer"));
     connect(m_showPicture, &QPushButton::toggled, m_picture, &QWidget::setVisible);
+    m_reach->setObjectName(QStringLiteral("reach"));
     m_locked->setObjectName(QStringLiteral("locked"));
     m_locked->hide();
     for (QLabel* words : {m_locked, m_reach, m_certificate})
@@ -119,7 +120,7 @@ void InvitationPanel::addRow(QGridLayout& rows, Role role, const QString& name,
     m_invited.emplace(role, invited);
 }
 
-void InvitationPanel::show(const SessionNode& host)
+void InvitationPanel::show(const SessionNode& host, SessionReach reach)
 {
     m_codes = host.joinCodes();
     const bool isLocked = host.state()->isLocked();
@@ -129,7 +130,7 @@ void InvitationPanel::show(const SessionNode& host)
         invited.code->setText(QString::fromStdString(m_codes.at(role).text()));
         invited.link = joinLinkText(host, role);
     }
-    m_reach->setText(reachText(host));
+    m_reach->setText(reachText(host, reach));
     m_certificate->setText(certificateText(host));
     m_certificate->setVisible(!m_certificate->text().isEmpty());
     choose(m_chosen);

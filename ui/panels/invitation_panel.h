@@ -1,6 +1,7 @@
 #pragma once
 
 #include "models/session/session_model.h"
+#include "models/session/session_plan.h"
 
 #include <QWidget>
 
@@ -28,8 +29,8 @@ public:
     explicit InvitationPanel(QWidget* parent = nullptr);
 
     using QWidget::show;
-    /// Shows the codes of a hosting node, as they are now.
-    void show(const SessionNode& host);
+    /// Shows the codes of a hosting node, as they are now, and who can reach it.
+    void show(const SessionNode& host, SessionReach reach);
 
     /// Asks whether a role is to have a new code. @param why it may need one; empty: it was wanted
     void askForNewCode(Role role, const QString& why);

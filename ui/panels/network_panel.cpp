@@ -27,7 +27,7 @@ NetworkPanel::NetworkPanel(QWidget* parent)
       m_plot{new HistoryPlot},
       m_table{new QTableView},
       m_strategy{new PlainLabel},
-      m_research{new QPushButton{tr("For &research…")}}
+      m_research{new QPushButton{tr("For r&esearch…")}}
 {
     layOut();
     setFocusProxy(m_participant);
@@ -55,7 +55,7 @@ NetworkPanel::NetworkPanel(QWidget* parent)
 
 void NetworkPanel::layOut()
 {
-    auto* label = new PlainLabel{tr("&Network to")};
+    auto* label = new PlainLabel{tr("Networ&k to")};
     label->setBuddy(m_participant);
     auto* row = new QHBoxLayout;
     row->addWidget(label);

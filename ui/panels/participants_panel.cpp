@@ -52,6 +52,8 @@ void ParticipantsPanel::setModel(ParticipantsModel& participants, ConductModel& 
     connect(&participants, &QAbstractItemModel::modelReset, this, &ParticipantsPanel::refresh);
     connect(m_ui->table->selectionModel(), &QItemSelectionModel::currentChanged, this,
             &ParticipantsPanel::refresh);
+    connect(&participants, &QAbstractItemModel::dataChanged, this,
+            &ParticipantsPanel::refreshFigures);
     connect(m_ui->mute, &QPushButton::clicked, this, &ParticipantsPanel::muteOrNot);
     connect(m_ui->remove, &QPushButton::clicked, this, &ParticipantsPanel::removeOrLetBack);
     connect(m_ui->lock, &QCheckBox::clicked, &conduct, &ConductModel::setLocked);
@@ -93,7 +95,7 @@ void ParticipantsPanel::refresh()
             ? tr("What the chosen participant sends has its effect again")
             : tr("The chosen participant sees everything, and what they send has no effect"));
     m_ui->mute->setEnabled(standing.canMute && !standing.isBanned);
-    m_ui->remove->setText(standing.isBanned ? tr("&Let back in") : tr("Remo&ve…"));
+    m_ui->remove->setText(standing.isBanned ? tr("L&et back in") : tr("R&emove…"));
     m_ui->remove->setEnabled(standing.canRemove || standing.isBanned);
     m_ui->lock->setChecked(m_conduct->isLocked());
     const bool areSeveral = m_stations->open().size() > 1;
@@ -108,6 +110,7 @@ void ParticipantsPanel::refresh()
     m_ui->work->setAccessibleDescription(whom);
     m_ui->place->setAccessibleDescription(whom);
     refreshPerson();
+    refreshFigures();
 }
 
 void ParticipantsPanel::offerStations()
@@ -134,6 +137,13 @@ void ParticipantsPanel::refreshPerson()
     const auto person = id ? m_people->person(*id) : std::nullopt;
     m_ui->work->setEnabled(person && person->canBeGiven);
     m_ui->place->setEnabled(person && person->canBePlaced);
+}
+
+/// Of the chosen participant, for who has no mouse.
+void ParticipantsPanel::refreshFigures()
+{
+    const QModelIndex same = m_ui->table->currentIndex().siblingAtColumn(ParticipantsModel::Same);
+    m_ui->sameFigures->setText(same.data(Qt::AccessibleDescriptionRole).toString());
 }
 
 void ParticipantsPanel::muteOrNot()

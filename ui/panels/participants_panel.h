@@ -47,6 +47,7 @@ private:
     /// Asks why, and removes; lets a banned participant back in at once.
     void removeOrLetBack();
     void refreshPerson();
+    void refreshFigures();
     [[nodiscard]] std::optional<ParticipantId> chosen() const;
 
     std::unique_ptr<Ui::ParticipantsPanel> m_ui;

@@ -93,21 +93,23 @@ constexpr std::array kRegions{BodyRegion::Airway,  BodyRegion::Lungs,   BodyRegi
                               BodyRegion::Vessels, BodyRegion::Muscles, BodyRegion::Tools,
                               BodyRegion::Other};
 
+QString styleWord(PartStyle style)
+{
+    switch (style) {
+    case PartStyle::AsUsual:
+        return PartsPanel::tr("as usual");
+    case PartStyle::Solid:
+        return PartsPanel::tr("solid");
+    case PartStyle::Ghost:
+        return PartsPanel::tr("ghost");
+    case PartStyle::Hidden:
+        return PartsPanel::tr("hidden");
+    }
+    return {};
+}
+
 QString wordsFor(const PartLook& look)
 {
-    const auto styleWord = [](PartStyle style) {
-        switch (style) {
-        case PartStyle::AsUsual:
-            return PartsPanel::tr("as usual");
-        case PartStyle::Solid:
-            return PartsPanel::tr("solid");
-        case PartStyle::Ghost:
-            return PartsPanel::tr("ghost");
-        case PartStyle::Hidden:
-            return PartsPanel::tr("hidden");
-        }
-        return QString{};
-    };
     QString words = look.highlighted ? PartsPanel::tr("highlighted") : styleWord(look.style);
     if (look.plain)
         words = PartsPanel::tr("%1, plain colour").arg(words);
@@ -160,7 +162,7 @@ PartsPanel::PartsPanel(QWidget* parent)
       m_plain{switchFor(tr("Plain colour"),
                         tr("Colour them by what they are, not as the anatomy set does"),
                         &PartLook::plain)},
-      m_showAll{new QPushButton{tr("Show &all as usual")}}
+      m_showAll{new QPushButton{tr("Show a&ll as usual")}}
 {
     m_words->setObjectName(QStringLiteral("words"));
     m_words->setAccessibleName(tr("Filter: words in the names of parts"));
@@ -209,8 +211,9 @@ QPushButton* PartsPanel::styleButton(const QString& text, const QString& toolTip
 {
     auto* button = new QPushButton{text};
     button->setToolTip(shownAsIs(toolTip));
-    connect(button, &QPushButton::clicked, this,
-            [this, style] { change(chosen(), [style](PartLook& look) { look.style = style; }); });
+    connect(button, &QPushButton::clicked, this, [this, style] {
+        change(chosen(), styleWord(style), [style](PartLook& look) { look.style = style; });
+    });
     return button;
 }
 
@@ -220,8 +223,10 @@ PartsPanel::Switch PartsPanel::switchFor(const QString& text, const QString& too
     auto* button = new QPushButton{text};
     button->setToolTip(shownAsIs(toolTip));
     button->setCheckable(true);
-    connect(button, &QPushButton::clicked, this, [this, which](bool on) {
-        change(chosen(), [which, on](PartLook& look) { look.*which = on; });
+    connect(button, &QPushButton::clicked, this, [this, which, text](bool on) {
+        const QString what = QString{text}.remove(QLatin1Char{'&'}).toLower();
+        change(chosen(), on ? what : tr("without: %1").arg(what),
+               [which, on](PartLook& look) { look.*which = on; });
     });
     return {button, which};
 }
@@ -229,6 +234,8 @@ PartsPanel::Switch PartsPanel::switchFor(const QString& text, const QString& too
 void PartsPanel::setScene(SceneView& scene)
 {
     m_scene = &scene;
+    if (m_history)
+        m_history->forget(*this); // those were the parts of another patient
     const QSignalBlocker silently{m_parts};
     m_parts->clear();
     for (const BodyRegion region : kRegions)
@@ -284,14 +291,31 @@ std::vector<std::uint16_t> PartsPanel::chosen() const
     return {ids.begin(), ids.end()};
 }
 
-void PartsPanel::change(const std::vector<std::uint16_t>& ids,
+void PartsPanel::change(const std::vector<std::uint16_t>& ids, const QString& what,
                         const std::function<void(PartLook&)>& applied)
 {
     PartLooks looks = m_scene->looks();
     for (const std::uint16_t id : ids)
         applied(looks[id]);
+    setLooks(looks, tr("%1 → %2", "part of the patient; how it is shown").arg(nameOf(ids), what));
+}
+
+void PartsPanel::setLooks(const PartLooks& looks, const QString& text)
+{
+    if (m_history)
+        m_history->add(*this, text, [this, before = m_scene->looks()] {
+            m_scene->setLooks(before);
+            refresh();
+        });
     m_scene->setLooks(looks);
     refresh();
+}
+
+/// Of several: how many.
+QString PartsPanel::nameOf(const std::vector<std::uint16_t>& ids) const
+{
+    const QTreeWidgetItem* one = ids.size() == 1 ? itemOf(ids.front()) : nullptr;
+    return one ? one->text(kName) : tr("%n parts", nullptr, int(ids.size()));
 }
 
 /// After a check box was clicked.
@@ -300,14 +324,11 @@ void PartsPanel::showOrHide(QTreeWidgetItem* item, int column)
     if (column != kName)
         return;
     const bool shown = item->checkState(kName) != Qt::Unchecked;
-    change(partsOf(*item), [shown](PartLook& look) { setShown(look, shown); });
+    change(partsOf(*item), shown ? tr("shown") : tr("hidden"),
+           [shown](PartLook& look) { setShown(look, shown); });
 }
 
-void PartsPanel::showAll()
-{
-    m_scene->setLooks({});
-    refresh();
-}
+void PartsPanel::showAll() { setLooks({}, tr("All parts → as usual")); }
 
 /// Hides what has not all of the words in its name, and opens the regions of what is left.
 void PartsPanel::filter(const QString& words)

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "models/session/change_history.h"
 #include "widgets/scene/look/part_look.h"
 
+#include <QPointer>
 #include <QWidget>
 
 #include <functional>
@@ -32,6 +34,8 @@ public:
 
     /// Lists the parts that the view has now. @pre the view outlives the panel.
     void setScene(SceneView& scene);
+    /// Adds its changes to a history from now on.
+    void setHistory(ChangeHistory& history) { m_history = &history; }
     /// Chooses a part in the list, and no other; std::nullopt chooses none. A filter that hides it
     /// is cleared.
     void choose(std::optional<std::uint16_t> part);
@@ -54,8 +58,10 @@ private:
     [[nodiscard]] std::vector<QTreeWidgetItem*> regions() const;
     [[nodiscard]] std::vector<std::uint16_t> chosen() const;
     [[nodiscard]] QTreeWidgetItem* itemOf(std::uint16_t part) const;
-    void change(const std::vector<std::uint16_t>& ids,
+    void change(const std::vector<std::uint16_t>& ids, const QString& what,
                 const std::function<void(PartLook&)>& applied);
+    void setLooks(const PartLooks& looks, const QString& text);
+    [[nodiscard]] QString nameOf(const std::vector<std::uint16_t>& ids) const;
     void showOrHide(QTreeWidgetItem* item, int column);
     void showAll();
     void filter(const QString& words);
@@ -64,6 +70,7 @@ private:
     void refreshButtons(const PartLooks& looks);
 
     SceneView* m_scene = nullptr;
+    QPointer<ChangeHistory> m_history;
     QLineEdit* m_words;
     QTreeWidget* m_parts;
     std::vector<QPushButton*> m_styles;

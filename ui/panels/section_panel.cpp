@@ -1,5 +1,7 @@
 #include "ui/panels/section_panel.h"
 
+#include "ui/refusal_line.h"
+#include "widgets/checked_spin_box.h"
 #include "widgets/plain_label.h"
 #include "widgets/scene/view/scene_view.h"
 
@@ -8,10 +10,10 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSlider>
-#include <QSpinBox>
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace carina
 {
@@ -20,6 +22,8 @@ namespace
 
 constexpr int kNothing = 0; ///< the first choice of what is cut
 constexpr int kAutomatic = 0;
+constexpr int kPlaneTopic = 1; ///< of a change of what is cut and from where
+constexpr int kDepthTopic = 2;
 constexpr int kPage_mm = 10;
 constexpr double kRounding_mm = 1e-3; ///< of single precision
 
@@ -51,7 +55,7 @@ SectionPanel::SectionPanel(QWidget* parent)
       m_what{new QComboBox},
       m_side{new QComboBox},
       m_slider{new QSlider{Qt::Horizontal}},
-      m_depth{new QSpinBox},
+      m_depth{new CheckedSpinBox},
       m_detail{new QComboBox}
 {
     fillChoices();
@@ -98,17 +102,25 @@ void SectionPanel::layOut()
     auto* label = new PlainLabel{tr("Depth")};
     label->setBuddy(m_slider);
     form->addRow(label, depth);
+    auto* refused = new RefusalLine;
+    refused->watch(*m_depth);
+    form->addRow(refused);
     form->addRow(tr("Detail"), m_detail);
 }
 
 void SectionPanel::setScene(SceneView& scene)
 {
-    m_scene = &scene;
+    if (m_history)
+        m_history->forget(*this); // those were cuts of another patient
     m_bounds_A = {};
     for (const ScenePart& part : scene.parts())
         m_bounds_A.include(boundsOf(*part.levels.back()));
     setEnabled(true);
+    m_scene = nullptr; // nobody chose what follows
     choose();
+    m_scene = &scene;
+    m_choice = choice();
+    cut();
 }
 
 std::optional<Section> SectionPanel::section() const
@@ -140,8 +152,48 @@ void SectionPanel::choose()
 
 void SectionPanel::cut()
 {
-    if (m_scene != nullptr)
-        m_scene->setSection(section());
+    if (m_scene == nullptr)
+        return;
+    remember();
+    m_scene->setSection(section());
+}
+
+SectionPanel::Choice SectionPanel::choice() const
+{
+    return {m_what->currentIndex(), m_side->currentIndex(), m_depth->value()};
+}
+
+/// Depths one after another are one change.
+void SectionPanel::remember()
+{
+    const Choice before = std::exchange(m_choice, choice());
+    if (!m_history || before == m_choice)
+        return;
+    const bool isDepth = before.what == m_choice.what && before.side == m_choice.side;
+    const int topic = isDepth ? kDepthTopic : kPlaneTopic;
+    if (!isDepth || !m_history->goOn(*this, text(), topic))
+        m_history->add(
+            *this, text(), [this, before] { goBackTo(before); }, topic);
+}
+
+void SectionPanel::goBackTo(const Choice& choice)
+{
+    SceneView* scene = std::exchange(m_scene, nullptr);
+    m_what->setCurrentIndex(choice.what);
+    m_side->setCurrentIndex(choice.side);
+    m_depth->setValue(choice.depth_mm); // after the side, which has a depth of its own
+    m_scene = scene;
+    m_choice = choice;
+    cut();
+}
+
+QString SectionPanel::text() const
+{
+    if (m_choice.what == kNothing)
+        return tr("Cut → nothing");
+    return tr("Cut → %1, %2, %3\u00a0mm deep", "what; from which side; how deep")
+        .arg(m_what->currentText().toLower(), m_side->currentText())
+        .arg(m_choice.depth_mm);
 }
 
 } // namespace carina

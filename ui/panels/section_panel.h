@@ -1,19 +1,21 @@
 #pragma once
 
+#include "models/session/change_history.h"
 #include "widgets/scene/look/section.h"
 #include "widgets/scene/surfaces/scene_part.h"
 
+#include <QPointer>
 #include <QWidget>
 
 #include <optional>
 
 class QComboBox;
 class QSlider;
-class QSpinBox;
 
 namespace carina
 {
 
+class CheckedSpinBox;
 class SceneView;
 
 /// Controls the section plane of a view: what is cut, from which side, and how deep; and whether
@@ -28,21 +30,39 @@ public:
     /// Controls this view, with the bounds of its present parts. @pre the view outlives the panel.
     void setScene(SceneView& scene);
 
+    /// Adds its changes to a history from now on.
+    void setHistory(ChangeHistory& history) { m_history = &history; }
+
     /// The chosen plane; std::nullopt while nothing is cut.
     [[nodiscard]] std::optional<Section> section() const;
 
 private:
+    /// Of its controls.
+    struct Choice {
+        int what = 0;
+        int side = 0;
+        int depth_mm = 0;
+
+        friend bool operator==(const Choice&, const Choice&) = default;
+    };
+
     void layOut();
     void fillChoices();
     void cut();
     void choose();
+    void remember();
+    void goBackTo(const Choice& choice);
+    [[nodiscard]] Choice choice() const;
+    [[nodiscard]] QString text() const;
 
     SceneView* m_scene = nullptr;
-    Box m_bounds_A; ///< of all parts of the patient
+    QPointer<ChangeHistory> m_history;
+    Choice m_choice; ///< by which it is cut
+    Box m_bounds_A;  ///< of all parts of the patient
     QComboBox* m_what;
     QComboBox* m_side;
     QSlider* m_slider;
-    QSpinBox* m_depth;
+    CheckedSpinBox* m_depth;
     QComboBox* m_detail;
 };
 

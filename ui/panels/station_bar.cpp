@@ -9,17 +9,13 @@
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QTabBar>
-#include <QTimer>
 #include <QToolButton>
-
-#include <utility>
 
 namespace carina
 {
 namespace
 {
 
-constexpr int kCloseAsked_ms = 4000;
 constexpr int kBarMargin = 8; ///< pixels, as beside the views beneath
 constexpr int kBarSpacing = 4;
 
@@ -88,7 +84,11 @@ void StationBar::setModel(StationsModel& stations)
     connect(m_forAll, &QCheckBox::toggled, &stations, &StationsModel::setForAll);
     connect(m_add, &QToolButton::clicked, this, &StationBar::askForNew);
     connect(m_rename, &QToolButton::clicked, this, &StationBar::askForName);
-    connect(m_close, &QToolButton::clicked, this, &StationBar::closeOnSecondPress);
+    connect(m_close, &QToolButton::clicked, &m_closing, &SecondPress::press);
+    connect(&stations, &StationsModel::shownChanged, &m_closing, &SecondPress::forget);
+    connect(&m_closing, &SecondPress::changed, this, &StationBar::refresh);
+    connect(&m_closing, &SecondPress::confirmed, this,
+            [this] { m_stations->close(m_stations->shown()); });
     refresh();
 }
 
@@ -119,9 +119,8 @@ void StationBar::refresh()
                                      : shownAsIs(full));
     m_rename->setEnabled(!open.empty());
     m_rename->setToolTip(tr("Give the station that is shown another name"));
-    const bool isAsked = m_closeAsked != kNoStation && m_closeAsked == m_stations->shown();
     const QString occupied = m_stations->obstacleToClosing(m_stations->shown());
-    m_close->setText(isAsked ? tr("Really?") : tr("Close"));
+    m_close->setText(m_closing.isAsked() ? tr("Really?") : tr("Close"));
     m_close->setEnabled(occupied.isEmpty());
     m_close->setToolTip(occupied.isEmpty() ? tr("Close the station that is shown")
                                            : shownAsIs(occupied));
@@ -144,21 +143,6 @@ void StationBar::askForName()
     connect(dialog, &QDialog::accepted, m_stations,
             [this, dialog, station] { m_stations->rename(station, dialog->name()); });
     dialog->open();
-}
-
-void StationBar::closeOnSecondPress()
-{
-    const StationId station = m_stations->shown();
-    if (std::exchange(m_closeAsked, station) == station) {
-        m_closeAsked = kNoStation;
-        m_stations->close(station);
-    } else {
-        QTimer::singleShot(kCloseAsked_ms, this, [this] {
-            m_closeAsked = kNoStation;
-            refresh();
-        });
-    }
-    refresh();
 }
 
 } // namespace carina

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "models/station/stations_model.h"
+#include "widgets/second_press.h"
 
 #include <QWidget>
 
@@ -28,7 +29,6 @@ private:
     void refresh();
     void askForNew();
     void askForName();
-    void closeOnSecondPress();
 
     StationsModel* m_stations = nullptr;
     QTabBar* m_tabs;
@@ -36,7 +36,7 @@ private:
     QToolButton* m_rename;
     QToolButton* m_close;
     QCheckBox* m_forAll;
-    StationId m_closeAsked = kNoStation; ///< the station that was asked about
+    SecondPress m_closing; ///< of the station that is shown
 };
 
 } // namespace carina

@@ -1,14 +1,14 @@
 #include "ui/panels/strategy_dialog.h"
 
+#include "ui/refusal_line.h"
+#include "widgets/checked_spin_box.h"
 #include "widgets/plain_label.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QSpinBox>
 
 namespace carina
 {
@@ -34,11 +34,11 @@ StrategyDialog::StrategyDialog(const StrategyChoice& choice, QWidget* parent)
     : QDialog{parent},
       m_strategy{new QComboBox},
       m_sentence{new PlainLabel},
-      m_delays{new QSpinBox},
-      m_start{new QDoubleSpinBox},
-      m_lowest{new QDoubleSpinBox},
-      m_highest{new QDoubleSpinBox},
-      m_lag{new QSpinBox}
+      m_delays{new CheckedSpinBox},
+      m_start{new CheckedDoubleSpinBox},
+      m_lowest{new CheckedDoubleSpinBox},
+      m_highest{new CheckedDoubleSpinBox},
+      m_lag{new CheckedSpinBox}
 {
     setWindowTitle(tr("For research: how shared objects are kept alike"));
     setMinimumWidth(kStrategyDialogWidth);
@@ -47,7 +47,7 @@ StrategyDialog::StrategyDialog(const StrategyChoice& choice, QWidget* parent)
     m_strategy->setObjectName(QStringLiteral("strategy"));
     m_delays->setRange(1, kMostDelaysAsked);
     m_delays->setObjectName(QStringLiteral("delays"));
-    for (QDoubleSpinBox* rate : {m_start, m_lowest, m_highest})
+    for (CheckedDoubleSpinBox* rate : {m_start, m_lowest, m_highest})
         setUp(*rate);
     m_lag->setRange(0, static_cast<int>(kLongestLocalLag / std::chrono::milliseconds{1}));
     m_lag->setSuffix(tr(" ms"));
@@ -74,6 +74,12 @@ void StrategyDialog::layOut()
     rows->addRow(tr("ASA: &lowest rate of probes"), m_lowest);
     rows->addRow(tr("ASA: &highest rate of probes"), m_highest);
     rows->addRow(tr("Lon&gest local lag"), m_lag);
+    auto* refused = new RefusalLine;
+    for (const CheckedSpinBox* box : {m_delays, m_lag})
+        refused->watch(*box);
+    for (const CheckedDoubleSpinBox* box : {m_start, m_lowest, m_highest})
+        refused->watch(*box);
+    rows->addRow(refused);
     auto* buttons = new QDialogButtonBox{QDialogButtonBox::Cancel};
     QPushButton* use = buttons->addButton(tr("&Use in this session"), QDialogButtonBox::AcceptRole);
     use->setObjectName(QStringLiteral("use"));

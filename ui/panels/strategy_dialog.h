@@ -5,12 +5,13 @@
 #include <QDialog>
 
 class QComboBox;
-class QDoubleSpinBox;
 class QLabel;
-class QSpinBox;
 
 namespace carina
 {
+
+class CheckedDoubleSpinBox;
+class CheckedSpinBox;
 
 /// Asks a researcher by which strategy the session is to keep acted-on objects alike, and with
 /// which parameters.
@@ -30,11 +31,11 @@ private:
 
     QComboBox* m_strategy;
     QLabel* m_sentence;
-    QSpinBox* m_delays;
-    QDoubleSpinBox* m_start;
-    QDoubleSpinBox* m_lowest;
-    QDoubleSpinBox* m_highest;
-    QSpinBox* m_lag;
+    CheckedSpinBox* m_delays;
+    CheckedDoubleSpinBox* m_start;
+    CheckedDoubleSpinBox* m_lowest;
+    CheckedDoubleSpinBox* m_highest;
+    CheckedSpinBox* m_lag;
 };
 
 } // namespace carina

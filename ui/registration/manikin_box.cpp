@@ -1,6 +1,8 @@
 #include "ui/registration/manikin_box.h"
 
 #include "models/text/shown_as_is.h"
+#include "ui/refusal_line.h"
+#include "widgets/checked_spin_box.h"
 #include "widgets/plain_label.h"
 
 #include <QComboBox>
@@ -9,7 +11,6 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QSpinBox>
 
 #include <cmath>
 
@@ -27,7 +28,7 @@ ManikinBox::ManikinBox(ManikinTask& task, QWidget* parent)
       m_task{task},
       m_makes{new QComboBox{this}},
       m_import{new QPushButton{tr("Import a profi&le…"), this}},
-      m_measured{new QSpinBox{this}},
+      m_measured{new CheckedSpinBox{this}},
       m_touch{new QPushButton{this}},
       m_skip{new QPushButton{tr("S&kip this place"), this}},
       m_comparison{new PlainLabel{this}}
@@ -43,7 +44,6 @@ ManikinBox::ManikinBox(ManikinTask& task, QWidget* parent)
     m_measured->setRange(kNotMeasured_mm, int(inMillimetres(kMostTeethToCarina)));
     m_measured->setSpecialValueText(tr("not measured"));
     m_measured->setSuffix(tr(" mm"));
-    m_measured->setKeyboardTracking(false);
     m_touch->setObjectName(QStringLiteral("touchAirway"));
     m_skip->setObjectName(QStringLiteral("skipAirway"));
     m_comparison->setObjectName(QStringLiteral("airways"));
@@ -70,6 +70,9 @@ void ManikinBox::layOut()
     auto* length = new PlainLabel{tr("Tee&th to carina"), this};
     length->setBuddy(m_measured);
     form->addRow(length, airway);
+    auto* refused = new RefusalLine{this};
+    refused->watch(*m_measured);
+    form->addRow(refused);
     form->addRow(m_comparison);
 }
 

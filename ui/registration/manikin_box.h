@@ -7,10 +7,11 @@
 class QComboBox;
 class QLabel;
 class QPushButton;
-class QSpinBox;
 
 namespace carina
 {
+
+class CheckedSpinBox;
 
 /// Which manikin the site has, and how its airway differs from the patient's.
 class ManikinBox : public QGroupBox
@@ -32,7 +33,7 @@ private:
     ManikinTask& m_task;
     QComboBox* m_makes; ///< children of this
     QPushButton* m_import;
-    QSpinBox* m_measured;
+    CheckedSpinBox* m_measured;
     QPushButton* m_touch;
     QPushButton* m_skip;
     QLabel* m_comparison;

@@ -1,12 +1,13 @@
 #include "ui/registration/tools_page.h"
 
 #include "models/station/tool_status.h"
+#include "ui/refusal_line.h"
 #include "ui/registration/local_time.h"
 #include "ui/tracker/tool_layout_dialog.h"
+#include "widgets/checked_spin_box.h"
 #include "widgets/plain_label.h"
 
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QListWidget>
 #include <QPushButton>
@@ -35,7 +36,7 @@ ToolsPage::ToolsPage(RegistrationModel& registration)
     : RegistrationPage{registration},
       m_tools{new QComboBox{this}},
       m_diameterLabel{new PlainLabel{tr("Outer dia&meter"), this}},
-      m_diameter{new QDoubleSpinBox{this}},
+      m_diameter{new CheckedDoubleSpinBox{this}},
       m_described{new PlainLabel{this}},
       m_places{new QListWidget{this}},
       m_check{new QPushButton{tr("Chec&k its tip"), this}},
@@ -51,7 +52,6 @@ ToolsPage::ToolsPage(RegistrationModel& registration)
     m_diameter->setDecimals(1);
     m_diameter->setSingleStep(0.1);
     m_diameter->setSuffix(tr(" mm"));
-    m_diameter->setKeyboardTracking(false);
     m_described->setObjectName(QStringLiteral("toolCalibration"));
     m_described->setAccessibleName(tr("Calibration of the tool"));
     m_described->setWordWrap(true);
@@ -101,6 +101,9 @@ void ToolsPage::layOut()
     form->addRow(tool, m_tools);
     m_diameterLabel->setBuddy(m_diameter);
     form->addRow(m_diameterLabel, m_diameter);
+    auto* refused = new RefusalLine{this};
+    refused->watch(*m_diameter);
+    form->addRow(refused);
     auto* hint =
         new PlainLabel{tr("Hold the tip of the stylus still at each place for a second, or "
                           "press Page Down. The tool may move meanwhile, while the tracker "

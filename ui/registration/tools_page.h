@@ -3,7 +3,6 @@
 #include "ui/registration/registration_page.h"
 
 class QComboBox;
-class QDoubleSpinBox;
 class QLabel;
 class QListWidget;
 class QPushButton;
@@ -11,6 +10,7 @@ class QPushButton;
 namespace carina
 {
 
+class CheckedDoubleSpinBox;
 class ToolLayoutDialog;
 
 /// Calibrates tube and laryngoscope by touches with the stylus, and checks them by one.
@@ -36,7 +36,7 @@ private:
 
     QComboBox* m_tools; ///< children of this
     QLabel* m_diameterLabel;
-    QDoubleSpinBox* m_diameter;
+    CheckedDoubleSpinBox* m_diameter;
     QLabel* m_described;
     QListWidget* m_places;
     QPushButton* m_check;

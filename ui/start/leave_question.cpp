@@ -25,11 +25,14 @@ Leaving askBeforeLeaving(const QString& whoLosesWhat, bool canEnd, QWidget* pare
     box.setWindowTitle(LeaveWords::tr("Leave the session?"));
     box.setText(shownAsIs(LeaveWords::tr("The session goes on.")));
     box.setInformativeText(shownAsIs(whoLosesWhat));
-    QPushButton* stay = box.addButton(LeaveWords::tr("&Stay"), QMessageBox::RejectRole);
+    QPushButton* stay = box.addButton(LeaveWords::tr("S&tay"), QMessageBox::RejectRole);
     stay->setObjectName(QStringLiteral("stay"));
     QPushButton* close =
         box.addButton(LeaveWords::tr("&Close, and resume later"), QMessageBox::AcceptRole);
     close->setObjectName(QStringLiteral("closeForNow"));
+    QPushButton* start =
+        box.addButton(LeaveWords::tr("Close it, to the &start page"), QMessageBox::AcceptRole);
+    start->setObjectName(QStringLiteral("toStartPage"));
     QPushButton* end =
         box.addButton(LeaveWords::tr("&End it for everyone"), QMessageBox::DestructiveRole);
     end->setObjectName(QStringLiteral("endForAll"));
@@ -39,6 +42,8 @@ Leaving askBeforeLeaving(const QString& whoLosesWhat, bool canEnd, QWidget* pare
     box.exec();
     if (box.clickedButton() == close)
         return Leaving::CloseForNow;
+    if (box.clickedButton() == start)
+        return Leaving::ToStartPage;
     return box.clickedButton() == end ? Leaving::EndForAll : Leaving::Stay;
 }
 

@@ -9,7 +9,12 @@ class QWidget;
 namespace carina
 {
 
-enum class Leaving : std::uint8_t { Stay, CloseForNow, EndForAll };
+enum class Leaving : std::uint8_t {
+    Stay,
+    CloseForNow,
+    ToStartPage, ///< closed, too
+    EndForAll
+};
 
 /// Asks what is to become of a session whose window is being closed.
 /// @param whoLosesWhat as leavingText says it @param canEnd whether it can be ended

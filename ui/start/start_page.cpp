@@ -16,6 +16,7 @@
 #include <QListView>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QTimer>
 
 namespace carina
 {
@@ -23,6 +24,7 @@ namespace
 {
 
 constexpr int kColumnWidth = 560;
+constexpr int kReadinessInterval_ms = 3000;
 constexpr int kReadyNameColumn = 0;
 constexpr int kReadyStateColumn = 1;
 
@@ -73,7 +75,7 @@ StartPage::StartPage(StoredSessionsModel& stored, PlannedPatient& patient, const
     m_problem->setObjectName(QStringLiteral("problem"));
     m_problem->setWordWrap(true);
     auto* left = new QVBoxLayout;
-    for (QGroupBox* box : {newSession(begin), whoCanJoin(begin.reach), earlierSessions()})
+    for (QGroupBox* box : {whoCanJoin(begin.reach), newSession(begin), earlierSessions()})
         left->addWidget(box);
     left->setStretch(2, 1);
     left->addWidget(m_problem);
@@ -85,11 +87,22 @@ StartPage::StartPage(StoredSessionsModel& stored, PlannedPatient& patient, const
     columns->addLayout(right, 1);
     connect(&m_patient, &PlannedPatient::changed, this, &StartPage::refresh);
     connect(&m_stored, &QAbstractItemModel::rowsInserted, this, &StartPage::refreshEarlier);
+    connect(&m_stored, &QAbstractItemModel::modelReset, this, &StartPage::refreshEarlier);
     connect(&m_stored, &StoredSessionsModel::completed, this, &StartPage::refreshEarlier);
+    auto* look = new QTimer{this};
+    connect(look, &QTimer::timeout, this, &StartPage::refreshReadiness);
+    look->start(kReadinessInterval_ms);
     choosePatient();
     refreshEarlier();
     m_name->setFocus();
     m_name->selectAll();
+}
+
+bool StartPage::event(QEvent* event)
+{
+    if (event->type() == QEvent::WindowActivate)
+        refreshReadiness();
+    return QWidget::event(event);
 }
 
 QGroupBox* StartPage::newSession(const SessionPlan& begin)
@@ -196,7 +209,7 @@ QGroupBox* StartPage::earlierSessions()
     connect(m_resume, &QPushButton::clicked, this, &StartPage::resume);
     auto* column = new QVBoxLayout{box};
     column->addWidget(m_list, 1);
-    column->addWidget(m_none, 1, Qt::AlignTop);
+    column->addWidget(m_none, 0, Qt::AlignTop);
     column->addWidget(m_resume);
     return box;
 }
@@ -346,8 +359,8 @@ void StartPage::refreshReadiness()
 void StartPage::refreshEarlier()
 {
     const bool isEmpty = m_stored.rowCount() == 0;
-    m_none->setVisible(isEmpty);
-    m_none->setText(m_stored.isComplete() ? tr("There is none.") : tr("Looking …"));
+    m_none->setVisible(isEmpty || !m_stored.isComplete());
+    m_none->setText(!m_stored.isComplete() ? tr("Looking …") : tr("There is none."));
     m_list->setVisible(!isEmpty);
     refresh();
 }

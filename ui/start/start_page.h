@@ -47,6 +47,9 @@ public:
     /// While a session is made, nothing else can be wanted.
     void setBusy(bool busy);
 
+    /// Whoever comes back may have changed something elsewhere.
+    bool event(QEvent* event) override;
+
 Q_SIGNALS:
     void beginWanted(const carina::SessionPlan& plan);
     /// To go on with the session in a file.

@@ -1,10 +1,11 @@
 #include "ui/tracker/calibration_dialog.h"
 
 #include "models/errors/error_text.h"
+#include "ui/refusal_line.h"
+#include "widgets/checked_spin_box.h"
 #include "widgets/plain_label.h"
 
 #include <QDialogButtonBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QPushButton>
@@ -31,7 +32,7 @@ QLabel* boardLabel(const QString& text)
 CalibrationDialog::CalibrationDialog(CameraToCalibrate camera, QWidget* parent)
     : QDialog{parent},
       m_camera{std::move(camera)},
-      m_square{new QDoubleSpinBox},
+      m_square{new CheckedDoubleSpinBox},
       m_text{boardLabel({})},
       m_begin{new QPushButton{tr("&Begin anew")}},
       m_save{new QPushButton{tr("&Save the calibration")}}
@@ -71,6 +72,9 @@ void CalibrationDialog::layOut()
     }
     auto* fields = new QFormLayout;
     fields->addRow(tr("S&quare of the board"), m_square);
+    auto* refused = new RefusalLine;
+    refused->watch(*m_square);
+    fields->addRow(refused);
     fields->addRow(QString{}, m_begin);
     auto* buttons = new QDialogButtonBox{QDialogButtonBox::Cancel};
     buttons->addButton(m_save, QDialogButtonBox::AcceptRole);
@@ -89,6 +93,7 @@ void CalibrationDialog::layOut()
 void CalibrationDialog::beginAnew()
 {
     m_trouble.clear();
+    m_square->interpretText(); // its key leaves the field as it is
     m_calibration.begin(m_camera, m_square->value());
     refresh();
 }

@@ -6,12 +6,13 @@
 
 #include <array>
 
-class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
 
 namespace carina
 {
+
+class CheckedDoubleSpinBox;
 
 /// Calibrates a camera with the printed board: shows in which ninths of the picture the board has
 /// been, how well its corners fit, and what to do next. The calibration is written when a person
@@ -34,7 +35,7 @@ private:
     CameraToCalibrate m_camera;
     CameraCalibration m_calibration;
     QString m_trouble; ///< of saving
-    QDoubleSpinBox* m_square;
+    CheckedDoubleSpinBox* m_square;
     std::array<QLabel*, 9> m_ninths{};
     QLabel* m_text;
     QPushButton* m_begin;

@@ -10,7 +10,6 @@
 #include <QFormLayout>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QSpinBox>
 #include <QVBoxLayout>
 
 namespace carina
@@ -34,7 +33,7 @@ ToolLayoutDialog::ToolLayoutDialog(QWidget* parent)
     : QDialog{parent},
       m_title{new PlainLabel{this}},
       m_picture{new MarkerLayout{this}},
-      m_number{new QSpinBox{this}},
+      m_number{new CheckedSpinBox{this}},
       m_places{new CheckedDoubleSpinBox{this}, new CheckedDoubleSpinBox{this},
                new CheckedDoubleSpinBox{this}},
       m_open{new QPushButton{tr("&Open a definition…"), this}},
@@ -68,7 +67,6 @@ ToolLayoutDialog::ToolLayoutDialog(QWidget* parent)
         box.setDecimals(3);
         box.setSingleStep(0.1);
         box.setSuffix(tr(" mm"));
-        box.setKeyboardTracking(false);
     }
     connectControls();
     layOut();
@@ -81,6 +79,7 @@ void ToolLayoutDialog::connectControls()
     connect(m_picture, &MarkerLayout::chosen, this, [this](int chosen) { showMarker(chosen); });
     connect(m_number, &QSpinBox::valueChanged, this,
             [this](int number) { showMarker(number - 1); });
+    connect(m_number, &CheckedSpinBox::refused, m_message, &MessageLine::warn);
     for (CheckedDoubleSpinBox* box : m_places) {
         connect(box, &QDoubleSpinBox::valueChanged, this, &ToolLayoutDialog::moveMarker);
         connect(box, &CheckedDoubleSpinBox::refused, m_message, &MessageLine::warn);

@@ -8,12 +8,12 @@
 
 class QLabel;
 class QPushButton;
-class QSpinBox;
 
 namespace carina
 {
 
 class CheckedDoubleSpinBox;
+class CheckedSpinBox;
 class MarkerLayout;
 class MessageLine;
 
@@ -43,7 +43,7 @@ private:
     ToolLayout m_layout;
     QLabel* m_title; ///< children of this
     MarkerLayout* m_picture;
-    QSpinBox* m_number;
+    CheckedSpinBox* m_number;
     std::array<CheckedDoubleSpinBox*, 3> m_places;
     QPushButton* m_open;
     QPushButton* m_undo;

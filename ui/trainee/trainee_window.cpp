@@ -320,7 +320,7 @@ void TraineeWindow::addAnother()
 {
     QAction* another =
         m_menu.addAction(tr("&Join another session"), this, [this] { Q_EMIT anotherWanted(); });
-    const auto offer = [this, another] { another->setVisible(isOver(m_node)); };
+    const auto offer = [this, another] { another->setVisible(offersAnother(m_node)); };
     connect(&m_menu, &QMenu::aboutToShow, this, offer);
     offer();
 }
@@ -328,7 +328,7 @@ void TraineeWindow::addAnother()
 /// In a headset the menu offers it, where one eye sees it whole.
 void TraineeWindow::placeAnother()
 {
-    const bool isOffered = isOver(m_node) && m_stationScene.output() == ViewOutput::Screen;
+    const bool isOffered = offersAnother(m_node) && m_stationScene.output() == ViewOutput::Screen;
     const bool isNew = isOffered && m_another->isHidden();
     m_another->setVisible(isOffered);
     if (!isOffered)
@@ -338,7 +338,7 @@ void TraineeWindow::placeAnother()
     m_another->move(around.center() - m_another->rect().center());
     if (QWindow* window = m_another->windowHandle())
         window->raise();
-    if (isNew)
+    if (isNew && isOver(m_node)) // else who works on keeps the keyboard
         m_another->setFocus();
 }
 

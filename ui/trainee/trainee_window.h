@@ -74,7 +74,7 @@ Q_SIGNALS:
     void trackerWanted();
     /// A person wants to go on without the tracker.
     void trackerUnwanted();
-    /// A person wants to leave this session, which is over, for another.
+    /// A person wants to leave this session, which is over or whose host is silent, for another.
     void anotherWanted();
 
 private:
@@ -113,7 +113,7 @@ private:
     PartsPanel* m_partsPanel;
     SectionPanel* m_section;
     std::array<QLabel*, 2> m_notices; ///< for the whole window or its left half; for its right half
-    QPushButton* m_another;           ///< over the picture, once the session is over
+    QPushButton* m_another;           ///< over the picture, while another is offered
     HeadsetView m_headset;
     PeopleModel& m_people;
     SharedObjectModel& m_objects;

@@ -264,7 +264,9 @@ void HostDriver::propose(StationId station, FactBody body, LocalTime now)
     const bool isAwaited = !isByItself(body);
     if (isAwaited)
         m_refusal.reset();
-    const auto fact = decide({ProposalId{hostRandom()}, kSelf, station, std::move(body)}, now);
+    const auto fact = decide({ProposalId{hostRandom()}, kSelf, station, body}, now);
+    if (fact && isAwaited)
+        m_awaited.emplace_back(*fact, std::move(body));
     if (!fact && (isAwaited || fact.error().code == Errc::StoreFailed))
         m_refusal = fact.error();
 }
@@ -443,6 +445,21 @@ std::shared_ptr<const std::vector<NodeBoard::Link>> HostDriver::links(LocalTime 
     return m_shownLinks;
 }
 
+/// What was given up is decided no longer.
+std::shared_ptr<const std::vector<FactBody>> HostDriver::pending()
+{
+    std::erase_if(m_awaited, [stored = m_ledger.stored().state().lastApplied(),
+                              decided = m_ledger.decided().state().lastApplied()](const auto& own) {
+        return own.first <= stored || own.first > decided;
+    });
+    std::vector<FactBody> bodies;
+    for (const auto& [number, body] : m_awaited)
+        bodies.push_back(body);
+    if (bodies != *m_shownPending)
+        m_shownPending = std::make_shared<std::vector<FactBody>>(std::move(bodies));
+    return m_shownPending;
+}
+
 void HostDriver::show(LocalTime now)
 {
     if (!m_shownState)
@@ -455,6 +472,7 @@ void HostDriver::show(LocalTime now)
     view.state = m_shownState;
     m_board.showActions(view, m_core->actions());
     view.drifts = m_views.drifts();
+    view.pending = pending();
     view.links = links(now);
     m_board.showPaths(view, now, [&] { return measurePaths(now); });
     view.refusal = m_refusal ? m_refusal : m_storeFault ? m_storeFault : m_access->fault();

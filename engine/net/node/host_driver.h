@@ -57,6 +57,7 @@ private:
                                      LocalTime now);
     [[nodiscard]] Result<void> chooseStrategy(const HostSettings& settings, LocalTime now);
     void joinItself(const std::string& name, LocalTime now);
+    [[nodiscard]] std::shared_ptr<const std::vector<FactBody>> pending();
 
     [[nodiscard]] Result<FactNumber> decide(const Proposal& proposal, LocalTime now);
     [[nodiscard]] Result<void> decideForPeer(const ProposalRecord& proposal, LocalTime now);
@@ -135,6 +136,9 @@ private:
     std::shared_ptr<const std::vector<NodeBoard::Link>> m_shownLinks =
         std::make_shared<std::vector<NodeBoard::Link>>();
     LocalTime m_nextLinks = LocalTime::min();
+    std::vector<std::pair<FactNumber, FactBody>> m_awaited; // own facts that are not stored yet
+    std::shared_ptr<const std::vector<FactBody>> m_shownPending =
+        NodeBoard::none<std::vector<FactBody>>();
 };
 
 } // namespace carina

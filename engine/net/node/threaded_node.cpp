@@ -2,6 +2,8 @@
 
 #include "engine/core/monotonic_clock.h"
 
+#include <algorithm>
+
 namespace carina
 {
 
@@ -71,18 +73,31 @@ std::shared_ptr<const SessionState> ThreadedNode::state() const { return m_board
 
 void ThreadedNode::propose(StationId station, FactBody body)
 {
+    const std::scoped_lock lock{m_mutex}; // in the order in which they are taken
+    m_onTheWay.push_back(body);
     QMetaObject::invokeMethod(
         m_loop.get(),
         [this, station, body = std::move(body)] {
             m_loop->driver().propose(station, body, monotonicNow());
             m_loop->serve();
+            const std::scoped_lock taken{m_mutex};
+            m_onTheWay.pop_front(); // the board has it
         },
         Qt::QueuedConnection);
 }
 
 std::vector<FactBody> ThreadedNode::pending() const
 {
-    return *m_board.part(&NodeBoard::View::pending);
+    std::vector<FactBody> later;
+    {
+        const std::scoped_lock lock{m_mutex};
+        later.assign(m_onTheWay.begin(), m_onTheWay.end());
+    }
+    std::vector<FactBody> all = *m_board.part(&NodeBoard::View::pending);
+    for (FactBody& body : later)
+        if (std::ranges::find(all, body) == all.end()) // it arrived in between
+            all.push_back(std::move(body));
+    return all;
 }
 
 void ThreadedNode::publish(ObjectKind kind, std::string name, PoseSource newest)

@@ -6,6 +6,9 @@
 
 #include <QThread>
 
+#include <deque>
+#include <mutex>
+
 namespace carina
 {
 
@@ -61,6 +64,8 @@ private:
     void runThere(const std::function<void()>& task);
 
     NodeBoard m_board;
+    mutable std::mutex m_mutex;
+    std::deque<FactBody> m_onTheWay; ///< proposals that the node's thread is to take
     QThread m_thread;
     std::unique_ptr<NodeLoop> m_loop;
     std::unique_ptr<SetServer> m_sets;

@@ -194,7 +194,7 @@ void TestSessionPermissions::permitsPhasesInTheirOrder_data()
     QTest::addColumn<int>("to");
     QTest::addColumn<QByteArray>("expected");
     const char* names[] = {"prepared", "running", "paused", "ended"};
-    const char* expected[] = {"nynn", "nnyy", "nyny", "eeee"}; // e: session ended
+    const char* expected[] = {"nyny", "nnyy", "nyny", "eeee"}; // e: session ended
     for (int from = 0; from < 4; ++from)
         for (int to = 0; to < 4; ++to)
             QTest::addRow("%s to %s", names[from], names[to])

@@ -9,6 +9,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 import format as format_lint
 import layers
 import links
+import number_boxes
 import pages
 import rich_text
 import size
@@ -101,6 +102,34 @@ class RichText(Tree):
 
     def test_refuses_a_reason_in_the_tooltip_of_a_model(self):
         self.one_fault("ui/panel.cpp", "return shownAsIs(row.reason)", "return row.reason")
+
+
+class NumberBoxes(Tree):
+    def setUp(self):
+        super().setUp()
+        self.write("ui/panel.ui", '<ui version="4.0"><widget class="QWidget" name="panel"><widget '
+                                  'class="carina::CheckedSpinBox" name="rate"/></widget></ui>')
+        self.write("ui/panel.cpp", "m_rate = new CheckedDoubleSpinBox{this};\n"
+                                   "for (QSpinBox* box : boxes)\n    box->setRange(0, 9);\n")
+
+    def one_fault(self, path, before, after):
+        text = (self.root / path).read_text(encoding="utf-8")
+        self.write(path, text.replace(before, after))
+        faults = number_boxes.faults_of(self.root)
+        self.assertEqual(len(faults), 1, faults)
+        self.assertIn(path, faults[0])
+
+    def test_a_right_tree_has_no_fault(self):
+        self.assertEqual(number_boxes.faults_of(self.root), [])
+
+    def test_refuses_a_box_of_qt(self):
+        self.one_fault("ui/panel.cpp", "new Checked", "new Q")
+
+    def test_refuses_a_box_of_qt_as_a_value(self):
+        self.one_fault("ui/panel.cpp", "for (QSpinBox*", "QSpinBox box;\nfor (QSpinBox*")
+
+    def test_refuses_a_box_of_designer(self):
+        self.one_fault("ui/panel.ui", "carina::Checked", "Q")
 
 
 class Layers(Tree):

@@ -29,6 +29,11 @@ private Q_SLOTS:
     void goesToAnotherStation();
     void changesAllStationsByOneFact();
     void undoesAtEachStationWhatWasThere();
+    void leavesTheOtherValueOfEachBag();
+    void undoesNotWhatSomebodyDecidedSince();
+    void undoesWhereNobodyDecidedSince();
+    void undoesNotWhatTheHostRefused();
+    void takesBackAStopAtOnce();
     void boundsABreathByAllPatients();
     void stopsOverATimeAndGoesOn();
 };
@@ -307,6 +312,111 @@ void TestBreathingModel::undoesAtEachStationWhatWasThere()
     console.settle();
     COMPARE_NEAR(console.rate(), 22.0);
     COMPARE_NEAR(console.rateAt(kRoom), inPerMinute(BreathingPattern{}.rate));
+}
+
+// One fact has both values of a bag: rate and volume are changed at each station for itself.
+void TestBreathingModel::leavesTheOtherValueOfEachBag()
+{
+    Console console;
+    console.node.addStation("Room 5");
+    const auto bagAt = [&console](StationId station) {
+        const auto state = console.node.state();
+        return state->stations().at(station).respiration.settingsAt(SessionTime::max()).bag;
+    };
+    const HandBag there{perMinute(12.0), millilitres(350.0)};
+    console.node.decideAt(kRoom, fact::BagSqueezed{there});
+    console.settle();
+    const HandBag here = bagAt(FakeSessionNode::kStation);
+    COMPARE_NEAR(inPerMinute(here.rate), 0.0); // none here
+    console.breathing.setForAll(true);
+    console.breathing.set(BagVolume, 420.0);
+    console.settle();
+    for (const StationId station : {FakeSessionNode::kStation, kRoom})
+        COMPARE_NEAR(inMillilitres(bagAt(station).tidalVolume), 420.0);
+    COMPARE_NEAR(inPerMinute(bagAt(kRoom).rate), 12.0); // it is squeezed as before
+    COMPARE_NEAR(inPerMinute(bagAt(FakeSessionNode::kStation).rate), 0.0);
+    console.breathing.undo();
+    console.settle();
+    for (const auto& [station, bag] :
+         {std::pair{kRoom, there}, std::pair{FakeSessionNode::kStation, here}}) {
+        COMPARE_NEAR(inPerMinute(bagAt(station).rate), inPerMinute(bag.rate));
+        COMPARE_NEAR(inMillilitres(bagAt(station).tidalVolume), inMillilitres(bag.tidalVolume));
+    }
+    console.node.hostGoesAway(); // both are on their way at once
+    console.breathing.set(BagRate, 10.0);
+    console.breathing.set(BagVolume, 500.0);
+    console.node.hostComesBack();
+    console.settle();
+    for (const StationId station : {FakeSessionNode::kStation, kRoom}) {
+        COMPARE_NEAR(inPerMinute(bagAt(station).rate), 10.0);
+        COMPARE_NEAR(inMillilitres(bagAt(station).tidalVolume), 500.0);
+    }
+}
+
+void TestBreathingModel::undoesNotWhatSomebodyDecidedSince()
+{
+    Console console;
+    ChangeHistory history;
+    console.breathing.setHistory(history);
+    console.breathing.set(TidalVolume, 400.0);
+    console.settle();
+    console.breathing.set(Rate, 25.0);
+    console.settle();
+    console.breathing.set(Rate, 27.0);
+    console.settle();
+    QCOMPARE(history.texts().size(), 3);
+    console.node.decide(fact::BreathingRateSet{perMinute(35.0)}); // by another
+    console.settle();
+    QCOMPARE(history.texts(), QStringList{QStringLiteral("Tidal volume → 400\u00a0ml")});
+    history.undo(3);
+    console.settle();
+    COMPARE_NEAR(console.rate(), 35.0);
+    COMPARE_NEAR(console.breathing.value(TidalVolume),
+                 inMillilitres(BreathingPattern{}.tidalVolume));
+}
+
+void TestBreathingModel::undoesWhereNobodyDecidedSince()
+{
+    Console console;
+    console.node.addStation("Room 5");
+    const double before = console.rate();
+    console.breathing.setForAll(true);
+    console.breathing.set(Rate, 30.0);
+    console.settle();
+    console.node.decideAt(kRoom, fact::BreathingRateSet{perMinute(14.0)});
+    console.settle();
+    QVERIFY(console.breathing.canUndo());
+    console.breathing.undo();
+    console.settle();
+    COMPARE_NEAR(console.rate(), before);
+    COMPARE_NEAR(console.rateAt(kRoom), 14.0);
+}
+
+void TestBreathingModel::undoesNotWhatTheHostRefused()
+{
+    Console console;
+    ChangeHistory history;
+    console.breathing.setHistory(history);
+    console.breathing.set(Rate, 500.0);
+    QVERIFY(console.breathing.canUndo()); // it is on its way
+    console.settle();
+    QVERIFY(!console.breathing.canUndo());
+    QVERIFY(history.isEmpty());
+}
+
+void TestBreathingModel::takesBackAStopAtOnce()
+{
+    Console console;
+    console.node.decide(fact::PhaseChanged{SessionPhase::Running});
+    console.breathing.setStoppingTime(std::chrono::minutes{5});
+    console.breathing.set(Own, 0.0);
+    console.settle();
+    console.node.advance(std::chrono::minutes{4});
+    QVERIFY(console.breathing.ownBreathing() < 0.3);
+    console.breathing.undo();
+    console.settle();
+    COMPARE_NEAR(console.breathing.value(Own), 1.0);
+    COMPARE_NEAR(console.breathing.ownBreathing(), 1.0);
 }
 
 void TestBreathingModel::boundsABreathByAllPatients()

@@ -25,6 +25,7 @@ private Q_SLOTS:
     void keepsOneProposalUnderWayWhileASeverityIsDragged();
     void doesNotProposeWhatIsAlreadySo();
     void undoesADragAtOnceAndThenWhatWasBefore();
+    void undoesNotWhatSomebodyDecidedSince();
     void givesUpWhatTheHostRefuses();
     void followsAnotherInstructor();
     void letsOnlyAnInstructorChange_data();
@@ -244,6 +245,25 @@ void TestRespirationModel::givesUpWhatTheHostRefuses()
     console.settle();
     QCOMPARE(console.model.tube(), Length{});
     QVERIFY(console.model.travellingText().isEmpty());
+    QVERIFY(!console.model.canUndo());
+}
+
+void TestRespirationModel::undoesNotWhatSomebodyDecidedSince()
+{
+    Console console;
+    ChangeHistory history;
+    console.model.setHistory(history);
+    console.model.setPosition(BodyPosition::Prone);
+    console.settle();
+    console.model.setCondition(0, {ConditionKind::Asthma, 0.3, {}});
+    console.settle();
+    console.node.decide(fact::LungConditionsSet{{kRightPneumothorax}}); // by another
+    console.settle();
+    QCOMPARE(history.texts(), QStringList{QStringLiteral("Position → Prone")});
+    history.undo(2);
+    console.settle();
+    QVERIFY(only(console.decided().conditions) == kRightPneumothorax);
+    QCOMPARE(console.decided().position, BodyPosition::Supine);
 }
 
 void TestRespirationModel::followsAnotherInstructor()

@@ -18,6 +18,7 @@ private Q_SLOTS:
     void mutesAndTakesItBack();
     void removesAndTakesABanBack();
     void locksAndUnlocks();
+    void isTakenBackUnlessSomebodyDecidedSince();
     void knowsWhichReasonsFit();
 };
 
@@ -94,6 +95,25 @@ void TestConductModel::locksAndUnlocks()
     QVERIFY(!desk.model.isLocked());
     desk.model.changeCode(Role::Observer);
     QVERIFY(!desk.node.refusal());
+}
+
+void TestConductModel::isTakenBackUnlessSomebodyDecidedSince()
+{
+    Desk desk;
+    ChangeHistory history;
+    desk.model.setHistory(history);
+    desk.model.setMuted(FakeSessionNode::kTrainee, true);
+    desk.model.setLocked(true);
+    QCOMPARE(history.texts(),
+             (QStringList{QStringLiteral("Session → locked"), QStringLiteral("Tom → muted")}));
+    history.undo(2);
+    QVERIFY(!desk.model.isLocked());
+    QVERIFY(!desk.tom().muted);
+    desk.model.setLocked(true);
+    desk.node.decide(fact::SessionLocked{false}); // by another
+    const int proposed = desk.node.proposed;
+    history.undo();
+    QCOMPARE(desk.node.proposed, proposed);
 }
 
 void TestConductModel::knowsWhichReasonsFit()

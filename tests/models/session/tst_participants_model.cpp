@@ -278,6 +278,7 @@ void TestParticipantsModel::marksWhoSeesTheSame()
     const QString figures = table.cell(kTraineeRow, Column::Same, Qt::ToolTipRole);
     for (const char* part : {"0.03°", "8.9 mm", "9.0 mm", "41 ms", "5.00°"})
         QVERIFY2(figures.contains(QString::fromUtf8(part)), qPrintable(figures));
+    QCOMPARE(table.cell(kTraineeRow, Column::Same, Qt::AccessibleDescriptionRole), figures);
     table.node.reports = {{ObjectId{1}, milliseconds{41}, 0.03, 9.1, 100.0, 200.0}};
     table.deliver();
     QCOMPARE(table.cell(kTraineeRow, Column::Same), QStringLiteral("▲ differs"));

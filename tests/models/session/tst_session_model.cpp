@@ -59,7 +59,7 @@ void TestSessionModel::offersWhatThePhaseAllows_data()
                         bool pause, bool end) {
         QTest::newRow(name) << int(phase) << QString::fromUtf8(word) << start << pause << end;
     };
-    row("prepared", SessionPhase::Prepared, "Ready to start", true, false, false);
+    row("prepared", SessionPhase::Prepared, "Ready to start", true, false, true);
     row("running", SessionPhase::Running, "Running", false, true, true);
     row("paused", SessionPhase::Paused, "Paused", true, false, true);
     row("ended", SessionPhase::Ended, "Ended", false, false, false);

@@ -5,6 +5,9 @@
 #include "tests/support/soon.h"
 #include "tests/support/test_class.h"
 
+#include <QDir>
+#include <QFile>
+
 namespace carina::stored_sessions_test
 {
 namespace
@@ -78,6 +81,42 @@ private Q_SLOTS:
         QCOMPARE(sessions.at(1).name, QStringLiteral("Early"));
         QVERIFY(sessions.index(0).data().toString().contains(QStringLiteral("Late")));
         QVERIFY(sessions.flags(sessions.index(0)) & Qt::ItemIsSelectable);
+    }
+
+    /// However many ended since.
+    void listsAllThatCanBeResumed()
+    {
+        const ScratchFolder folder;
+        QVERIFY(makeSession(folder.filePath(kEarly), "Early", SessionPhase::Paused));
+        const QString ended = folder.filePath("session-20260104-000000-000.sqlite");
+        QVERIFY(makeSession(ended, "Over", SessionPhase::Ended));
+        for (int day = 1; day < 30; ++day) {
+            const QString name = QStringLiteral("session-202602%1-000000-000.sqlite")
+                                     .arg(day, 2, 10, QLatin1Char{'0'});
+            QVERIFY(QFile::copy(ended, QDir{folder.path()}.filePath(name)));
+        }
+        StoredSessionsModel sessions{folder.path()};
+        QVERIFY(soon([&] { return sessions.isComplete(); }));
+        QCOMPARE(sessions.rowCount(), 1);
+        QCOMPARE(sessions.at(0).name, QStringLiteral("Early"));
+    }
+
+    /// What was to be begun could not be.
+    void looksAnew()
+    {
+        const ScratchFolder folder;
+        QVERIFY(makeSession(folder.filePath(kEarly), "Early", SessionPhase::Paused));
+        StoredSessionsModel sessions{folder.path()};
+        sessions.stop();
+        QVERIFY(!sessions.isComplete());
+        QVERIFY(makeSession(folder.filePath(kLate), "Late", SessionPhase::Running));
+        sessions.read();
+        QVERIFY(soon([&] { return sessions.isComplete(); }));
+        QCOMPARE(sessions.rowCount(), 2); // each once
+        sessions.read();
+        QVERIFY(!sessions.isComplete());
+        QVERIFY(soon([&] { return sessions.isComplete(); }));
+        QCOMPARE(sessions.rowCount(), 2);
     }
 
     void keepsWhoCouldJoin()

@@ -78,6 +78,7 @@ private Q_SLOTS:
     void saysThatThereIsNoTracker_data();
     void saysThatThereIsNoTracker();
     void saysThatTheSessionHasEnded();
+    void offersAnotherSessionWhileTheHostIsSilent();
     void showsWhatAnInstructorShowsToThisParticipant();
     void looksFromWhereTheInstructorDoes();
 };
@@ -367,6 +368,33 @@ void TestStationView::saysThatTheSessionHasEnded()
         QVERIFY(stationNotice(node, moment, ViewOutput::Screen)
                     .startsWith(QStringLiteral("The session has ended")));
     }
+}
+
+/// A host that was closed for good, or ended the session unheard, keeps nobody.
+void TestStationView::offersAnotherSessionWhileTheHostIsSilent()
+{
+    FakeSessionNode node{FakeSessionNode::kTrainee};
+    node.decide(fact::PhaseChanged{SessionPhase::Running});
+    StationMoment moment;
+    moment.time = kNow + std::chrono::seconds{1};
+    LinkReport& link = node.linkReports.emplace_back();
+    link.state = LinkState::Connected;
+    QVERIFY(!offersAnother(node));
+    for (const LinkState state : {LinkState::Away, LinkState::Connecting}) {
+        link.state = state;
+        link.sinceLastDatagram = std::chrono::seconds{2}; // as in a gap of the network
+        QVERIFY(!offersAnother(node));
+        QVERIFY(stationNotice(node, moment, ViewOutput::Screen)
+                    .startsWith(QStringLiteral("Connecting to the instructor")));
+        link.sinceLastDatagram = std::chrono::seconds{6};
+        QVERIFY(offersAnother(node));
+        QVERIFY(!isOver(node));
+        const QString told = stationNotice(node, moment, ViewOutput::Screen);
+        QVERIFY2(told.contains(QStringLiteral("another session")), qPrintable(told));
+    }
+    link.state = LinkState::Connected; // it is back
+    link.sinceLastDatagram = std::chrono::milliseconds{100};
+    QVERIFY(!offersAnother(node));
 }
 
 CARINA_TEST(TestStationView)

@@ -2,18 +2,22 @@
 #include "tests/support/test_class.h"
 #include "tests/ui/instructor/console_desk.h"
 #include "ui/instructor/projector_window.h"
+#include "widgets/checked_spin_box.h"
 #include "widgets/scene/view/graphics.h"
 #include "widgets/scene/view/scene_view.h"
+#include "widgets/second_press.h"
 #include "widgets/theme/dark_theme.h"
 
 #include <QDockWidget>
 #include <QLabel>
 #include <QMenu>
+#include <QStatusBar>
 #include <QTabBar>
 #include <QTableView>
 #include <QToolBar>
 #include <QToolButton>
 
+#include <map>
 #include <set>
 
 namespace carina::instructor_window_test
@@ -38,10 +42,10 @@ struct Shown : ConsoleDesk {
         window.resize(size); // as the program does
         settle();
     }
-    static void settle()
+    static void settle(std::chrono::milliseconds time = std::chrono::milliseconds{50})
     {
         bool isDue = false;
-        QTimer::singleShot(50, qApp, [&isDue] { isDue = true; });
+        QTimer::singleShot(time, qApp, [&isDue] { isDue = true; });
         QVERIFY(soon([&isDue] { return isDue; }));
     }
     /// The picture's share of the window.
@@ -73,6 +77,25 @@ struct Shown : ConsoleDesk {
         QCoreApplication::sendPostedEvents();
     }
 };
+
+QString textOf(const QWidget& control)
+{
+    if (const auto* button = qobject_cast<const QAbstractButton*>(&control))
+        return button->text();
+    const auto* label = qobject_cast<const QLabel*>(&control);
+    return label && label->buddy() ? label->text() : QString{};
+}
+
+/// That leads to a control which is in sight; empty where none does.
+QString altKeyOf(const QWidget& control)
+{
+    const QWidget* around = &control;
+    while (around && !qobject_cast<const QDockWidget*>(around))
+        around = around->parentWidget();
+    const bool isBehind = around && !around->isEnabled();
+    return control.isVisible() && !isBehind ? QKeySequence::mnemonic(textOf(control)).toString()
+                                            : QString{};
+}
 
 } // namespace
 
@@ -214,8 +237,31 @@ private Q_SLOTS:
         }
         shown.action("end").trigger(); // asks
         Shown::settle();
-        QCOMPARE(shown.action("end").text(), QStringLiteral("Really &end?"));
+        QCOMPARE(shown.action("end").text(), QStringLiteral("Really end?"));
         QCOMPARE(shown.buttons(), before);
+    }
+
+    void endsOnlyByASecondPressAfterAPause()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        shown.decide(SessionPhase::Running);
+        QAction& end = shown.action("end");
+        QVERIFY(!end.autoRepeat());
+        const auto phase = [&shown] {
+            shown.node.advance(std::chrono::seconds{1}); // what was decided takes effect
+            return shown.session.phase();
+        };
+        QCOMPARE(phase(), SessionPhase::Running);
+        QTest::mouseDClick(shown.find<QToolBar>("sessionBar").widgetForAction(&end),
+                           Qt::LeftButton);
+        end.trigger(); // as a key that is held
+        Shown::settle();
+        QCOMPARE(phase(), SessionPhase::Running);
+        Shown::settle(SecondPress::kLeastPause + std::chrono::milliseconds{200});
+        end.trigger();
+        Shown::settle();
+        QCOMPARE(phase(), SessionPhase::Ended);
     }
 
     void saysWhatNeedsAttentionWithoutMovingThePicture()
@@ -283,6 +329,53 @@ private Q_SLOTS:
         wanted.setChecked(true);
         shown.window.close();
         QVERIFY(soon([&] { return !projector(); }));
+    }
+
+    void refusesAMotionThatIsOutOfRange()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        auto& motion = shown.find<CheckedDoubleSpinBox>("exaggeration");
+        motion.selectAll();
+        QTest::keyClicks(&motion, QStringLiteral("30"));
+        QTest::keyClick(&motion, Qt::Key_Return);
+        QCOMPARE(motion.value(), 1.0);
+        const QString told = shown.find<QStatusBar>("statusBar").currentMessage();
+        QVERIFY2(told.contains(QStringLiteral("30")), qPrintable(told));
+    }
+
+    void hasEachAltKeyOnce_data()
+    {
+        QTest::addColumn<QByteArray>("change");
+        QTest::addColumn<QByteArray>("people");
+        for (const char* change : {"breathingDock", "conditionDock", "actionsDock", "partsDock"})
+            for (const char* people :
+                 {"waveformDock", "participantsDock", "invitationDock", "networkDock"})
+                QTest::addRow("%s and %s", change, people)
+                    << QByteArray{change} << QByteArray{people};
+    }
+    // Whatever is in front, and whether or not a control can be used just then.
+    void hasEachAltKeyOnce()
+    {
+        QFETCH(const QByteArray, change);
+        QFETCH(const QByteArray, people);
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        shown.node.sharePatient(FakeSessionNode::kInstructor);
+        shown.decide(SessionPhase::Running);
+        for (const QByteArray& dock : {change, people})
+            shown.dock(dock.constData()).raise();
+        Shown::settle();
+        for (const QByteArray& dock : {change, people})
+            QVERIFY2(shown.dock(dock.constData()).isEnabled(), dock.constData());
+        std::map<QString, QStringList> keys;
+        for (const QWidget* control : shown.window.findChildren<QWidget*>())
+            if (const QString key = altKeyOf(*control); !key.isEmpty())
+                keys[key] += control->objectName() + QLatin1Char{' '} + textOf(*control);
+        QVERIFY(keys.size() > 8);
+        for (const auto& [key, controls] : keys)
+            QVERIFY2(controls.size() == 1,
+                     qPrintable(key + QStringLiteral(": ") + controls.join(QStringLiteral(", "))));
     }
 
     void goesFullScreenAndBack()

@@ -22,6 +22,8 @@ private Q_SLOTS:
     void goesOnByKeyboardAlone();
     void hasNoAxisForScaling();
     void showsEachSpeedInItsUnit();
+    void keepsTheSpeedThatIsBeingTyped();
+    void refusesASpeedWithItsRange();
     void givesItToWhomIsChosen();
     void keepsTheChosenHeirWhileOthersCome();
     void asksAndTakesTheWishBack();
@@ -154,6 +156,40 @@ void TestActionsPanel::showsEachSpeedInItsUnit()
     QCOMPARE(speed.minimum(), -50.0);
 }
 
+void TestActionsPanel::keepsTheSpeedThatIsBeingTyped()
+{
+    Desk desk{FakeSessionNode::kTrainee};
+    desk.button("begin").click();
+    auto& speed = desk.find<QDoubleSpinBox>("speed");
+    speed.setFocus();
+    speed.selectAll();
+    QTest::keyClicks(&speed, QStringLiteral("4"));
+    desk.node.advance(seconds{1});
+    Q_EMIT desk.model.changed(); // it goes on turning
+    QTest::keyClicks(&speed, QStringLiteral("5"));
+    Q_EMIT desk.model.changed();
+    QVERIFY2(speed.text().startsWith(QStringLiteral("45")), qPrintable(speed.text()));
+    QTest::keyClick(&speed, Qt::Key_Return);
+    QCOMPARE(desk.model.speed(), 45.0);
+}
+
+// It was 72.
+void TestActionsPanel::refusesASpeedWithItsRange()
+{
+    Desk desk{FakeSessionNode::kTrainee};
+    auto& speed = desk.find<QDoubleSpinBox>("speed");
+    const double before = desk.model.speed();
+    speed.setFocus();
+    speed.selectAll();
+    QTest::keyClicks(&speed, QStringLiteral("720"));
+    QTest::keyClick(&speed, Qt::Key_Return);
+    QCOMPARE(desk.model.speed(), before);
+    QCOMPARE(speed.value(), before);
+    QVERIFY(desk.find<QLabel>("refused").isVisible());
+    QVERIFY(desk.words("refused").contains(QStringLiteral("720")));
+    QVERIFY(desk.words("refused").contains(QStringLiteral("360")));
+}
+
 void TestActionsPanel::givesItToWhomIsChosen()
 {
     Desk desk{FakeSessionNode::kTrainee};
@@ -184,7 +220,7 @@ void TestActionsPanel::keepsTheChosenHeirWhileOthersCome()
 void TestActionsPanel::asksAndTakesTheWishBack()
 {
     Desk desk{FakeSessionNode::kTrainee, FakeSessionNode::kInstructor};
-    QCOMPARE(desk.button("ask").text(), QStringLiteral("&Ask for it"));
+    QCOMPARE(desk.button("ask").text(), QStringLiteral("A&sk for it"));
     desk.button("ask").click();
     desk.deliver();
     QCOMPARE(desk.words("wish"), QStringLiteral("Asking for it: you"));

@@ -34,6 +34,7 @@ private Q_SLOTS:
     void placesAndTakesOutATube();
     void undoesFromItsButton();
     void keepsWhatIsBeingTyped();
+    void refusesATypedPressureWithItsRange();
     void changesNothingForAnObserver();
     void namesEveryControlForAScreenReader();
     void tellsTheFiguresOfTheLastBreath();
@@ -275,6 +276,30 @@ void TestConditionPanel::keepsWhatIsBeingTyped()
     QCOMPARE(desk.decided().conditions.front().severity, 0.7);
 }
 
+void TestConditionPanel::refusesATypedPressureWithItsRange()
+{
+    Desk desk;
+    desk.choose("mode", 1);
+    desk.settle();
+    QDoubleSpinBox& peep = desk.box("peep");
+    const double before = peep.value();
+    const auto enter = [&peep](const QString& text) {
+        peep.setFocus();
+        peep.selectAll();
+        QTest::keyClicks(&peep, text);
+        QTest::keyClick(&peep, Qt::Key_Return);
+    };
+    const auto& refused = desk.find<QLabel>("refused");
+    QVERIFY(!refused.isVisible());
+    enter(QStringLiteral("80"));
+    desk.settle();
+    QCOMPARE(inCmH2O(desk.decided().ventilator.peep), before);
+    QVERIFY(refused.isVisible());
+    QVERIFY2(refused.text().contains(QStringLiteral("80")), qPrintable(refused.text()));
+    enter(QStringLiteral("7"));
+    QVERIFY(!refused.isVisible());
+}
+
 void TestConditionPanel::changesNothingForAnObserver()
 {
     Desk desk{FakeSessionNode::kObserver};
@@ -294,7 +319,8 @@ void TestConditionPanel::namesEveryControlForAScreenReader()
     const Desk desk;
     for (const char* name :
          {"position", "conditions", "addCondition", "removeCondition", "condition", "severity",
-          "severitySlider", "side", "mode", "peep", "driving", "limit", "tube"})
+          "severitySlider", "side", "mode", "peep", "driving", "limit", "pause", "ownRate",
+          "ownEffort", "trigger", "tube"})
         QVERIFY2(!desk.find<QWidget>(name).accessibleName().isEmpty(), name);
     const WaveformPanel waveforms;
     int plots = 0;

@@ -38,7 +38,7 @@ private Q_SLOTS:
         MemoryDisk disk;
         const auto node = host(disk);
         InvitationPanel panel;
-        panel.show(*node);
+        panel.show(*node, SessionReach::ThisComputer);
         const auto link = pictured(panel);
         QVERIFY(link
                 == (JoinLink{"127.0.0.1", node->port(), Role::Trainee,
@@ -57,7 +57,7 @@ private Q_SLOTS:
         MemoryDisk disk;
         const auto node = host(disk);
         InvitationPanel panel;
-        panel.show(*node);
+        panel.show(*node, SessionReach::ThisComputer);
         QStringList shown;
         for (const QLabel* label : panel.findChildren<QLabel*>())
             shown << label->text();
@@ -73,12 +73,42 @@ private Q_SLOTS:
         QVERIFY(pictured(panel)->role == Role::Trainee);
     }
 
+    void saysWhoReachesTheSession_data()
+    {
+        QTest::addColumn<int>("reach");
+        QTest::addColumn<QByteArray>("told");
+        QTest::addColumn<QByteArray>("neverTold");
+        QTest::newRow("this computer")
+            << int(SessionReach::ThisComputer) << QByteArray{"Only programs on this computer"}
+            << QByteArray{"network"};
+        QTest::newRow("network") << int(SessionReach::Network)
+                                 << QByteArray{"find the session automatically"}
+                                 << QByteArray{"by link"};
+        QTest::newRow("by link") << int(SessionReach::ByLink)
+                                 << QByteArray{"Nobody finds the session by searching"}
+                                 << QByteArray{"automatically"};
+    }
+    void saysWhoReachesTheSession()
+    {
+        QFETCH(const int, reach);
+        QFETCH(const QByteArray, told);
+        QFETCH(const QByteArray, neverTold);
+        MemoryDisk disk;
+        const auto node = host(disk);
+        InvitationPanel panel;
+        panel.show(*node, SessionReach(reach));
+        const QString words = find<QLabel>(panel, "reach").text();
+        QVERIFY2(words.contains(QString::fromUtf8(told)), qPrintable(words));
+        QVERIFY2(!words.contains(QString::fromUtf8(neverTold)), qPrintable(words));
+        QVERIFY(words.contains(QString::number(node->port())));
+    }
+
     void pictureTakesNoRoomUntilItIsWanted()
     {
         MemoryDisk disk;
         const auto node = host(disk);
         InvitationPanel panel;
-        panel.show(*node);
+        panel.show(*node, SessionReach::ThisComputer);
         panel.QWidget::show();
         auto& shows = find<QPushButton>(panel, "showPicture");
         QVERIFY(!find<QrCode>(panel, "picture").isVisible());
@@ -95,7 +125,7 @@ private Q_SLOTS:
         MemoryDisk disk;
         const auto node = host(disk);
         InvitationPanel panel;
-        panel.show(*node);
+        panel.show(*node, SessionReach::ThisComputer);
         QSignalSpy wanted{&panel, &InvitationPanel::newCodeWanted};
         find<QRadioButton>(panel, "observers").click();
         QTest::keyClick(&find<QPushButton>(panel, "newCode"), Qt::Key_Space);
@@ -109,7 +139,7 @@ private Q_SLOTS:
         const JoinCode old = node->joinCodes().at(Role::Observer);
         node->propose(kStation, fact::RoleCodeChanged{Role::Observer});
         QTRY_VERIFY_WITH_TIMEOUT(node->joinCodes().at(Role::Observer) != old, kSoonMs);
-        panel.show(*node);
+        panel.show(*node, SessionReach::ThisComputer);
         QVERIFY(pictured(panel)->code == node->joinCodes().at(Role::Observer));
     }
 
@@ -118,7 +148,7 @@ private Q_SLOTS:
         MemoryDisk disk;
         const auto node = host(disk);
         InvitationPanel panel;
-        panel.show(*node);
+        panel.show(*node, SessionReach::ThisComputer);
         QSignalSpy wanted{&panel, &InvitationPanel::newCodeWanted};
         for (const Role role : {Role::Instructor, Role::Trainee, Role::Observer}) {
             panel.askForNewCode(role, QStringLiteral("Somebody was removed."));
@@ -142,14 +172,14 @@ private Q_SLOTS:
             return QTest::qWaitFor([&] { return node->state()->isLocked() == isLocked; }, kSoonMs);
         };
         QVERIFY(shown(true));
-        panel.show(*node);
+        panel.show(*node, SessionReach::ThisComputer);
         QVERIFY(find<QLabel>(panel, "locked").isVisible());
         for (const char* button : {"showPicture", "copy", "newCode"})
             QVERIFY(!find<QPushButton>(panel, button).isVisible());
         for (const QRadioButton* choice : panel.findChildren<QRadioButton*>())
             QVERIFY(!choice->isVisible());
         QVERIFY(shown(false));
-        panel.show(*node);
+        panel.show(*node, SessionReach::ThisComputer);
         QVERIFY(!find<QLabel>(panel, "locked").isVisible());
         QVERIFY(find<QPushButton>(panel, "copy").isVisible());
     }
@@ -159,7 +189,7 @@ private Q_SLOTS:
         MemoryDisk disk;
         const auto node = host(disk);
         InvitationPanel panel;
-        panel.show(*node);
+        panel.show(*node, SessionReach::ThisComputer);
         find<QRadioButton>(panel, "observers").click();
         QTest::keyClick(&find<QPushButton>(panel, "copy"), Qt::Key_Space);
         QVERIFY(joinLink(QGuiApplication::clipboard()->text().toStdString()) == pictured(panel));
@@ -175,7 +205,7 @@ private Q_SLOTS:
         settings.open = true;
         const auto node = *SessionNode::host(settings, std::make_unique<MemoryStore>(disk));
         InvitationPanel panel;
-        panel.show(*node);
+        panel.show(*node, SessionReach::ThisComputer);
         QCOMPARE(pictured(panel)->address, ownAddresses().front());
     }
 };

@@ -33,6 +33,7 @@ private Q_SLOTS:
     void locksTheSession();
     void keepsWhoWasChosenWhenSomebodyComesIn();
     void movesToAnotherStationWhereThereIsOne();
+    void showsTheFiguresOfWhoIsChosen();
 };
 
 namespace
@@ -97,6 +98,28 @@ void TestParticipantsPanel::movesToAnotherStationWhereThereIsOne()
     QCOMPARE(panel.tom().station, StationId{1});
 }
 
+void TestParticipantsPanel::showsTheFiguresOfWhoIsChosen()
+{
+    Panel panel;
+    const auto& figures = *panel.panel.findChild<QLabel*>(QStringLiteral("sameFigures"));
+    panel.node.pathReports.push_back(
+        {.peer = FakeSessionNode::kTrainee, .meanDelay = std::chrono::milliseconds{40}});
+    const auto see = [&panel](double drift_mm) {
+        panel.node.reports = {
+            {FakeSessionNode::kTube, std::chrono::milliseconds{41}, 0.03, drift_mm, 100.0, 200.0}};
+        panel.node.announce();
+        QCoreApplication::sendPostedEvents();
+    };
+    see(8.9);
+    QVERIFY(figures.text().isEmpty());
+    panel.panel.choose(FakeSessionNode::kTrainee);
+    QVERIFY2(figures.text().contains(QStringLiteral("8.9")), qPrintable(figures.text()));
+    see(7.1);
+    QVERIFY2(figures.text().contains(QStringLiteral("7.1")), qPrintable(figures.text()));
+    panel.table.setCurrentIndex(panel.participants.index(0, 0)); // oneself
+    QVERIFY(figures.text().isEmpty());
+}
+
 void TestParticipantsPanel::offersNothingBeforeSomebodyIsChosen()
 {
     const Panel panel;
@@ -137,11 +160,11 @@ void TestParticipantsPanel::removesWithAReasonAndLetsBackIn()
     QCOMPARE(banned.count(), 1); // the code is known to who is out
     QCOMPARE(banned.first().first().value<Role>(), Role::Trainee);
     QCOMPARE(panel.tom().removal->reason, std::string{"too loud"});
-    QCOMPARE(panel.remove.text(), QStringLiteral("&Let back in"));
+    QCOMPARE(panel.remove.text(), QStringLiteral("L&et back in"));
     QVERIFY(!panel.mute.isEnabled());
     Panel::press(panel.remove);
     QVERIFY(!panel.tom().removal->banned);
-    QCOMPARE(panel.remove.text(), QStringLiteral("Remo&ve…"));
+    QCOMPARE(panel.remove.text(), QStringLiteral("R&emove…"));
 }
 
 void TestParticipantsPanel::removesNobodyWhenCancelled()

@@ -283,6 +283,65 @@ private Q_SLOTS:
                              qPrintable(control->objectName()));
     }
 
+    void takesItsChangesBack()
+    {
+        Shown shown;
+        ChangeHistory history;
+        shown.panel.setHistory(history);
+        shown.choose("First rib");
+        shown.button("Ghost")->click();
+        shown.button("Highlight")->click();
+        const PartLook prepared = shown.look(kRib);
+        shown.panel.findChild<QPushButton*>(QStringLiteral("showAll"))->click();
+        QVERIFY(shown.look(kRib) == PartLook{});
+        QCOMPARE(history.texts(), (QStringList{QStringLiteral("All parts → as usual"),
+                                               QStringLiteral("First rib → highlight"),
+                                               QStringLiteral("First rib → ghost")}));
+        history.undo();
+        QVERIFY(shown.look(kRib) == prepared);
+        QVERIFY(shown.button("Highlight")->isChecked());
+        history.undo(2);
+        QVERIFY(shown.look(kRib) == PartLook{});
+        shown.item("Skeleton")->setCheckState(0, Qt::Unchecked);
+        QCOMPARE(history.texts(), QStringList{QStringLiteral("2 parts → hidden")});
+        history.undo();
+        QVERIFY(shown.look(kOtherRib) == PartLook{});
+        shown.choose("First rib");
+        shown.button("Solid")->click();
+        shown.panel.setScene(*shown.view); // another patient
+        QVERIFY(history.isEmpty());
+    }
+
+    void takesACutBack()
+    {
+        const Shown shown;
+        SectionPanel panel;
+        ChangeHistory history;
+        panel.setHistory(history);
+        panel.setScene(*shown.view);
+        QVERIFY(history.isEmpty()); // nobody cut
+        auto* what = panel.findChild<QComboBox*>(QStringLiteral("what"));
+        auto* side = panel.findChild<QComboBox*>(QStringLiteral("side"));
+        auto* depth = panel.findChild<QSpinBox*>();
+        what->setCurrentIndex(2);
+        panel.findChild<QSlider*>()->setValue(60);
+        panel.findChild<QSlider*>()->setValue(80); // goes on
+        const auto prepared = panel.section();
+        QCOMPARE(history.texts().size(), 2);
+        QVERIFY(history.texts()[0].contains(QStringLiteral("80")));
+        side->setCurrentIndex(2);
+        QCOMPARE(history.texts().size(), 3);
+        history.undo();
+        QCOMPARE(side->currentIndex(), 0);
+        QCOMPARE(depth->value(), 80);
+        QVERIFY(panel.section()->distance == prepared->distance);
+        history.undo();
+        QCOMPARE(depth->value(), 100);
+        history.undo();
+        QVERIFY(!panel.section());
+        QVERIFY(history.isEmpty());
+    }
+
     void cutsTheSceneOpen()
     {
         const Shown shown;

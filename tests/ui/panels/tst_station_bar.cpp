@@ -1,7 +1,9 @@
 #include "tests/models/fake_session_node.h"
+#include "tests/support/soon.h"
 #include "tests/support/test_class.h"
 #include "ui/panels/station_bar.h"
 #include "ui/panels/station_dialog.h"
+#include "widgets/second_press.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -29,6 +31,7 @@ private Q_SLOTS:
     void takesNoNameThatIsThereAndNoUnknownPatient();
     void namesAStationAnew();
     void closesOnTheSecondPressOnly();
+    void closesNoStationThatWasNotAskedAbout();
     void offersAllStationsWhereThereAreSeveral();
 };
 
@@ -53,6 +56,14 @@ struct Bar {
         QTest::keyClick(&widget, Qt::Key_Space);
         QCoreApplication::sendPostedEvents();
         QCoreApplication::sendPostedEvents(); // what the models proposed then
+    }
+    /// As long as a person pauses who means it.
+    static void pause()
+    {
+        bool isOver = false;
+        QTimer::singleShot(SecondPress::kLeastPause + std::chrono::milliseconds{100}, qApp,
+                           [&isOver] { isOver = true; });
+        QVERIFY(test::soon([&isOver] { return isOver; }));
     }
     void addRoom()
     {
@@ -151,10 +162,30 @@ void TestStationBar::closesOnTheSecondPressOnly()
     Bar::press(close);
     QCOMPARE(close.text(), QStringLiteral("Really?"));
     QVERIFY(bar.node.state()->isOpen(kRoom));
+    Bar::press(close); // a double click
+    QVERIFY(bar.node.state()->isOpen(kRoom));
+    Bar::pause();
     Bar::press(close);
     QVERIFY(!bar.node.state()->isOpen(kRoom));
     QCOMPARE(bar.tabs.count(), 1);
     QCOMPARE(close.text(), QStringLiteral("Close"));
+}
+
+// Between the presses another station came to be shown.
+void TestStationBar::closesNoStationThatWasNotAskedAbout()
+{
+    Bar bar;
+    bar.addRoom();
+    bar.node.addStation("Hall");
+    QCoreApplication::sendPostedEvents();
+    bar.stations.show(kRoom);
+    Bar::press(bar.button("close"));
+    bar.stations.show(StationId{2});
+    Bar::pause();
+    QCOMPARE(bar.button("close").text(), QStringLiteral("Close"));
+    Bar::press(bar.button("close"));
+    QVERIFY(bar.node.state()->isOpen(kRoom));
+    QVERIFY(bar.node.state()->isOpen(StationId{2}));
 }
 
 void TestStationBar::offersAllStationsWhereThereAreSeveral()

@@ -1,8 +1,14 @@
+#include "models/respiration/breathing_model.h"
+#include "tests/models/fake_session_node.h"
 #include "tests/support/test_class.h"
+#include "ui/panels/breathing_panel.h"
 #include "ui/panels/undo_button.h"
+#include "widgets/checked_spin_box.h"
 
 namespace carina::undo_button_test
 {
+
+using test::FakeSessionNode;
 
 class TestUndoButton : public QObject
 {
@@ -11,6 +17,7 @@ class TestUndoButton : public QObject
 private Q_SLOTS:
     void namesAndTakesBack();
     void listsTheHistory();
+    void takesBackFromWithinANumberBox();
 };
 
 void TestUndoButton::namesAndTakesBack()
@@ -44,6 +51,42 @@ void TestUndoButton::listsTheHistory()
     actions[1]->trigger();
     QCOMPARE(taken, (QStringList{QStringLiteral("third"), QStringLiteral("second")}));
     QCOMPARE(history.texts(), QStringList{QStringLiteral("first")});
+}
+
+void TestUndoButton::takesBackFromWithinANumberBox()
+{
+    FakeSessionNode node;
+    SessionModel session{node};
+    BreathingModel breathing{session, FakeSessionNode::kStation};
+    ChangeHistory history;
+    breathing.setHistory(history);
+    QWidget window;
+    auto* panel = new BreathingPanel{&window};
+    panel->setModel(breathing);
+    new UndoButton{history, &window};
+    window.show();
+    QVERIFY(QTest::qWaitForWindowActive(&window));
+    auto& volume = *panel->findChild<CheckedSpinBox*>(QStringLiteral("tidalVolume"));
+    const int before = volume.value();
+    const auto settle = [&node] {
+        node.advance(std::chrono::milliseconds{100});
+        node.announce();
+        QCoreApplication::sendPostedEvents();
+    };
+    volume.setFocus();
+    volume.selectAll();
+    QTest::keyClicks(&volume, QStringLiteral("400"));
+    QTest::keyClick(&volume, Qt::Key_Return);
+    settle();
+    QCOMPARE(qRound(breathing.value(BreathingParameter::TidalVolume)), 400);
+    QTest::keySequence(&volume, QKeySequence{QKeySequence::Undo});
+    settle();
+    QCOMPARE(qRound(breathing.value(BreathingParameter::TidalVolume)), before);
+    QCOMPARE(volume.value(), before);
+    QVERIFY(history.isEmpty());
+    volume.clearFocus(); // proposes nothing more
+    settle();
+    QVERIFY(history.isEmpty());
 }
 
 CARINA_SCREEN_TEST(TestUndoButton)

@@ -7,7 +7,6 @@
 #include "ui/start/start_page.h"
 #include "widgets/scene/view/graphics.h"
 
-#include <QAccessible>
 #include <QApplication>
 #include <QComboBox>
 #include <QLabel>
@@ -16,6 +15,8 @@
 #include <QRadioButton>
 #include <QSignalSpy>
 #include <QTimer>
+
+#include <algorithm>
 
 namespace carina::start_page_test
 {
@@ -32,15 +33,15 @@ template <class Widget> Widget& find(const QWidget& window, const char* name)
 /// A page over an empty folder.
 struct Shown {
     test::ScratchFolder folder;
+    QString disk = QStringLiteral("✓ 9 GB free");
     StoredSessionsModel stored{folder.path()};
     PlannedPatient patient{AnatomyCache::defaultFolder()};
-    StartPage page{
-        stored,
-        patient,
-        {.name = QStringLiteral("Ward 3"), .patient = QStringLiteral("child")},
-        [](const QString&, const PatientModel*) {
-            return std::vector<ReadyLine>{{QStringLiteral("Disk"), QStringLiteral("✓ 9 GB free")}};
-        }};
+    StartPage page{stored,
+                   patient,
+                   {.name = QStringLiteral("Ward 3"), .patient = QStringLiteral("child")},
+                   [this](const QString&, const PatientModel*) {
+                       return std::vector<ReadyLine>{{QStringLiteral("Disk"), disk}};
+                   }};
 
     [[nodiscard]] bool isMade() const
     {
@@ -143,21 +144,42 @@ private Q_SLOTS:
         QVERIFY(shown.page.plan().reach == SessionReach::ByLink);
     }
 
-    void everyControlHasANameAndIsReached()
+    void keepsUpWithWhatIsReady()
     {
         Shown shown;
+        const auto isTold = [&shown] {
+            const auto labels = shown.page.findChildren<QLabel*>(QStringLiteral("ready"));
+            return std::ranges::any_of(
+                labels, [&](const QLabel* label) { return label->text() == shown.disk; });
+        };
+        QVERIFY(isTold());
+        shown.disk = QStringLiteral("▲ 1 MB free");
+        QVERIFY(test::soon(isTold, std::chrono::seconds{10})); // by itself
+        shown.disk = QStringLiteral("✓ 5 GB free");
+        QEvent back{QEvent::WindowActivate};
+        QCoreApplication::sendEvent(&shown.page, &back);
+        QVERIFY(isTold()); // at once
+    }
+
+    /// In the order in which they are read: who can join stands above what begins the session.
+    void asksWhoCanJoinBeforeItBegins()
+    {
+        Shown shown;
+        QVERIFY(shown.isMade());
         shown.page.show();
-        for (const QWidget* control : shown.page.findChildren<QWidget*>()) {
-            const bool isControl = qobject_cast<const QLineEdit*>(control)
-                                   || qobject_cast<const QAbstractButton*>(control)
-                                   || qobject_cast<const QComboBox*>(control);
-            if (!isControl)
-                continue;
-            QAccessibleInterface* told =
-                QAccessible::queryAccessibleInterface(const_cast<QWidget*>(control));
-            QVERIFY2(!told->text(QAccessible::Name).isEmpty(), qPrintable(control->objectName()));
-            QVERIFY2(control->focusPolicy() & Qt::TabFocus, qPrintable(control->objectName()));
+        const auto top = [&shown](const char* name) {
+            return find<QWidget>(shown.page, name).mapTo(&shown.page, QPoint{}).y();
+        };
+        QVERIFY(top("network") < top("begin"));
+        QStringList path;
+        find<QRadioButton>(shown.page, "thisComputer").setFocus();
+        for (QWidget* at = shown.page.focusWidget(); at->objectName() != QStringLiteral("begin");
+             at = shown.page.focusWidget()) {
+            QVERIFY(path.size() < 20);
+            path += at->objectName();
+            QTest::keyClick(at, Qt::Key_Tab);
         }
+        QVERIFY2(path.contains(QStringLiteral("name")), qPrintable(path.join(QLatin1Char{' '})));
     }
 
     void afterTheEndThereIsAnother()
@@ -178,6 +200,7 @@ private Q_SLOTS:
         QTest::addColumn<int>("leaving");
         QTest::newRow("stay") << QByteArray{"stay"} << int(Leaving::Stay);
         QTest::newRow("close") << QByteArray{"closeForNow"} << int(Leaving::CloseForNow);
+        QTest::newRow("start page") << QByteArray{"toStartPage"} << int(Leaving::ToStartPage);
         QTest::newRow("end") << QByteArray{"endForAll"} << int(Leaving::EndForAll);
     }
 

@@ -65,6 +65,18 @@ private Q_SLOTS:
         QVERIFY(link.sinceLastDatagram < 1s);
     }
 
+    // A console that looks at once does not take it for refused.
+    void proposalIsPendingUntilItIsDecided()
+    {
+        MemoryDisk disk;
+        const auto instructor = host(disk);
+        for (const double rate : {21.0, 22.0, 23.0, 24.0, 25.0}) {
+            instructor->propose(kStation, fact::BreathingRateSet{perMinute(rate)});
+            QTRY_VERIFY_WITH_TIMEOUT(instructor->pending().empty(), kSoonMs);
+            QCOMPARE(ratePerMinute(*instructor), rate);
+        }
+    }
+
     void instructorsElsewhereDecideToo()
     {
         MemoryDisk disk;

@@ -92,6 +92,22 @@ private Q_SLOTS:
         QCOMPARE(world.board.state()->lastApplied(), FactNumber{8});
     }
 
+    void whatTheHostProposedIsPendingUntilItIsStored()
+    {
+        HeldStore::Disk disk;
+        DriverWorld world{disk};
+        const auto pending = [&world] { return *world.board.part(&NodeBoard::View::pending); };
+        QVERIFY(pending().empty());
+        disk.hold();
+        world.host->propose(kStation, kRate, world.now);
+        world.run(1ms);
+        QVERIFY(pending() == std::vector{kRate});
+        disk.letGo();
+        world.run(2ms);
+        QVERIFY(pending().empty());
+        QCOMPARE(rateOf(world.board), 25.0);
+    }
+
     /// For two seconds nothing is stored: poses and clock replies come as before, the fact reaches
     /// nobody, and everybody once it is stored.
     void slowDiskDelaysNeitherPosesNorClockReplies()

@@ -1,0 +1,101 @@
+#pragma once
+
+#include "engine/core/ids.h"
+#include "models/session/change_history.h"
+
+#include <QPointer>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace carina
+{
+
+/// What a person changed about patients and can take back, the last first: each step with what was
+/// there before, at each station. Where somebody decided otherwise since, or the host refused the
+/// change, there is nothing to take back: taking it back would change what is not theirs.
+///
+/// @tparam Setting a value at a station: has a member `station`
+template <class Setting> class ChangeSteps
+{
+public:
+    struct Step {
+        std::size_t thing; ///< which of the patient's quantities
+        Setting set;
+        std::vector<Setting> before; ///< at each station that was changed
+        int number;                  ///< its topic in the history
+    };
+
+    /// @param owner whose changes these are, in the history; outlives this
+    explicit ChangeSteps(const QObject& owner) : m_owner{owner} {}
+
+    /// Adds the steps to a history from now on, by which alone they are to be taken back.
+    void setHistory(ChangeHistory& history) { m_history = &history; }
+    [[nodiscard]] bool hasHistory() const { return !m_history.isNull(); }
+    [[nodiscard]] bool isEmpty() const { return m_steps.empty(); }
+    [[nodiscard]] bool lastIsAbout(std::size_t thing) const
+    {
+        return !m_steps.empty() && m_steps.back().thing == thing;
+    }
+
+    /// @param takeBack what the history calls
+    void add(std::size_t thing, const Setting& set, std::vector<Setting> before,
+             const QString& text, std::function<void()> takeBack)
+    {
+        m_steps.push_back({thing, set, std::move(before), ++m_number});
+        if (m_history)
+            m_history->add(m_owner, text, std::move(takeBack), m_number);
+    }
+    /// The last step goes on to another value, as a slider that is dragged. @pre !isEmpty()
+    void goOn(const Setting& set, const QString& text)
+    {
+        m_steps.back().set = set;
+        if (m_history)
+            m_history->retitle(m_owner, text);
+    }
+    [[nodiscard]] std::optional<Step> takeLast()
+    {
+        if (m_steps.empty())
+            return std::nullopt;
+        Step last = std::move(m_steps.back());
+        m_steps.pop_back();
+        return last;
+    }
+    void clear()
+    {
+        m_steps.clear();
+        if (m_history)
+            m_history->forget(m_owner);
+    }
+
+    /// Drops the steps that were decided over, at the stations where they were.
+    /// @param isSo (step, station): whether what the step set is still what is decided there, or on
+    ///             its way. Only the last step about a thing is asked about.
+    template <class IsSo> void dropOverruled(const IsSo& isSo)
+    {
+        std::map<std::pair<std::size_t, StationId>, bool> stands;
+        for (auto step = m_steps.rbegin(); step != m_steps.rend(); ++step)
+            std::erase_if(step->before, [&](const Setting& at) {
+                const auto [place, isNew] = stands.try_emplace({step->thing, at.station}, true);
+                if (isNew)
+                    place->second = isSo(*step, at.station);
+                return !place->second;
+            });
+        std::erase_if(m_steps, [this](const Step& step) {
+            if (step.before.empty() && m_history)
+                m_history->forget(m_owner, step.number);
+            return step.before.empty();
+        });
+    }
+
+private:
+    const QObject& m_owner;
+    QPointer<ChangeHistory> m_history;
+    std::vector<Step> m_steps;
+    int m_number = 0;
+};
+
+} // namespace carina

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "engine/anatomy/patient/builtin_patient.h"
+#include "engine/io/anatomy_set/anatomy_cache.h"
+#include "tests/models/fake_session_node.h"
+#include "ui/trainee/trainee_window.h"
+
+namespace carina::test
+{
+
+/// A trainee's window over a session in virtual time, with the built-in child and no tracker.
+struct TraineeDesk {
+    static SharedPatientModel child()
+    {
+        static const SharedPatientModel made =
+            patientOf(builtinPatient(BuiltinPatient::TwelveYears).value()).value();
+        return made;
+    }
+
+    explicit TraineeDesk(ViewOutput kind = ViewOutput::Screen) : output{kind} {}
+
+    ViewOutput output;
+    SharedPatientModel drawn = child();
+    FakeSessionNode node{FakeSessionNode::kTrainee};
+    SessionModel session{node};
+    SharedObjectModel object{session, FakeSessionNode::kStation};
+    ObjectActionModel actions{object};
+    PeopleModel people{session, FakeSessionNode::kStation};
+    SessionPatient patient{node, FakeSessionNode::kStation, drawn, AnatomyCache::defaultFolder()};
+    StationView view{node, FakeSessionNode::kStation, drawn->lungs()};
+    TraineeWindow window{
+        node,    patient, view, HeadsetView::standard(), output, ChinProbeModel{nullptr},
+        actions, people,  {},   {.canBeGiven = true}};
+};
+
+} // namespace carina::test

@@ -1,0 +1,107 @@
+#include "tests/support/soon.h"
+#include "tests/support/test_class.h"
+#include "tests/ui/trainee/trainee_desk.h"
+#include "widgets/scene/view/graphics.h"
+
+#include <QPushButton>
+#include <QSignalSpy>
+
+namespace carina::trainee_window_test
+{
+namespace
+{
+
+using test::FakeSessionNode;
+using test::soon;
+
+/// A window that is shown, and hears its host.
+struct Shown : test::TraineeDesk {
+    explicit Shown(ViewOutput kind = ViewOutput::Screen) : TraineeDesk{kind}
+    {
+        node.decide(fact::PhaseChanged{SessionPhase::Running});
+        node.advance(std::chrono::seconds{1});
+        LinkReport& link = node.linkReports.emplace_back();
+        link.state = LinkState::Connected;
+        window.resize(1024, 768);
+        window.show();
+    }
+    void loseHost(std::chrono::milliseconds silence)
+    {
+        node.linkReports.front().state = LinkState::Away;
+        node.linkReports.front().sinceLastDatagram = silence;
+    }
+    [[nodiscard]] QPushButton& another() const
+    {
+        return *window.findChild<QPushButton*>(QStringLiteral("another"));
+    }
+};
+
+} // namespace
+
+class TestTraineeWindow : public QObject
+{
+    Q_OBJECT
+
+public:
+    static void initMain() { prepareGraphics(); }
+
+private Q_SLOTS:
+    void offersAnotherSessionWhenThisOneHasEnded()
+    {
+        Shown shown;
+        const QSignalSpy wanted{&shown.window, &TraineeWindow::anotherWanted};
+        QVERIFY(!shown.another().isVisible());
+        shown.node.decide(fact::PhaseChanged{SessionPhase::Ended});
+        shown.node.advance(std::chrono::seconds{1});
+        QVERIFY(soon([&] { return shown.another().isVisible(); }));
+        QVERIFY(soon([&] {
+            return shown.window.notice().contains(QStringLiteral("The session has ended"));
+        }));
+        shown.another().click();
+        QCOMPARE(wanted.count(), 1);
+    }
+
+    /// It was closed for good, or ended while this program was away.
+    void offersAnotherSessionWhileTheHostIsSilent()
+    {
+        Shown shown;
+        const QSignalSpy wanted{&shown.window, &TraineeWindow::anotherWanted};
+        shown.loseHost(std::chrono::seconds{6});
+        QVERIFY(soon([&] { return shown.another().isVisible(); }));
+        QVERIFY(shown.window.notice().contains(QStringLiteral("does not answer")));
+        QVERIFY(shown.window.focusWidget() != &shown.another()); // who works on keeps the keyboard
+        shown.another().click();
+        QCOMPARE(wanted.count(), 1);
+        shown.node.linkReports.front() = {};
+        shown.node.linkReports.front().state = LinkState::Connected; // it is back
+        QVERIFY(soon([&] { return !shown.another().isVisible(); }));
+    }
+
+    void offersNothingInAShortGap()
+    {
+        Shown shown;
+        shown.loseHost(std::chrono::seconds{2});
+        QVERIFY(soon([&] {
+            return shown.window.notice().contains(QStringLiteral("Connecting to the instructor"));
+        }));
+        QVERIFY(!shown.another().isVisible());
+    }
+
+    void keepsAHeadsetsPictureFree()
+    {
+        Shown shown{ViewOutput::SideBySide};
+        shown.loseHost(std::chrono::seconds{6});
+        QVERIFY(soon(
+            [&] { return shown.window.notice().contains(QStringLiteral("does not answer")); }));
+        bool isDue = false;
+        QTimer::singleShot(300, &shown.window, [&isDue] { isDue = true; });
+        QVERIFY(soon([&isDue] { return isDue; })); // the window looked
+        QVERIFY(!shown.another().isVisible());
+    }
+};
+
+CARINA_SCREEN_TEST(TestTraineeWindow)
+
+} // namespace carina::trainee_window_test
+
+#include "tst_trainee_window.moc"

@@ -94,7 +94,8 @@ private Q_SLOTS:
             RelayedMessage message{ParticipantId{2}, ParticipantId{to}, DelayProbe{1s}};
             if (areAnswers)
                 message.content = DelayAnswer{1s};
-            host.take(kFirst, message, {encodeRelayed(message)}, false, now);
+            host.take(kFirst, message, {StrategyKind::AsaAdaptive, encodeRelayed(message)}, false,
+                      now);
             return host.takeDue(static_cast<PeerAddress>(100 + to), now).size();
         };
         std::size_t passed = 0;

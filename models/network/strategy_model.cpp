@@ -17,8 +17,8 @@ std::vector<StrategyModel::Entry> StrategyModel::entries()
             "physical limit as the clock is right. The usual one.")},
         {StrategyKind::LocalLag, tr("Local lag"),
          tr("As the session clock, but an action begins later, for who acts too: when it has "
-            "arrived "
-            "everywhere, or after the longest lag. On paths that are shorter than that there is no "
+            "arrived at all who may act, or after the longest lag. On paths that are shorter than "
+            "that there is no "
             "drift.")},
         {StrategyKind::AsaAdaptive, tr("ASA, adaptive"),
          tr("The Adaptive Synchronization Algorithm of 2004: an action that arrives is advanced by "

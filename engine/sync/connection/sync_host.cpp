@@ -143,7 +143,9 @@ void SyncHost::take(PeerAddress from, std::span<const std::byte> bytes, LocalTim
         return remove(from, now);
     Peer& peer = found->second;
     peer.heard(header, sessionTime(now), now);
-    m_actions.measured(from, roundTripOf(peer.link) / 2);
+    // The lag with which actions begin is for those who act.
+    m_actions.measured(from,
+                       m_rules.mayAct(peer.participant) ? roundTripOf(peer.link) / 2 : Duration{});
     peer.answer = peer.answer || header.answerNow;
     for (const WireRecord& record : datagram->records)
         std::visit(Visitor{*this, from, peer, now}, record);

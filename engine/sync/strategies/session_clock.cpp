@@ -18,7 +18,8 @@ namespace
 /// idle participant probes by the adaptive rule.
 ///
 /// With local lag an action begins later than the actor asked for, by the delay to the farthest
-/// participant or a bound, so that it has arrived everywhere when it begins.
+/// participant or a bound, so that it has arrived everywhere when it begins. A session counts those
+/// participants who may act: who only watches cannot slow them.
 class SessionClockParticipant final : public StarParticipant
 {
 public:

@@ -209,23 +209,6 @@ private Q_SLOTS:
                  qPrintable(QString::number(behind)));
     }
 
-    /// Who only watches sees the object, too: an action waits for the way to there.
-    void localLagWaitsForWatchers()
-    {
-        StrategyWorld world{StrategyKind::LocalLag};
-        const Duration far = 30ms;
-        world.addLateSite({far, 0ms, 0.0, 0.0});
-        world.run(2s);
-        world.session.observers.insert(world.self(3));
-        world.choose({.kind = StrategyKind::LocalLag, .longestLag = 100ms});
-        world.run(3s);
-        const SessionTime asked = world.trueSessionTime();
-        QVERIFY(world.turn(0));
-        const Duration lag = world.newest(0)->start - asked;
-        const Duration way = 10ms + far;
-        QVERIFY2(lag > way && lag < way + 5ms, qPrintable(QString::number(toSeconds(lag))));
-    }
-
     void whoComesLateSeesWhatIsThere()
     {
         StrategyWorld world{StrategyKind::Event};

@@ -217,7 +217,7 @@ private Q_SLOTS:
         QCOMPARE(std::get<HelloRefused>(answer->records.at(0)).reason, Errc::VersionMismatch);
         // And a client that meets a newer host says so.
         SyncClient client{world.proposal("Janna"), 1, LocalTime{}};
-        output.datagrams[0].bytes[2] = std::byte{12};
+        output.datagrams[0].bytes[2] = std::byte{kProtocolVersion + 1};
         client.receive(output.datagrams[0].bytes, LocalTime{});
         QCOMPARE(client.helloRefused()->code, Errc::VersionMismatch);
     }

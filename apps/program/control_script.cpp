@@ -10,6 +10,7 @@
 #include <QScreen>
 #include <QTableView>
 
+#include <algorithm>
 #include <utility>
 
 namespace carina::program
@@ -19,6 +20,7 @@ namespace
 
 const QString kScript = QStringLiteral("script");
 constexpr int kScriptInterval_ms = 200; ///< of the lines: what one opens is there for the next
+constexpr double kLongestPause_s = 60.0;
 
 template <class Control> Control* usable(const QWidget& in, const QString& name)
 {
@@ -84,6 +86,15 @@ bool picture(const QWidget& window, const QString& file)
            && window.screen()->grabWindow(window.winId()).save(&whole, "PNG") && whole.commit();
 }
 
+/// Milliseconds that a line says to wait; 0 of any other line.
+int pauseIn(const QByteArray& line)
+{
+    const QByteArrayList words = line.trimmed().split(' ');
+    if (words.size() != 2 || words[0] != "pause")
+        return 0;
+    return int(1e3 * std::clamp(words[1].toDouble(), 0.0, kLongestPause_s));
+}
+
 } // namespace
 
 ControlScript::ControlScript(Window window, const QString& file)
@@ -99,6 +110,7 @@ void ControlScript::goOn()
     const qint64 begin = m_file.pos();
     const QByteArray line = m_file.readLine();
     const bool isWhole = line.endsWith('\n'); // the rest may be being written
+    m_timer.setInterval(isWhole ? std::max(kScriptInterval_ms, pauseIn(line)) : kScriptInterval_ms);
     if (!isWhole || !perform(QString::fromUtf8(line).trimmed()))
         m_file.seek(begin);
 }
@@ -116,6 +128,8 @@ bool ControlScript::perform(const QString& line) const
         return choose(in, name, text);
     if (verb == QLatin1String{"picture"})
         return picture(m_window(), line.section(QLatin1Char(' '), 1));
+    if (verb == QLatin1String{"pause"})
+        return true;
     return verb == QLatin1String{"type"} && type(in, name, text);
 }
 
@@ -125,7 +139,7 @@ void addScriptOption(QCommandLineParser& parser)
                       QCoreApplication::translate(
                           "Program", "Work the controls as the lines of this file say, which may "
                                      "be appended later: press CONTROL, choose LIST ENTRY, type "
-                                     "FIELD TEXT, picture FILE."),
+                                     "FIELD TEXT, pause SECONDS, picture FILE."),
                       QStringLiteral("FILE")});
 }
 

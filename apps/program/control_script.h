@@ -35,6 +35,7 @@ template <class Control> Control* fetched(Control* control)
 /// - `choose LIST TEXT` chooses the row of a table whose first cell has this text, or the entry of
 ///   a combo box.
 /// - `type FIELD TEXT` replaces the text of a field, or the number of a spin box.
+/// - `pause SECONDS` waits, as a person does between two presses that are not to be a slip.
 /// - `picture FILE` saves what the window shows; its display must show all of it.
 class ControlScript
 {

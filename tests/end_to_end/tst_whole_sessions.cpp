@@ -59,8 +59,9 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(isAtWork(*m_console), kPatience_ms);
         QCOMPARE(valueOf(*m_console, "anatomy"), kAdult);
         const QString first = valueOf(*m_console, "session_id");
-        work("press end\npress end\npress another\nchoose patient Man of 30 years, 175 cm\n"
-             "press begin\npress start\n");
+        work(
+            "press end\npause 1\npress end\npress another\nchoose patient Man of 30 years, 175 cm\n"
+            "press begin\npress start\n");
         QTRY_VERIFY_WITH_TIMEOUT(isAtWork(*m_console) && valueOf(*m_console, "session_id") != first,
                                  kPatience_ms);
     }
@@ -108,7 +109,7 @@ private Q_SLOTS:
                           QStringLiteral("--script"), inFolder("script")});
         startTrainee(port);
         QTRY_VERIFY_WITH_TIMEOUT(isAtWork(*m_trainee) && isAtWork(*m_console), kPatience_ms);
-        work("press end\npress end\n");
+        work("press end\npause 1\npress end\n");
         QTRY_VERIFY_WITH_TIMEOUT(
             valueOf(*m_trainee, "notice").contains(QStringLiteral("join another")), kPatience_ms);
         m_console->kill();

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 
 namespace carina::lab::mechanics_command_test
 {
@@ -36,20 +38,29 @@ Result<QJsonObject> mechanics(const QStringList& arguments)
     return mechanicsCommand().run(arguments);
 }
 
+/// What is printed of a patient, which takes half a minute, once for all tests.
+QJsonObject everyConditionOf(const char* patient)
+{
+    static std::map<std::string, QJsonObject> printed;
+    QJsonObject& all = printed[patient];
+    if (all.isEmpty())
+        all = mechanics({QStringLiteral("--patient"), QString::fromLatin1(patient)}).value();
+    return all;
+}
+
 } // namespace
 
 void TestMechanicsCommand::describesThePatientAndEveryCondition()
 {
-    const auto printed = mechanics({QStringLiteral("--patient"), QStringLiteral("child")});
-    QVERIFY(printed.has_value());
-    QCOMPARE((*printed)[QStringLiteral("schema")].toString(), QStringLiteral("carina.mechanics/2"));
-    const QJsonObject patient = (*printed)[QStringLiteral("patient")].toObject();
+    const QJsonObject printed = everyConditionOf("child");
+    QCOMPARE(printed[QStringLiteral("schema")].toString(), QStringLiteral("carina.mechanics/2"));
+    const QJsonObject patient = printed[QStringLiteral("patient")].toObject();
     QCOMPARE(patient[QStringLiteral("frc_ml")].toDouble(), 1200.0);
     QCOMPARE(patient[QStringLiteral("tlc_ml")].toDouble(), 3200.0);
     const double compliance = patient[QStringLiteral("compliance_ml_per_cmh2o")].toDouble();
     QVERIFY(std::abs(compliance - 52.0) < 0.1);
 
-    const QJsonArray conditions = (*printed)[QStringLiteral("conditions")].toArray();
+    const QJsonArray conditions = printed[QStringLiteral("conditions")].toArray();
     QCOMPARE(conditions.size(), 1 + 9 * 3);
     QStringList names;
     for (const QJsonValue& value : conditions) {
@@ -98,8 +109,7 @@ void TestMechanicsCommand::tellsWhatItWasGivenFromWhatFollows()
 void TestMechanicsCommand::givesEachConditionARangeOrSaysThatThereIsNone()
 {
     for (const char* patient : {"adult", "child"}) {
-        const auto printed =
-            mechanics({QStringLiteral("--patient"), QString::fromLatin1(patient)}).value();
+        const QJsonObject printed = everyConditionOf(patient);
         for (const QJsonValue& condition : printed[QStringLiteral("conditions")].toArray()) {
             const bool hasRange = !condition[QStringLiteral("ranges")].toArray().isEmpty();
             const QString sentence = condition[QStringLiteral("no_range")].toString();

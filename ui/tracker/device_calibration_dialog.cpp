@@ -150,8 +150,9 @@ void DeviceCalibrationDialog::refreshCoverage()
         m_coverage[i].name->setText(now.name);
         m_coverage[i].bar->setAccessibleName(QStringLiteral("%1: %2").arg(now.name, now.amount));
         m_coverage[i].bar->setValue(qRound(100.0 * now.share));
-        m_coverage[i].amount->setText(QStringLiteral("%1 %2").arg(
-            now.isEnough ? QStringLiteral("✓") : QStringLiteral("○"), now.amount));
+        m_coverage[i].amount->setText(
+            (now.isEnough ? tr("✓ %1", "enough of a motion") : tr("○ %1", "too little of a motion"))
+                .arg(now.amount));
     }
 }
 

@@ -6,13 +6,16 @@
 #include "tests/fuzz/file_of_input.h"
 
 #include <cmath>
+#include <fstream>
 
 // libFuzzer calls it by this name.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     using namespace carina;
     static const fuzz::OwnFolder folder;
-    const auto sequence = replayedConversation(folder.holding("device.log", data, size));
+    const auto file = folder.holding("device.log", data, size);
+    std::ifstream input{file, std::ios::binary};
+    const auto sequence = replayedConversation(input, file.string());
     if (!sequence) {
         CARINA_EXPECTS(!sequence.error().detail.empty());
         return 0;

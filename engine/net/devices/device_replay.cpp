@@ -200,12 +200,6 @@ Result<TrackerSequence> replayedConversation(std::istream& input, const std::str
     return sequence;
 }
 
-Result<TrackerSequence> replayedConversation(const std::filesystem::path& file)
-{
-    return field::openFile(file).and_then(
-        [&](std::ifstream input) { return replayedConversation(input, file.string()); });
-}
-
 bool isConversation(const std::filesystem::path& file)
 {
     auto input = field::openFile(file);

@@ -20,9 +20,6 @@ namespace carina
 [[nodiscard]] Result<TrackerSequence> replayedConversation(std::istream& input,
                                                            const std::string& name);
 
-/// The same from a file. @returns also FileNotFound.
-[[nodiscard]] Result<TrackerSequence> replayedConversation(const std::filesystem::path& file);
-
 /// Whether a file is a conversation with a device: one of Carina's, or one that readNdiRecording
 /// reads. Only its beginning is looked at.
 [[nodiscard]] bool isConversation(const std::filesystem::path& file);

@@ -10,6 +10,8 @@
 
 #include <QTemporaryDir>
 
+#include <fstream>
+
 namespace carina::device_log_test
 {
 namespace
@@ -18,6 +20,12 @@ namespace
 constexpr double kTimes_s = 0.002; ///< the log's clock against the samples'
 
 std::optional<SessionTime> sessionNow() { return SessionTime{monotonicNow().time_since_epoch()}; }
+
+Result<TrackerSequence> replayedFile(const std::string& file)
+{
+    std::ifstream input{file, std::ios::binary};
+    return replayedConversation(input, file);
+}
 
 TrackerDescription polarisAt(const std::string& address)
 {
@@ -112,7 +120,7 @@ private Q_SLOTS:
         const auto samples = samplesLogged(described, file);
         QVERIFY(!samples.empty());
         QVERIFY(isConversation(file));
-        const auto replayed = replayedConversation(file);
+        const auto replayed = replayedFile(file);
         QVERIFY2(replayed.has_value(), replayed ? "" : replayed.error().detail.c_str());
         QCOMPARE(replayed->tools.size(), std::size_t{1});
         QCOMPARE(replayed->tools[0].name, std::string{"Blade"});
@@ -140,7 +148,7 @@ private Q_SLOTS:
             server->give(test::tubeOffer(std::uint64_t(given) << 28U, given));
         });
         QVERIFY(!samples.empty());
-        const auto replayed = replayedConversation(file);
+        const auto replayed = replayedFile(file);
         QVERIFY2(replayed.has_value(), replayed ? "" : replayed.error().detail.c_str());
         QCOMPARE(replayed->tools[0].name, std::string{"The tube"});
         QVERIFY(hasAll(replayed->tools[0], samples));
@@ -151,10 +159,10 @@ private Q_SLOTS:
         const std::string file = inFolder("server.log");
         const QByteArray whole = contentOf(file);
         QVERIFY(!whole.isEmpty());
-        const std::size_t samples = replayedConversation(file)->tools[0].samples.size();
+        const std::size_t samples = replayedFile(file)->tools[0].samples.size();
         for (qsizetype length = whole.size() - 1; length > whole.size() - 40; --length) {
             cut(file, length);
-            const auto replayed = replayedConversation(file);
+            const auto replayed = replayedFile(file);
             QVERIFY2(replayed.has_value(), replayed ? "" : replayed.error().detail.c_str());
             QVERIFY(replayed->tools[0].samples.size() + 3 >= samples);
         }
@@ -185,7 +193,7 @@ private Q_SLOTS:
         QFile written{QString::fromStdString(file)};
         QVERIFY(written.open(QIODevice::WriteOnly) && written.write(text) == text.size());
         written.close();
-        const auto replayed = replayedConversation(file);
+        const auto replayed = replayedFile(file);
         QVERIFY(!replayed);
         QCOMPARE(replayed.error().code, Errc::FileMalformed);
     }

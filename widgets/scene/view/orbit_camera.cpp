@@ -187,13 +187,6 @@ Frustum OrbitCamera::frustum() const
     return {.left = -right, .right = right, .bottom = -up, .top = up};
 }
 
-Vec3 OrbitCamera::directionThrough(double right, double upward) const
-{
-    const double height = 2.0 * std::tan(kVerticalFieldOfView / 2.0);
-    const Vec3 rightward = up().cross(backward());
-    return (height * (right * rightward + upward * up()) - backward()).normalized();
-}
-
 CameraPose OrbitCamera::poseOf(const RigidTransform& X_AD) const
 {
     CameraPose pose;

@@ -68,9 +68,6 @@ public:
 
     [[nodiscard]] CameraPose pose() const;
     [[nodiscard]] Frustum frustum() const;
-    /// The unit direction from the eye through a point of the picture, given right and up from its
-    /// centre in fractions of the picture's height.
-    [[nodiscard]] Vec3 directionThrough(double right, double up) const;
     /// The camera pose of an eye D (+x right, +y up, looking along -z), with clipping planes for
     /// the same bounds.
     [[nodiscard]] CameraPose poseOf(const RigidTransform& X_AD) const;

@@ -60,8 +60,6 @@ private Q_SLOTS:
     void stopsShortOfThePole();
     void movesWhatIsSeenByThePartOfTheHeightDragged();
     void comesNearerByTheFactor();
-    void knowsTheWayThroughAPointOfThePicture_data() { looksFromWhereThePresetSays_data(); }
-    void knowsTheWayThroughAPointOfThePicture();
     void staysAwayFromTheTargetAndWithinReach();
     void keepsTheBoundsBetweenItsPlanes();
     void looksAtTheOriginWhereThereIsNothing();
@@ -292,21 +290,6 @@ void TestOrbitCamera::looksOutOfAnEyeAlongItsMinusZ()
     QVERIFY((pose.p_A_target - Vec3(0.1, -4.0, 0.2)).norm() < kTolerance);
     QVERIFY((pose.up_A - Vec3(0, 0, 1)).norm() < kTolerance);
     QVERIFY(pose.farPlane > 5.12 && pose.nearPlane < 4.9);
-}
-
-void TestOrbitCamera::knowsTheWayThroughAPointOfThePicture()
-{
-    QFETCH(ViewPreset, preset);
-    OrbitCamera camera = chestCamera(preset);
-    camera.orbit(0.1, 0.2);
-    const CameraPose pose = camera.pose();
-    for (const auto& [right, up] : {std::pair{0.0, 0.0}, {0.5, 0.25}, {-0.3, 0.5}, {0.8, -0.5}}) {
-        const Vec3 direction = camera.directionThrough(right, up);
-        QVERIFY(std::abs(direction.norm() - 1.0) < kTolerance);
-        const Seen at = seen(pose, pose.p_A_eye + 0.7 * direction);
-        QVERIFY(std::abs(at.right - 2.0 * right / kAspect) < kTolerance);
-        QVERIFY(std::abs(at.up - 2.0 * up) < kTolerance);
-    }
 }
 
 CARINA_TEST(TestOrbitCamera)

@@ -63,9 +63,7 @@ public:
     /// Bytes that were sent at a rate. @returns the replies to whole commands.
     [[nodiscard]] std::vector<Reply> take(std::span<const std::byte> bytes, int rate,
                                           LocalTime now);
-    /// The line's break, which resets it.
-    [[nodiscard]] Reply takeBreak(LocalTime now) { return reset(now); }
-    /// As after it was switched off and on.
+    /// As after the line's break, or after it was switched off and on.
     [[nodiscard]] Reply reset(LocalTime now);
 
     PolarisFaults& faults() { return m_faults; }

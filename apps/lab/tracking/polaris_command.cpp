@@ -24,7 +24,8 @@ enum class Fault : std::uint8_t {
     Reset,
     Interference,
     BadFit,
-    FewMarkers
+    FewMarkers,
+    Unplug
 };
 
 struct NamedFault {
@@ -35,10 +36,12 @@ constexpr std::array kFaults{
     NamedFault{"none", Fault::None},      NamedFault{"corrupt", Fault::Corrupt},
     NamedFault{"cut", Fault::Cut},        NamedFault{"silence", Fault::Silence},
     NamedFault{"reset", Fault::Reset},    NamedFault{"interference", Fault::Interference},
-    NamedFault{"bad-fit", Fault::BadFit}, NamedFault{"few-markers", Fault::FewMarkers}};
+    NamedFault{"bad-fit", Fault::BadFit}, NamedFault{"few-markers", Fault::FewMarkers},
+    NamedFault{"unplug", Fault::Unplug}};
 constexpr Duration kFaultEvery = std::chrono::seconds{5};
 constexpr Duration kFaultLasts = std::chrono::seconds{1}; // one that is not of one reply
 const std::string kFaultyTool = "tube";
+const std::string kWiredTool = "wired 1"; // the device's name of the only one
 
 struct SimulatedTool {
     const char* name;
@@ -56,13 +59,16 @@ constexpr Option kNoise{"noise-mm", "MM",
                         "standard deviation of a position along each axis, 0 to "
                         "10 (0)"};
 constexpr Option kHide{"hide", "TOOL", "head, jaw, tube or stylus: is not seen"};
+constexpr Option kWired{"wired", "TOOL",
+                        "head, jaw, tube or stylus: is plugged into the device, in place of a "
+                        "wireless one"};
 constexpr Option kOld{"old", "",
                       "it knows TX only, as the first generation: BX and BX2 are errors"};
 constexpr Option kFault{"fault", "KIND",
                         "every 5 s: corrupt a bit of a reply, cut a reply, silence for 1 s, "
                         "reset as after the power was cycled, interference by other infrared "
-                        "light for 1 s, bad-fit or few-markers of the tube for 1 s; none unless "
-                        "given"};
+                        "light for 1 s, bad-fit or few-markers of the tube for 1 s, unplug of the "
+                        "wired tool for 1 s; none unless given"};
 } // namespace polaris_option
 
 namespace polaris_key
@@ -78,7 +84,8 @@ constexpr Key kSchema{"schema", "carina.polaris/1"};
 
 /// The description of the tracker and the definitions of its tools, as a technician would write
 /// them.
-Result<void> writeDescription(const std::filesystem::path& folder, const std::string& address)
+Result<void> writeDescription(const std::filesystem::path& folder, const std::string& address,
+                              const std::string& wired)
 {
     std::vector<std::pair<std::string, ToolRole>> named;
     for (const SimulatedTool& tool : kTools)
@@ -86,16 +93,21 @@ Result<void> writeDescription(const std::filesystem::path& folder, const std::st
     auto tools = simulatedTools(named);
     if (!tools)
         return tl::unexpected(tools.error());
+    for (DescribedTool& tool : *tools)
+        if (tool.name == wired)
+            tool.definition.reset();
     return writeTrackerFile(
         folder / "tracker.json",
         {.address = address, .fastestRate = 115200, .tools = *std::move(tools)});
 }
 
 /// What the device states of the scripted hands.
-PolarisDevice::PoseOf statedPoses(TrueToolPose truth, double noise_mm, const std::string& hidden)
+PolarisDevice::PoseOf statedPoses(TrueToolPose truth, double noise_mm, const std::string& hidden,
+                                  const std::string& wired)
 {
-    return [truth = std::move(truth), noise_mm, hidden, random = std::mt19937{7}](
-               const std::string& name, LocalTime t) mutable -> std::optional<PolarisPose> {
+    return [truth = std::move(truth), noise_mm, hidden, wired, random = std::mt19937{7}](
+               const std::string& handle, LocalTime t) mutable -> std::optional<PolarisPose> {
+        const std::string& name = handle == kWiredTool ? wired : handle;
         const auto* tool = std::ranges::find(kTools, name, &SimulatedTool::name);
         if (tool == kTools.end() || name == hidden)
             return std::nullopt;
@@ -114,8 +126,11 @@ PolarisDevice::PoseOf statedPoses(TrueToolPose truth, double noise_mm, const std
 class FaultMaker
 {
 public:
-    FaultMaker(PolarisDevice& device, Fault fault, LocalTime now)
-        : m_device{device}, m_fault{fault}, m_next{now + kFaultEvery}
+    FaultMaker(PolarisDevice& device, Fault fault, const std::string& wired, LocalTime now)
+        : m_device{device},
+          m_fault{fault},
+          m_faultyTool{wired == kFaultyTool ? kWiredTool : kFaultyTool},
+          m_next{now + kFaultEvery}
     {
     }
 
@@ -123,6 +138,8 @@ public:
     {
         if (m_until && now >= *m_until) {
             m_device.faults() = {};
+            if (m_fault == Fault::Unplug)
+                m_device.ports().plugIn(1);
             m_until.reset();
         }
         if (m_fault == Fault::None || now < m_next)
@@ -137,9 +154,11 @@ public:
         faults.isSilent = m_fault == Fault::Silence;
         faults.hasInterference = m_fault == Fault::Interference;
         if (m_fault == Fault::BadFit)
-            faults.losses[kFaultyTool] = PolarisLoss::BadFit;
+            faults.losses[m_faultyTool] = PolarisLoss::BadFit;
         if (m_fault == Fault::FewMarkers)
-            faults.losses[kFaultyTool] = PolarisLoss::FewMarkers;
+            faults.losses[m_faultyTool] = PolarisLoss::FewMarkers;
+        if (m_fault == Fault::Unplug)
+            m_device.ports().unplug(1);
         if (m_fault != Fault::Corrupt && m_fault != Fault::Cut)
             m_until = now + kFaultLasts;
     }
@@ -149,31 +168,48 @@ public:
 private:
     PolarisDevice& m_device;
     Fault m_fault;
+    std::string m_faultyTool;
     LocalTime m_next;
     std::optional<LocalTime> m_until; ///< that a fault lasts
     int m_made = 0;
 };
 
+/// A tool's name, as an option has it; empty where it is not given.
+Result<std::string> toolOption(const Words& words, const Option& option)
+{
+    const std::string name = words.text(option).toStdString();
+    if (name.empty() || std::ranges::count(kTools, name, &SimulatedTool::name) != 0)
+        return name;
+    QStringList names;
+    for (const SimulatedTool& tool : kTools)
+        names << QString::fromLatin1(tool.name);
+    return words.unknownWord(option, names);
+}
+
 Result<QJsonObject> serve(const Words& words, const std::filesystem::path& folder,
-                          PolarisDevice::PoseOf poses)
+                          const std::string& wired, PolarisDevice::PoseOf poses)
 {
     const auto seconds = words.whole(polaris_option::kSeconds, 1, 86400, 60);
     const auto fault = words.word(polaris_option::kFault, kFaults, &NamedFault::fault);
     const auto port = words.whole(polaris_option::kTcp, 1, 65535, 0);
     if (!seconds || !fault || !port)
         return tl::unexpected(!seconds ? seconds.error() : !fault ? fault.error() : port.error());
+    if (*fault == Fault::Unplug && wired.empty())
+        return words.refuse(QStringLiteral("--fault unplug needs --wired TOOL."));
     const bool isTcp = words.has(polaris_option::kTcp);
     const std::filesystem::path link = std::filesystem::absolute(folder) / "port";
     auto line = isTcp ? PolarisLine::tcp(std::uint16_t(*port)) : PolarisLine::terminal(link);
     if (!line)
         return tl::unexpected(line.error());
     const std::string address = isTcp ? "127.0.0.1:" + std::to_string(*port) : link.string();
-    if (const auto wrote = writeDescription(folder, address); !wrote)
+    if (const auto wrote = writeDescription(folder, address, wired); !wrote)
         return tl::unexpected(wrote.error());
-    PolarisDevice device{{.hasRate = !isTcp, .hasBinary = !words.has(polaris_option::kOld)},
+    PolarisDevice device{{.wired = std::vector<PluggedTool>(wired.empty() ? 0 : 1),
+                          .hasRate = !isTcp,
+                          .hasBinary = !words.has(polaris_option::kOld)},
                          std::move(poses)};
     const LocalTime begin = monotonicNow();
-    FaultMaker faults{device, *fault, begin};
+    FaultMaker faults{device, *fault, wired, begin};
     const LocalTime end = begin + std::chrono::seconds{*seconds};
     const PolarisTraffic traffic = line->serve(device, [&](LocalTime now) {
         faults.look(now);
@@ -196,11 +232,10 @@ Result<QJsonObject> simulate(const Words& words)
     const auto noise = words.number(polaris_option::kNoise, 0.0, 10.0, 0.0);
     if (!noise)
         return tl::unexpected(noise.error());
-    const std::string hidden = words.text(polaris_option::kHide).toStdString();
-    if (!hidden.empty() && std::ranges::count(kTools, hidden, &SimulatedTool::name) == 0)
-        return words.unknownWord(polaris_option::kHide,
-                                 {QStringLiteral("head"), QStringLiteral("jaw"),
-                                  QStringLiteral("tube"), QStringLiteral("stylus")});
+    const auto hidden = toolOption(words, polaris_option::kHide);
+    const auto wired = toolOption(words, polaris_option::kWired);
+    if (!hidden || !wired)
+        return tl::unexpected(!hidden ? hidden.error() : wired.error());
     if (const auto opened = openFolder(folder); !opened)
         return tl::unexpected(opened.error());
     const auto parameters = patientOption(words, BuiltinPatient::TwelveYears);
@@ -219,7 +254,8 @@ Result<QJsonObject> simulate(const Words& words)
     auto station = simulatedStation(airway, *tube, [] { return std::optional<SessionTime>{}; });
     if (!station)
         return tl::unexpected(station.error());
-    return serve(words, folder, statedPoses(std::move(station->truth), *noise, hidden));
+    return serve(words, folder, *wired,
+                 statedPoses(std::move(station->truth), *noise, *hidden, *wired));
 }
 
 } // namespace
@@ -231,15 +267,16 @@ Command polarisCommand()
         .theme = "tracking",
         .summary = "serves a Polaris without hardware",
         .uses = {{.lines = {"DIR [--patient WHO] [--tcp PORT] [--seconds N]",
-                            "DIR [--noise-mm MM] [--hide TOOL] [--old] [--fault KIND]"},
+                            "DIR [--noise-mm MM] [--hide TOOL] [--wired TOOL] [--old]",
+                            "DIR [--fault KIND]"},
                   .text = "Serves a simulated Polaris that sees scripted hands at the "
                           "patient's manikin, at a pseudo-terminal whose rate paces its "
                           "replies, or at a TCP port. DIR/tracker.json, which is written with "
                           "the definitions of its tools, is for --tracker of carina-trainee "
                           "and carina-registration.",
                   .options = {kPatient, polaris_option::kTcp, polaris_option::kSeconds,
-                              polaris_option::kNoise, polaris_option::kHide, polaris_option::kOld,
-                              polaris_option::kFault},
+                              polaris_option::kNoise, polaris_option::kHide, polaris_option::kWired,
+                              polaris_option::kOld, polaris_option::kFault},
                   .schema = polaris_key::kSchema,
                   .keys = {polaris_key::kFolder, polaris_key::kServed, polaris_key::kReceived,
                            polaris_key::kReplies, polaris_key::kSent, polaris_key::kFaultsMade}}},

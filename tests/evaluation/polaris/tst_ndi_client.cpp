@@ -123,7 +123,7 @@ private:
         if (!m_isPlugged)
             return;
         if (action.sendBreak && m_passesBreaks)
-            m_underWay = {m_device.takeBreak(m_now)};
+            m_underWay = {m_device.reset(m_now)};
         for (PolarisDevice::Reply& reply :
              m_device.take(std::as_bytes(std::span{action.bytes}), m_hostRate, m_now))
             m_underWay.push_back(std::move(reply));

@@ -3,6 +3,7 @@
 #include "apps/lab/drift/drift_page.h"
 #include "apps/lab/drift/drift_report.h"
 #include "apps/lab/drift/live_drift.h"
+#include "apps/lab/network/loopback_round_trip.h"
 #include "engine/core/units.h"
 #include "engine/io/files/whole_file.h"
 #include "evaluation/network/netlab_network.h"
@@ -36,6 +37,9 @@ Result<QJsonObject> measureLive(const DriftRequest& request)
     if (!request.logs.isEmpty())
         if (const auto opened = openFolder(request.logs.toStdString()); !opened)
             return fail(Errc::WrongOption, "drift: --logs " + opened.error().detail + '.');
+    const auto machine = loopbackRoundTrip();
+    if (!machine)
+        return tl::unexpected(machine.error());
     const auto network = networkOf(request);
     if (!network)
         return tl::unexpected(network.error());
@@ -44,6 +48,8 @@ Result<QJsonObject> measureLive(const DriftRequest& request)
     return runLiveDrift(live, **network).map([&](const LiveFigures& figures) {
         QJsonObject object = reportOf(figures, settings, runDrift(settings, kVirtualSeeds));
         object[drift_key::kNetwork] = (*network)->name();
+        object[drift_key::kLoopbackMedian] = 1e3 * toSeconds(machine->median);
+        object[drift_key::kLoopbackP95] = 1e3 * toSeconds(machine->p95);
         return object;
     });
 }

@@ -140,6 +140,11 @@ inline constexpr Key kSampleGap{
     "sample_gap_p95_ms",
     "95th percentile of the time between samples of a program, which is to be 5.003 ms"};
 inline constexpr Key kLoad{"load_average", "of the machine, in the minute in which the run ended"};
+inline constexpr Key kLoopbackMedian{
+    "loopback_round_trip_median_ms",
+    "of a datagram from one thread of this computer to another and back, before the run: what is "
+    "less than the computer itself takes cannot be measured on it"};
+inline constexpr Key kLoopbackP95{"loopback_round_trip_p95_ms", "95th percentile of the same"};
 inline constexpr Key kLiveBytes{"bytes_per_s",
                                 "the same of the encrypted datagrams; null with --netlab"};
 inline constexpr Key kLiveProbes{"probes_per_s", "null"};

@@ -88,6 +88,7 @@ QJsonObject describeCondition(RespiratorySettings settings, const NamedCondition
     breathe(own, kDriven_s);
     const QJsonObject driven = describeBreaths(own);
     const BreathFigures spontaneous = own.lastBreath();
+    const double inspiratoryFraction = own.state().breath.inspiratoryFraction;
     if (severity == kTiring)
         breathe(own, kTired_s - kDriven_s);
     RespiratorySettings helped = ventilated(settings);
@@ -110,7 +111,9 @@ QJsonObject describeCondition(RespiratorySettings settings, const NamedCondition
                                      fast.lastBreath(),
                                      byVolume.moment().pleural[0],
                                      helped.ventilator.peep,
-                                     settings.build.ageInYears};
+                                     settings.build.ageInYears,
+                                     inspiratoryFraction,
+                                     settings.pattern.inspiratoryFraction};
     const QJsonArray ranges = publishedRanges(measured);
     QJsonObject described{
         {mechanics_key::kCondition, textOf(named.name)},

@@ -97,7 +97,13 @@ double complianceRatio(const MeasuredCondition& m)
 
 double bronchiRatio(const MeasuredCondition& m) { return bronchi(m.awake) / bronchi(m.healthy); }
 
-double inspiration(const MeasuredCondition& m) { return 0.5 * m.awake.inspiratoryRatio; }
+/// I:E of own breaths over that in health. The table of diseases has 0.5 in health, and the breath
+/// that is set may have another.
+double inspirationRatio(const MeasuredCondition& m)
+{
+    const auto ratio = [](double fraction) { return fraction / (1.0 - fraction); };
+    return ratio(m.inspiratoryFraction) / ratio(m.inspiratoryFractionInHealth);
+}
 
 double airwayRatio(const MeasuredCondition& m)
 {
@@ -184,9 +190,12 @@ constexpr PublishedRange kPublished[] = {
     {{Ards, 0.3, "lung_compliance_ratio", 0.7, 0.7, complianceRatio}, kPulse},
     {{Ards, 0.6, "lung_compliance_ratio", 0.5, 0.5, complianceRatio}, kPulse},
     {{Ards, 0.9, "lung_compliance_ratio", 0.4, 0.4, complianceRatio}, kPulse},
-    {{Ards, 0.3, "inspiration_to_expiration", 0.7, 0.7, inspiration}, kPulse},
-    {{Ards, 0.6, "inspiration_to_expiration", 1.1, 1.1, inspiration}, kPulse},
-    {{Ards, 0.9, "inspiration_to_expiration", 1.5, 1.5, inspiration}, kPulse},
+    {{Ards, 0.3, "inspiration_to_expiration_ratio", 0.7 / 0.5, 0.7 / 0.5, inspirationRatio},
+     kPulse},
+    {{Ards, 0.6, "inspiration_to_expiration_ratio", 1.1 / 0.5, 1.1 / 0.5, inspirationRatio},
+     kPulse},
+    {{Ards, 0.9, "inspiration_to_expiration_ratio", 1.5 / 0.5, 1.5 / 0.5, inspirationRatio},
+     kPulse},
     {{Ards, 0.6, "alveolar_dead_space_l", 0.03, 0.03, deadSpace_l}, kPulse},
     {{Ards, 0.9, "alveolar_dead_space_l", 0.15, 0.15, deadSpace_l}, kPulse},
     {{Ards, 0.9, "ventilated_compliance_ml_per_cmh2o", 0.0, 30.0, staticCompliance_ml, kAdults},
@@ -198,9 +207,12 @@ constexpr PublishedRange kPublished[] = {
     {{Copd, 0.3, "bronchial_resistance_ratio", 0.85 / 0.45, 0.85 / 0.45, bronchiRatio}, kPulse},
     {{Copd, 0.6, "bronchial_resistance_ratio", 1.7 / 0.45, 1.7 / 0.45, bronchiRatio}, kPulse},
     {{Copd, 0.9, "bronchial_resistance_ratio", 2.4 / 0.45, 2.4 / 0.45, bronchiRatio}, kPulse},
-    {{Copd, 0.3, "inspiration_to_expiration", 0.35, 0.35, inspiration}, kPulse},
-    {{Copd, 0.6, "inspiration_to_expiration", 0.22, 0.22, inspiration}, kPulse},
-    {{Copd, 0.9, "inspiration_to_expiration", 0.12, 0.12, inspiration}, kPulse},
+    {{Copd, 0.3, "inspiration_to_expiration_ratio", 0.35 / 0.5, 0.35 / 0.5, inspirationRatio},
+     kPulse},
+    {{Copd, 0.6, "inspiration_to_expiration_ratio", 0.22 / 0.5, 0.22 / 0.5, inspirationRatio},
+     kPulse},
+    {{Copd, 0.9, "inspiration_to_expiration_ratio", 0.12 / 0.5, 0.12 / 0.5, inspirationRatio},
+     kPulse},
     {{Copd, 0.3, "alveolar_dead_space_l", 0.3, 0.3, deadSpace_l}, kPulse},
     {{Copd, 0.6, "alveolar_dead_space_l", 0.6, 0.6, deadSpace_l}, kPulse},
     {{Copd, 0.9, "alveolar_dead_space_l", 0.9, 0.9, deadSpace_l}, kPulse},

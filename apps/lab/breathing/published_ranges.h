@@ -19,6 +19,8 @@ struct MeasuredCondition {
     Pressure rightPleuraAtLast;  ///< at the end of expiration, after ten minutes of volume control
     Pressure peep;
     double ageInYears = 0.0;
+    double inspiratoryFraction = 0.0; ///< of the spontaneous breath
+    double inspiratoryFractionInHealth = 0.0;
 };
 
 /// Of a push on both sides at rest: lung and wall in series, right and left beside each other.

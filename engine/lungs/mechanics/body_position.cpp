@@ -9,8 +9,8 @@ namespace
 constexpr double kMoreSitting = 0.806 / 2.31;
 constexpr double kMoreProne = 0.350 / 2.31;
 constexpr double kMoreOfUpperLung = 0.25;
-/// Of the muscles' pressure, more on the lower side and less on the upper: found by what each lung
-/// takes of a breath.
+/// Of the muscles' pressure, more on the lower side and less on the upper; chosen so that each lung
+/// takes its published share of a breath.
 constexpr double kDriveAside = 0.4;
 
 /// What a position makes of a healthy patient, right and left.

@@ -40,6 +40,11 @@ constexpr SeverityTable kCopdDeadSpace_l{0.0, 0.3, 0.6, 0.9};
 constexpr double kCopdClosing = 1.7;
 constexpr double kAsthmaCompression = 2.3;
 constexpr double kAsthmaClosing = 1.6;
+// Total capacity times resistance of the bronchi of an adult in health: 6.16 L, 0.45 cmH2O s/L.
+// Relaxed muscles change neither. The exponent is ours: with it severe asthma and COPD trap as much
+// gas at 20 breaths a minute at all ages.
+constexpr double kAdultNarrowness = 6.16 * 0.45; // cmH2O s
+constexpr double kCompressionByNarrowness = -1.25;
 constexpr double kPulseRest_l = 2.31; // resting volume of the patient the dead spaces are of
 // Emphysema (AJRCCM 158:3), reached at 0.9.
 constexpr SeverityTable kCopdRest{1.0, 1.0 + 0.77 / 3.0, 1.0 + 1.54 / 3.0, 1.77};
@@ -84,7 +89,8 @@ void makeArds(LungMechanics& lung, double severity, Volume restBefore)
         + lookedUp(kArdsDeadSpace_l, severity) / kPulseRest_l * lung.wallVolume;
 }
 
-void makeCopd(LungMechanics& lung, double severity)
+/// @param compression share of an adult's compression of the bronchi, beyond none
+void makeCopd(LungMechanics& lung, double severity, double compression)
 {
     const PressureVolumeCurve& before = lung.curve;
     const Volume healthyRest = lung.wallVolume;
@@ -95,17 +101,17 @@ void makeCopd(LungMechanics& lung, double severity)
         lookedUp(kCopdCapacity, severity) * ceilingOf(before), lung.wallVolume, lung.wallRecoil,
         lookedUp(kCopdCompliance, severity) * before.complianceAt(healthyRest));
     lung.bronchi = (1.0 / lookedUp(kCopdResistance, severity)) * lung.bronchi;
-    lung.compression *= lookedUp(kCopdCompression, severity);
+    lung.compression *= 1.0 + compression * (lookedUp(kCopdCompression, severity) - 1.0);
     lung.closing = std::max(lung.closing, severity * kCopdClosing * lung.wallVolume);
     lung.alveolarDeadSpace =
         lung.alveolarDeadSpace + lookedUp(kCopdDeadSpace_l, severity) / kPulseRest_l * healthyRest;
 }
 
 /// Of the natural airway 1.125 of 1.575 cmH2O s/L lie above the carina, and stay.
-void makeAsthma(LungMechanics& lung, double severity)
+void makeAsthma(LungMechanics& lung, double severity, double compression)
 {
     lung.bronchi = (1.0 / (1.0 + 14.0 * severity * 1.575 / 0.45)) * lung.bronchi;
-    lung.compression *= 1.0 + severity * (kAsthmaCompression - 1.0);
+    lung.compression *= 1.0 + compression * severity * (kAsthmaCompression - 1.0);
     lung.closing = std::max(lung.closing, severity * kAsthmaClosing * lung.wallVolume);
 }
 
@@ -161,16 +167,17 @@ void narrowTrachea(RespiratorySystem& system, double severity)
         lung.bronchi = std::min(1.0, open / kLeastOpen) * lung.bronchi;
 }
 
-void afflict(LungMechanics& lung, const LungCondition& condition, Volume restBefore)
+void afflict(LungMechanics& lung, const LungCondition& condition, Volume restBefore,
+             double compression)
 {
     const double severity = condition.severity;
     switch (condition.kind) {
     case ConditionKind::Ards:
         return makeArds(lung, severity, restBefore);
     case ConditionKind::Copd:
-        return makeCopd(lung, severity);
+        return makeCopd(lung, severity, compression);
     case ConditionKind::Asthma:
-        return makeAsthma(lung, severity);
+        return makeAsthma(lung, severity, compression);
     case ConditionKind::TensionPneumothorax:
         return makeTension(lung, severity);
     case ConditionKind::Atelectasis:
@@ -224,6 +231,17 @@ void useMuscles(const LungCondition& condition, RespiratorySystem& system)
     system.inspiratoryRatio *= part(muscles.inspiration);
 }
 
+/// Airways that are narrow in health, as a child's, are compressed less than an adult's, so that as
+/// much gas stays behind.
+double compressionShare(const RespiratorySystem& healthy)
+{
+    const auto& [right, left] = healthy.lungs;
+    const double bronchi = right.bronchi.si + left.bronchi.si;
+    const Volume capacity = ceilingOf(right.curve) + ceilingOf(left.curve);
+    const double narrowness = inCmH2O(Pressure{capacity.si / bronchi});
+    return std::pow(narrowness / kAdultNarrowness, kCompressionByNarrowness);
+}
+
 /// The share of a breath that leaves in the time a quiet one has for it, by the time constant of
 /// the bronchi and the system: the mean of bronchi that are wide and those at the resting volume.
 double shareThatLeaves(const RespiratorySystem& system)
@@ -240,6 +258,41 @@ double shareThatLeaves(const RespiratorySystem& system)
     }
     const double tau = (system.upperLaminar.si + 1.0 / conductance) * compliance;
     return 1.0 - std::exp(-kQuietExpiration / tau);
+}
+
+/// @param compression by compressionShare of the patient in health, who may have other conditions
+RespiratorySystem withCondition(const RespiratorySystem& before, const LungCondition& condition,
+                                double compression)
+{
+    const double severity = condition.severity;
+    CARINA_EXPECTS(severity >= 0.0 && severity <= 1.0);
+    const bool isMainstem = condition.kind == ConditionKind::MainstemIntubation;
+    CARINA_EXPECTS(!isMainstem || condition.side != ConditionSide::Both);
+    RespiratorySystem system = before;
+    if (condition.kind == ConditionKind::Obstruction && condition.side == ConditionSide::Both) {
+        narrowTrachea(system, severity);
+        return system;
+    }
+    const ChestContent rest = restingContent(before);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const LungMechanics& other = before.lungs[1 - i];
+        if (isMainstem && !affects(condition, i))
+            blockBehindTube(system.lungs[i], severity);
+        if (!affects(condition, i))
+            continue;
+        if (condition.kind == ConditionKind::SimplePneumothorax) {
+            const bool alone = condition.side != ConditionSide::Both;
+            makePneumothorax(system.lungs[i], severity,
+                             alone ? givenWay(before, other, severity * other.wallRecoil)
+                                   : Volume{});
+        }
+        afflict(system.lungs[i], condition, rest[i].gas, compression);
+    }
+    useMuscles(condition, system);
+    // The tidal volumes of the table are breathed on top of what stays behind.
+    if (condition.kind == ConditionKind::Copd)
+        system.effort *= shareThatLeaves(before) / shareThatLeaves(system);
+    return system;
 }
 
 } // namespace
@@ -272,43 +325,16 @@ RespiratorySystem afflicted(const RespiratorySystem& healthy, LungConditions con
     std::ranges::sort(conditions, {}, [](const LungCondition& condition) {
         return std::tuple{condition.kind != ConditionKind::Copd, condition.kind, condition.side};
     });
+    const double compression = compressionShare(healthy);
     RespiratorySystem system = healthy;
     for (const LungCondition& condition : conditions)
-        system = afflicted(system, condition);
+        system = withCondition(system, condition, compression);
     return system;
 }
 
 RespiratorySystem afflicted(const RespiratorySystem& healthy, const LungCondition& condition)
 {
-    const double severity = condition.severity;
-    CARINA_EXPECTS(severity >= 0.0 && severity <= 1.0);
-    const bool isMainstem = condition.kind == ConditionKind::MainstemIntubation;
-    CARINA_EXPECTS(!isMainstem || condition.side != ConditionSide::Both);
-    RespiratorySystem system = healthy;
-    if (condition.kind == ConditionKind::Obstruction && condition.side == ConditionSide::Both) {
-        narrowTrachea(system, severity);
-        return system;
-    }
-    const ChestContent rest = restingContent(healthy);
-    for (std::size_t i = 0; i < 2; ++i) {
-        const LungMechanics& other = healthy.lungs[1 - i];
-        if (isMainstem && !affects(condition, i))
-            blockBehindTube(system.lungs[i], severity);
-        if (!affects(condition, i))
-            continue;
-        if (condition.kind == ConditionKind::SimplePneumothorax) {
-            const bool alone = condition.side != ConditionSide::Both;
-            makePneumothorax(system.lungs[i], severity,
-                             alone ? givenWay(healthy, other, severity * other.wallRecoil)
-                                   : Volume{});
-        }
-        afflict(system.lungs[i], condition, rest[i].gas);
-    }
-    useMuscles(condition, system);
-    // The tidal volumes of the table are breathed on top of what stays behind.
-    if (condition.kind == ConditionKind::Copd)
-        system.effort *= shareThatLeaves(healthy) / shareThatLeaves(system);
-    return system;
+    return withCondition(healthy, condition, compressionShare(healthy));
 }
 
 } // namespace carina

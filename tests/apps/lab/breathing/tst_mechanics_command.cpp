@@ -119,7 +119,7 @@ void TestMechanicsCommand::givesEachConditionARangeOrSaysThatThereIsNone()
     }
 }
 
-/// Severe ARDS of the adult, and the auto-PEEP of a child's severe asthma.
+/// Severe ARDS of the adult, and the auto-PEEP of an obese man's severe COPD.
 void TestMechanicsCommand::listsWhatIsOutside()
 {
     const auto outside = [](const char* patient, const char* condition) {
@@ -133,9 +133,10 @@ void TestMechanicsCommand::listsWhatIsOutside()
     QVERIFY(ards[0].toString().startsWith(
         QStringLiteral("ards 0.9: ventilated_compliance_ml_per_cmh2o is 3")));
     QVERIFY(ards[0].toString().endsWith(QStringLiteral("expected 0 to 30")));
-    const QJsonArray asthma = outside("child", "asthma");
-    QCOMPARE(asthma.size(), 1);
-    QVERIFY(asthma[0].toString().endsWith(QStringLiteral("expected 8 to 15")));
+    const QJsonArray copd = outside("45 years, 175 cm, man, obese", "copd");
+    QCOMPARE(copd.size(), 1);
+    QVERIFY(copd[0].toString().endsWith(QStringLiteral("expected 5 to 10")));
+    QVERIFY(outside("child", "asthma").isEmpty());
     QVERIFY(outside("adult", "normal").isEmpty());
 }
 

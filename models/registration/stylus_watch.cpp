@@ -146,7 +146,11 @@ void StylusWatch::takeSpun(const RigidTransform& X_TS, StylusNews& news)
     m_spun.push_back(X_TS);
     if (m_spun.size() < kSpunPoses || !m_p_SQ)
         return;
-    news.axis = calibrateSpin(std::exchange(m_spun, {}), *m_p_SQ);
+    news.axis =
+        calibrateSpin(std::exchange(m_spun, {}), *m_p_SQ)
+            .and_then([](const SpinCalibration& spin) -> Result<SpinCalibration> {
+                return spin.refusal ? tl::unexpected(*spin.refusal) : Result<SpinCalibration>{spin};
+            });
     m_use = StylusUse::Nothing;
 }
 

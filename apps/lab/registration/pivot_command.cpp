@@ -164,6 +164,13 @@ QJsonObject describeTurns(const Key& schema, std::size_t poses, int outliers,
             {pivot_key::kLeastTurned, directionOf(coverage.dir_T_least)}};
 }
 
+void insertVerdict(QJsonObject& object, const std::optional<Error>& refusal)
+{
+    object.insert(kAcceptable, !refusal);
+    object.insert(pivot_key::kReason,
+                  refusal ? QJsonValue{QString::fromStdString(refusal->detail)} : QJsonValue{});
+}
+
 Result<QJsonObject> describeTip(std::span<const RigidTransform> poses, Length limit)
 {
     const Result<PivotCalibration> pivot = calibratePivot(poses, {.outlierLimit = limit});
@@ -175,10 +182,7 @@ Result<QJsonObject> describeTip(std::span<const RigidTransform> poses, Length li
     object.insert(pivot_key::kPivot, jsonPoint(pivot->p_TQ));
     object.insert(pivot_key::kRms, inMillimetres(metres(pivot->rms)));
     object.insert(pivot_key::kUncertainty, inMillimetres(metres(pivot->uncertainty())));
-    object.insert(kAcceptable, !pivot->refusal);
-    object.insert(pivot_key::kReason,
-                  pivot->refusal ? QJsonValue{QString::fromStdString(pivot->refusal->detail)}
-                                 : QJsonValue{});
+    insertVerdict(object, pivot->refusal);
     return object;
 }
 
@@ -194,8 +198,7 @@ Result<QJsonObject> describeAxis(std::span<const RigidTransform> poses, const Ve
     object.insert(pivot_key::kWobble, inDegrees(spin->wobble));
     object.insert(pivot_key::kAxisRms, inMillimetres(metres(spin->rms)));
     object.insert(pivot_key::kAxisUncertainty, inDegrees(spin->uncertainty));
-    object.insert(kAcceptable, true);
-    object.insert(pivot_key::kReason, QJsonValue{});
+    insertVerdict(object, spin->refusal);
     return object;
 }
 

@@ -53,16 +53,12 @@ double strayOf(std::span<const TurnedPose> poses, std::span<const std::size_t> w
     return std::sqrt(squares / double(which.size()));
 }
 
-Result<void> checkSpin(const TurnCoverage& coverage, const SpinSettings& settings)
+std::optional<Error> wobbled(Angle wobble, Angle largest)
 {
-    if (coverage.turns[1] < settings.leastTurn)
-        return fail(Errc::NotEnoughSpin, "it turned about its axis by " + inWords(coverage.turns[1])
-                                             + ", and " + inWords(settings.leastTurn) + " are due");
-    if (coverage.turns[0] > settings.largestWobble)
-        return fail(Errc::ToolMoved, "the axis wobbled by " + inWords(coverage.turns[0])
-                                         + " (RMS), and " + inWords(settings.largestWobble)
-                                         + " are the most");
-    return {};
+    if (wobble <= largest)
+        return std::nullopt;
+    return Error{Errc::ToolMoved, "the axis wobbled by " + inWords(wobble) + " (RMS), and "
+                                      + inWords(largest) + " are the most"};
 }
 
 } // namespace
@@ -82,8 +78,9 @@ Result<SpinCalibration> calibrateSpin(std::span<const RigidTransform> X_TS, cons
                                          + std::to_string(kept.size()) + " agree about the axis");
     const PoseMeans means = meansOf(*poses, kept);
     const TurnCoverage coverage = means.coverage();
-    if (const auto spun = checkSpin(coverage, settings); !spun)
-        return tl::unexpected(spun.error());
+    if (coverage.turns[1] < settings.leastTurn)
+        return fail(Errc::NotEnoughSpin, "it turned about its axis by " + inWords(coverage.turns[1])
+                                             + ", and " + inWords(settings.leastTurn) + " are due");
     Axis axis = axisOf(means);
     const Vec3 p_SC = pointOf(means, coverage);
     if (axis.dir_S.dot(p_S_ahead) < 0.0)
@@ -96,7 +93,8 @@ Result<SpinCalibration> calibrateSpin(std::span<const RigidTransform> X_TS, cons
                            .outliers = static_cast<int>(poses->size() - kept.size()),
                            .uncertainty =
                                coverage.turns[0] * (across / std::sqrt(2.0 * double(kept.size()))),
-                           .coverage = coverage};
+                           .coverage = coverage,
+                           .refusal = wobbled(coverage.turns[0], settings.largestWobble)};
 }
 
 } // namespace carina

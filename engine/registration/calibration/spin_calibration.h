@@ -2,6 +2,8 @@
 
 #include "engine/registration/calibration/turned_poses.h"
 
+#include <optional>
+
 namespace carina
 {
 
@@ -15,6 +17,9 @@ struct SpinCalibration {
     int outliers = 0;           ///< number of rejected poses
     Angle uncertainty{};        ///< RMS error of axis_S, for independent wobble of the poses
     TurnCoverage coverage{};    ///< the direction that turned least is the axis
+    /// Why the axis must not be used, although the poses determine one: ToolMoved where it wobbled
+    /// by more than SpinSettings::largestWobble.
+    std::optional<Error> refusal{};
 };
 
 /// The limits of a spin calibration.
@@ -37,8 +42,8 @@ struct SpinSettings {
 /// @param X_TS      poses of the tool while it was spun about an axis that did not move
 /// @param p_S_ahead a point ahead, such as the tip: the sign of the axis is chosen towards it
 /// @returns TooFewPoses below ten; NotEnoughSpin where the tool was turned too little about its
-///          axis; ToolMoved where fewer than ten poses or fewer than half are inliers, or the
-///          wobble is above largestWobble; NotFinite and OutOfRange as calibratePivot.
+///          axis; ToolMoved where fewer than ten poses or fewer than half are inliers; NotFinite
+///          and OutOfRange as calibratePivot.
 [[nodiscard]] Result<SpinCalibration> calibrateSpin(std::span<const RigidTransform> X_TS,
                                                     const Vec3& p_S_ahead,
                                                     const SpinSettings& settings = {});

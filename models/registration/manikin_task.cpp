@@ -17,6 +17,7 @@ namespace
 
 /// A difference in tube depth that is worth another patient: markings on a tube are 10 mm apart.
 constexpr Length kWorthAPatient = millimetres(5.0);
+constexpr Length kSameDepth = millimetres(0.5); // less is not shown
 
 class ManikinWords
 {
@@ -266,11 +267,17 @@ QString ManikinTask::lengths() const
     const Length patient = teethToCarina(m_patient.landmarks());
     if (!manikin)
         return {};
-    const Length deeper = metres(std::abs(patient.si - manikin->length.si));
-    return ManikinWords::tr("Teeth to carina: manikin %1 mm (%2), patient %3 mm: tube depth "
-                            "differs by %4 mm.")
-        .arg(wholeMillimetres(manikin->length), shown(manikin->source), wholeMillimetres(patient),
-             wholeMillimetres(deeper));
+    const QString lengths = ManikinWords::tr("Teeth to carina: manikin %1 mm (%2), patient %3 mm.")
+                                .arg(wholeMillimetres(manikin->length), shown(manikin->source),
+                                     wholeMillimetres(patient));
+    const Length apart = metres(std::abs(patient.si - manikin->length.si));
+    if (apart < kSameDepth)
+        return lengths + u' ' + ManikinWords::tr("Tube depths agree.");
+    const QString depth =
+        patient < manikin->length
+            ? ManikinWords::tr("A tube at the patient's carina ends %1 mm above the manikin's.")
+            : ManikinWords::tr("A tube at the manikin's carina ends %1 mm above the patient's.");
+    return lengths + u' ' + depth.arg(wholeMillimetres(apart));
 }
 
 /// Where only both ends were touched.
@@ -317,7 +324,7 @@ QString ManikinTask::advice() const
         return ManikinWords::tr("No patient of this age, height and sex has such an airway: choose "
                                 "another height or age.");
     figures->teethToCarina = metres(std::round(1000.0 * manikin->length.si) / 1000.0);
-    return ManikinWords::tr("A patient with an airway of that length: --patient \"%1\".")
+    return ManikinWords::tr("A patient with an airway of that length: \"%1\".")
         .arg(shown(nameOf(*figures)));
 }
 
@@ -331,7 +338,7 @@ QString ManikinTask::otherPatient() const
     if (!shownOne || !wanted
         || (shownOne->ageInYears < kGrownUp) == (wanted->ageInYears < kGrownUp))
         return {};
-    return ManikinWords::tr("This manikin has the size of another patient: --patient \"%1\" (%2).")
+    return ManikinWords::tr("This manikin has the size of another patient: \"%1\" (%2).")
         .arg(shown(profile->patient), shown(profile->patientSource));
 }
 

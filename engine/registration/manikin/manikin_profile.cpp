@@ -7,17 +7,20 @@ namespace
 
 constexpr const char* kSeed = "Hamza-Lup, Rolland, Hughes: A Distributed Augmented Reality System "
                               "for Medical Training and Simulation, 2004";
+constexpr const char* kSeedPlaces = "four on the rib cage as in 2004; which places these were is "
+                                    "not published: these are of ours";
 
 std::vector<ManikinProfile> made()
 {
     return {
         {.name = "METI Human Patient Simulator, child, as in 2004",
-         .note = "CT of four patient simulators and two airway trainers beside 20 patients: the "
-                 "METI HPS was the most realistic, with 6 of 19 measures of the upper airway in "
-                 "the patients' 95 % interval (Schebesta and others, Anesthesiology 116, 2012).",
+         .note = "Of the adult METI HPS: CT of four patient simulators and two airway trainers "
+                 "beside 20 adults: it was the most realistic, with 6 of 19 measures of the upper "
+                 "airway in the patients' 95 % interval (Schebesta and others, Anesthesiology 116, "
+                 "2012). No publication measures the child's.",
          .landmarks = {"Sternal notch", "Xiphoid process", "Left fifth rib, mid-clavicular line",
                        "Right fifth rib, mid-clavicular line"},
-         .landmarksSource = kSeed,
+         .landmarksSource = kSeedPlaces,
          .patient = "child",
          .patientSource = kSeed},
         {.name = "Laerdal Airway Management Trainer",

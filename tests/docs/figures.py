@@ -4,6 +4,8 @@
     tests/docs/figures.py BUILD PAGE...           PAGE as in figures/PAGE.json: patient
     tests/docs/figures.py --write BUILD PAGE...   writes what the commands give now into the page
     tests/docs/figures.py --uncovered             lists figures that no command holds
+    tests/docs/figures.py --places                looks whether each page has the commands, words
+                                                  and tables of its list; runs nothing
 
 A table, figures/PAGE.json, has the page's path and a list of runs:
 
@@ -309,6 +311,9 @@ def check(build, page, write=False, tell=print):
         faults = faults_of(table, text, lambda *words: outputs(*words).result(), tell, news)
     for fault in faults:
         tell(fault)
+    if not given and not faults:
+        reasons = sorted({reason_against(run) for run in table["runs"]})
+        tell(f"SKIP   : docs::figures({table['page']}) {'; '.join(reasons)}")
     tell(f"{table['page']}: {len(given)} commands run; faults: {len(faults)}")
     if write and news:
         for (begin, end), figure in sorted(news.items(), reverse=True):
@@ -361,6 +366,19 @@ def uncovered_in(text, covered):
     return found
 
 
+def check_places(tell=print):
+    """Status of all pages, without the commands."""
+    status = 0
+    for path in sorted(TABLES.glob("*.json")):
+        table = load(path.stem)
+        try:
+            list(checks_of(table, (ROOT / table["page"]).read_text(encoding="utf-8")))
+        except Fault as fault:
+            tell(f"{table['page']}: {fault}")
+            status = 1
+    return status
+
+
 def list_uncovered():
     for path in [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]:
         text, covered = path.read_text(encoding="utf-8"), []
@@ -375,6 +393,8 @@ def main():
     if sys.argv[1:] == ["--uncovered"]:
         list_uncovered()
         return 0
+    if sys.argv[1:] == ["--places"]:
+        return check_places()
     write = sys.argv[1] == "--write"
     build, *pages = sys.argv[1 + write:]
     statuses = [check(pathlib.Path(build).resolve(), page, write) for page in pages]

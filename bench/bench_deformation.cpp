@@ -1,7 +1,8 @@
 // How long the processor takes to deform a lung of 500,000 vertices with their exact normals
 // (deformed), beside copying as many bytes as it writes: the least that any way of handing out a
-// deformed lung can cost. Programs do so once for a patient; each frame is deformed by the vertex
-// shader, which bench_drawing measures. Prints one JSON object.
+// deformed lung can cost. Programs do so once for a patient, and for lungs that they give to others
+// over OpenIGTLink; each frame is deformed by the vertex shader, which bench_drawing measures.
+// Prints one JSON object.
 
 #include "bench/interleaved.h"
 #include "engine/lungs/drawing/chest_pose.h"

@@ -27,7 +27,6 @@ public:
     [[nodiscard]] QString name() const;
     [[nodiscard]] SessionPhase phase() const;
     /// The phase as a word: "Running".
-    [[nodiscard]] QString phaseText() const { return textOf(phase()); }
     [[nodiscard]] static QString textOf(SessionPhase phase);
     /// Running time without pauses, in minutes and seconds: "04:12".
     [[nodiscard]] QString runningTimeText() const;

@@ -244,8 +244,7 @@ Result<TubeCalibration> calibrateTube(std::span<const TubeTouch> touches, Length
                            .fle = metres(std::sqrt(3.0 * fit.variance())),
                            .degrees = fit.degrees(),
                            .rms = rms,
-                           .covariance_N = fit.variance() * J * fit.spread * J.transpose(),
-                           .hasTwoBends = fit.parameters.size() > kOneBend};
+                           .covariance_N = fit.variance() * J * fit.spread * J.transpose()};
 }
 
 } // namespace carina

@@ -23,7 +23,6 @@ struct TubeCalibration {
     double degrees = 0.0;             ///< degrees of freedom of that estimate
     double rms = 0.0;                 ///< of the touches' distances from its shape, metres
     Mat3 covariance_N = Mat3::Zero(); ///< of the tip in N, m^2, by that estimate
-    bool hasTwoBends = false;         ///< the halves are bent differently, beyond chance
 
     [[nodiscard]] Vec3 p_NQ_tip() const { return X_NE * tipOfTube(rest); }
 };

@@ -36,7 +36,7 @@ void PlayoutBuffer::follow(LocalTime now)
 
 ActedPose PlayoutBuffer::at(LocalTime t) const
 {
-    const SessionTime drawn{t.time_since_epoch() - m_playout};
+    const SessionTime drawn{t.time_since_epoch() - playout()};
     const auto after = std::ranges::upper_bound(m_snapshots, drawn, {}, &Snapshot::sent);
     if (after == m_snapshots.begin())
         return m_snapshots.front().acted;

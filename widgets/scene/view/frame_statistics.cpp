@@ -25,7 +25,6 @@ FrameStatistics FrameTimes::statistics() const
         drawing.push_back(times.swapped - times.asked);
     std::sort(drawing.begin(), drawing.end());
     result.medianDrawing = drawing[drawing.size() / 2];
-    result.worstDrawing = drawing.back();
     const double elapsed = toSeconds(m_latest.back().swapped - m_latest.front().swapped);
     if (elapsed > 0.0)
         result.framesPerSecond = static_cast<double>(m_latest.size() - 1) / elapsed;

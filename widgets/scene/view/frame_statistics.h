@@ -11,8 +11,7 @@ namespace carina
 struct FrameStatistics {
     double framesPerSecond = 0.0; ///< 0 before the second frame
     Duration medianDrawing{};     ///< from the request of the frame until its buffers were swapped
-    Duration worstDrawing{};
-    std::size_t frames = 0; ///< drawn since the view was created
+    std::size_t frames = 0;       ///< drawn since the view was created
 };
 
 /// Stores the times of the latest kKept frames.

@@ -199,8 +199,8 @@ void AttentionModel::addPeople(const SessionState& state, SessionTime now, Repor
                     tr("%1: %2", "a participant; what is wrong").arg(name, doubt));
         if (hasWrongClock(id))
             add(who, Concern::Clock,
-                tr("The system clock of %1's computer or of this one is wrong, and not used: look "
-                   "after NTP or PTP")
+                tr("The system clock of %1's computer or of this one is wrong and is not used: "
+                   "check the time service (NTP or PTP)")
                     .arg(name));
     }
 }

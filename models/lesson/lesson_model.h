@@ -41,7 +41,7 @@ public:
 
     /// To whom something can be shown, everybody first.
     [[nodiscard]] std::vector<Target> targets() const;
-    /// Everybody where whom it was to be is not there any more.
+    /// To whom it is shown; everybody, if the one who was chosen has left.
     [[nodiscard]] ParticipantId target() const;
     void setTarget(ParticipantId target);
     /// Whether others look from where this person does.

@@ -190,11 +190,12 @@ void NetworkFiguresModel::addClock(const NetworkFigures& figures, std::vector<Ro
     if (figures.external)
         rows.push_back(
             {tr("Disciplined clocks (NTP, PTP)"), externalText(*figures.external),
-             tr("The offset by the system clocks of both computers, which something outside of the "
-                "session disciplines, less that by the round trips, and its standard error. Where "
-                "it agrees with the round trips it corrects them, for they cannot show that a path "
-                "is longer one way than the other; where not, one of the two system clocks is "
-                "wrong and both are left out: check their time service.")});
+             tr("The clock offset as the system clocks of both computers give it, which a time "
+                "service (NTP or PTP) keeps right, minus the offset from the round trips; with its "
+                "standard error. If the two agree, the system clocks correct the round trips, "
+                "which cannot show that a path is longer in one direction. If they do not agree, "
+                "one of the two system clocks is wrong and neither is used: check the time service "
+                "of both computers.")});
 }
 
 void NetworkFiguresModel::addObject(const ObjectFigures& object, std::vector<Row>& rows)

@@ -16,10 +16,9 @@ std::vector<StrategyModel::Entry> StrategyModel::entries()
          tr("Every action is dated on one clock and repeated until it has arrived: as near to the "
             "physical limit as the clock is right. The usual one.")},
         {StrategyKind::LocalLag, tr("Local lag"),
-         tr("As the session clock, but an action begins later, for who acts too: when it has "
-            "arrived at all who may act, or after the longest lag. On paths that are shorter than "
-            "that there is no "
-            "drift.")},
+         tr("As the session clock, but every action begins a little later, for the person who acts "
+            "as well: when it has arrived at everyone who may act, at the latest after the longest "
+            "lag. Where messages need less time than that, there is no drift.")},
         {StrategyKind::AsaAdaptive, tr("ASA, adaptive"),
          tr("The Adaptive Synchronization Algorithm of 2004: an action that arrives is advanced by "
             "half the round trip, which is measured more often while it varies.")},
@@ -29,7 +28,9 @@ std::vector<StrategyModel::Entry> StrategyModel::entries()
          tr("Distributed Interactive Simulation: a new state is sent when the old one, "
             "extrapolated, is off by 3 degrees or 1 m.")},
         {StrategyKind::Interpolation, tr("Interpolation"),
-         tr("60 snapshots a second, drawn late, between the two around that time.")},
+         tr("60 poses a second are sent. Each viewer draws a moment that lies a little back, "
+            "between "
+            "the two poses around it.")},
         {StrategyKind::Event, tr("Event"),
          tr("An action brings the pose it starts from, and begins when it arrives: late by the "
             "delay.")},

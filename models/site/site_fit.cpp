@@ -16,7 +16,7 @@ namespace carina
 namespace
 {
 
-constexpr std::size_t kMostLocalisations = 20; ///< older hands were others
+constexpr std::size_t kMostLocalisations = 20; ///< of one person; the newest are kept
 
 std::vector<LandmarkResidual> residualsOf(const Site& site, const ManikinFit& fitted)
 {

@@ -35,7 +35,9 @@ DevicesBox::DevicesBox(DeviceTask& task, QWidget* parent)
     m_add->setObjectName(QStringLiteral("addDevice"));
     m_add->setToolTip(tr("Another device that tracks here, together with the first one"));
     m_calibrate->setObjectName(QStringLiteral("calibrateDevice"));
-    m_calibrate->setToolTip(tr("Finds how it stands to the first device, by a body that both see"));
+    m_calibrate->setToolTip(
+        tr("Measures its position and orientation relative to the first device, with a body "
+           "that both see"));
     m_replace->setObjectName(QStringLiteral("replaceDevice"));
     m_remove->setObjectName(QStringLiteral("removeDevice"));
     m_track->setObjectName(QStringLiteral("trackWithDevices"));

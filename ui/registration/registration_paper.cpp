@@ -97,8 +97,9 @@ QStringList toleratedIn(const Site& site)
         return sentences;
     for (const VerifiedPoint& point : site.verification->points)
         if (point.error > point.bound)
-            sentences << PaperWords::tr("%1: beyond its own 95 % bound; the verdict judges all "
-                                        "places together, of which one in twenty is by chance.")
+            sentences << PaperWords::tr("%1: its error is above its own 95 % bound. The verdict is "
+                                        "about all places together; by chance one place in twenty "
+                                        "is above its bound.")
                              .arg(QString::fromStdString(point.name));
     return sentences;
 }

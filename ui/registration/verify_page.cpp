@@ -154,8 +154,8 @@ QString VerifyPage::verdictOfErrors() const
     if (registration().verifying().isRecorded())
         return tolerated().isEmpty()
                    ? tr("✓ Verified: the errors are as small as expected.")
-                   : tr("✓ Verified: together the errors are as small as expected, one by one not "
-                        "all are.");
+                   : tr("✓ Verified: taken together the errors are as small as expected, although "
+                        "some single errors are larger.");
     if (registration().site().registration && !registration().verifying().canJudge())
         return tr("▲ This registration is of an older version, which did not keep how large its "
                   "error may be: fit the landmarks again.");

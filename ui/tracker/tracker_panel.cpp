@@ -79,11 +79,11 @@ TrackerPanel::TrackerPanel(Sight sight, QWidget* parent)
         ->setToolTip(tr("The error to expect of the tool's pose at its origin (RMS), and of its "
                         "rotation, by the places of the markers that are seen"));
     m_table->horizontalHeaderItem(kToolAhead)
-        ->setToolTip(
-            shownAsIs(tr("How far poses predicted by %1 ms were off in the last seconds (RMS); in "
-                         "brackets, how far without prediction; after ±, how far they are expected "
-                         "to be off now, by the tool's motion")
-                          .arg(kPredictedAhead / std::chrono::milliseconds{1})));
+        ->setToolTip(shownAsIs(
+            tr("Error of poses predicted by %1 ms, over the last seconds (RMS). In brackets: "
+               "the error without prediction. After ±: the error expected now, from the "
+               "tool's motion")
+                .arg(kPredictedAhead / std::chrono::milliseconds{1})));
     m_table->horizontalHeaderItem(kToolEdge)->setToolTip(
         tr("How far inside the working volume the tool is; below 0 it is outside"));
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -112,8 +112,9 @@ void TrackerPanel::offer(const TreatmentChoice& choice)
     predict->setChecked(choice.now.predicts);
     auto* smooth = new QCheckBox{tr("S&mooth tools that are held still (1-Euro filter)")};
     smooth->setObjectName(QStringLiteral("smooth"));
-    smooth->setToolTip(tr("Takes the tremor of the tracker from what rests, and delays slow motion "
-                          "a little"));
+    smooth->setToolTip(
+        tr("Removes the tracker's jitter from tools that rest. Slow motion is drawn a "
+           "little later"));
     smooth->setChecked(choice.now.smooths);
     auto* column = qobject_cast<QVBoxLayout*>(layout());
     for (QCheckBox* box : {predict, smooth}) {

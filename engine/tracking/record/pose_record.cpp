@@ -18,7 +18,7 @@ namespace carina
 namespace
 {
 
-constexpr std::size_t kFramesAtOnce = 256; ///< written until it is asked whether to go on
+constexpr std::size_t kFramesAtOnce = 256; ///< written between two looks whether it was cancelled
 constexpr std::string_view kColumns = "time_s,x_mm,y_mm,z_mm,qx,qy,qz,qw,error_mm,state,role,tool";
 constexpr std::array<std::string_view, 3> kStates{"tracked", "partly", "lost"};
 constexpr std::size_t kNumbers = 9;

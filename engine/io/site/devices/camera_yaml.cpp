@@ -26,7 +26,7 @@ std::optional<std::string_view> behindKey(std::string_view text, std::string_vie
     return std::nullopt;
 }
 
-/// A number at the beginning, of which the text is relieved.
+/// The number at the beginning of the text, which is removed from it.
 std::optional<double> takeNumber(std::string_view& text)
 {
     const std::size_t begin = text.find_first_not_of(kYamlBlanks);

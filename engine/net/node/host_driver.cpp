@@ -562,11 +562,14 @@ void HostDriver::replaceTokens(const std::vector<SyncHost::Output::Displaced>& d
     for (const auto& [old, participant] : displaced) {
         m_access->displace(old);
         const Role role = m_ledger.stored().state().participants().at(participant).role;
-        const AccessKey token = m_access->replaceToken(role, participant);
-        static_cast<void>(decideByHost(kNoStation, fact::TokenReplaced{participant}, now));
+        std::optional<PeerAddress> keeper;
         for (const auto& [address, peer] : m_core->peers())
             if (peer.participant == participant)
-                m_tokens.push_back({address, encodeToken({participant, token})});
+                keeper = address;
+        const AccessKey token = m_access->replaceToken(role, participant, keeper);
+        static_cast<void>(decideByHost(kNoStation, fact::TokenReplaced{participant}, now));
+        if (keeper)
+            m_tokens.push_back({*keeper, encodeToken({participant, token})});
     }
 }
 

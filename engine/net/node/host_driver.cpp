@@ -509,6 +509,11 @@ void HostDriver::receive(PeerAddress from, std::span<const std::byte> bytes, Loc
     if (peer == m_core->peers().end() || !m_core->takesDatagram(from, bytes.size(), now)
         || !m_paths.hearsTokenRequest(from, now))
         return;
+    // Who is banned gets none, though it has not been told so yet.
+    const auto& participants = m_ledger.decided().state().participants();
+    if (const auto known = participants.find(peer->second.participant);
+        known != participants.end() && known->second.removal)
+        return;
     // Without a token the peer comes back by its code.
     if (const auto token = m_access->issueToken(from, peer->second.participant))
         m_tokens.push_back({from, encodeToken({peer->second.participant, *token})});

@@ -292,7 +292,7 @@ private Q_SLOTS:
         for (const PeerAddress peer : {7, 8})
             (*access)->connected(peer, byToken);
         const AccessKey token = (*access)->replaceToken(Role::Trainee, kAnna, 7);
-        QCOMPARE(*(*access)->issueToken(7, kAnna), token);
+        QVERIFY(*(*access)->issueToken(7, kAnna) == token);
         QVERIFY((*access)->check(7, Role::Trainee, kAnna) && (*access)->isProven(7));
         for (const PeerAddress peer : {kFirst, PeerAddress{8}}) {
             QCOMPARE((*access)->check(peer, Role::Trainee, kAnna).error().code,

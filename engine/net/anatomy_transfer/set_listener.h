@@ -71,7 +71,7 @@ private:
     SetServer::IsNamed m_isNamed;
     SetServer::IsWelcome m_isWelcome;
     std::map<std::string, CarriedSet> m_prepared; // by content hash
-    HelloLimiter m_limiter;
+    SourceLimiter m_limiter;
     std::vector<Asked> m_asked; // whose handshake is under way
     std::vector<Transfer> m_transfers;
     std::deque<QPointer<SetSender>> m_turns; // the next one first

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/core/session_time.h"
-#include "engine/net/entry/hello_limiter.h"
+#include "engine/net/entry/source_limiter.h"
 #include "engine/net/entry/psk_identity.h"
 
 #include <optional>

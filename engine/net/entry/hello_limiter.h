@@ -1,16 +1,11 @@
 #pragma once
 
-#include "engine/core/session_time.h"
+#include "engine/net/entry/source_limiter.h"
 
-#include <array>
-#include <cstdint>
 #include <map>
 
 namespace carina
 {
-
-/// Source of datagrams for rate limiting: an IPv4 address or the first 64 bits of an IPv6 address.
-using SourcePrefix = std::array<std::uint8_t, 16>;
 
 /// Rate limit of ClientHellos with a valid cookie, because each costs the host more than its
 /// sender. Each source has a burst of 128, then 50 a second, as a whole class may share one
@@ -18,12 +13,12 @@ using SourcePrefix = std::array<std::uint8_t, 16>;
 ///
 /// Where more than half of the burst of all is used up, the sources of the last 10 s have turns:
 /// each of n has one ClientHello in 10 n ms, and all of them 100 a second. The other half is for
-/// who comes new: it finds room, however many each of up to 500 others sends.
+/// who comes new: it finds room, however many each of up to 400 others sends.
 class HelloLimiter
 {
 public:
-    static constexpr int kBurst = 128;
-    static constexpr Duration kInterval = std::chrono::milliseconds{20};
+    static constexpr int kBurst = SourceLimiter::kBurst;
+    static constexpr Duration kInterval = SourceLimiter::kInterval;
     static constexpr int kBurstOfAll = 256;
     static constexpr Duration kIntervalOfAll = std::chrono::milliseconds{5};
     /// How long a source is known as one that has turns: 1000 have one in this time.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/net/entry/hello_limiter.h"
 #include "engine/net/secure/arrival_queue.h"
 #include "engine/net/secure/dtls.h"
 #include "engine/net/secure/endpoint_limiter.h"

@@ -275,7 +275,7 @@ Result<void> writeRegistrationReport(const std::filesystem::path& file,
     QSaveFile target{QString::fromStdString(file.string())};
     // It names its operator; whoever wants others to read it passes it on.
     if (!target.open(QIODevice::WriteOnly)
-        || !target.setPermissions(QFile::ReadOwner | QFile::WriteOwner)
+        || !target.setPermissions(QSaveFile::ReadOwner | QSaveFile::WriteOwner)
         || !drawReport(target, report) || !target.commit())
         return fail(Errc::FileUnwritable, file.string() + ": cannot be written");
     return {};

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "engine/core/session_time.h"
-#include "engine/net/entry/source_limiter.h"
 #include "engine/net/entry/psk_identity.h"
+#include "engine/net/entry/source_limiter.h"
 
 #include <optional>
 #include <span>

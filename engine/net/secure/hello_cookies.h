@@ -32,9 +32,9 @@ private:
 
     void renew(LocalTime now);
 
+    std::unique_ptr<SilentSocket> m_silent; // first: the others keep a pointer to it
     std::unique_ptr<QDtlsClientVerifier> m_verifier;
     std::unique_ptr<QDtlsClientVerifier> m_former; // null where its period is over
-    std::unique_ptr<SilentSocket> m_silent;
     LocalTime m_nextSecret = LocalTime::min();
 };
 

@@ -48,8 +48,8 @@ private Q_SLOTS:
     void sourcesDoNotDisturbEachOther()
     {
         HelloLimiter limiter;
-        QCOMPARE(admitted(limiter, source(1), 1000, kStart), 128);
-        QCOMPARE(admitted(limiter, source(2), 1000, kStart), 128);
+        QCOMPARE(admitted(limiter, source(1), 60, kStart), 60);
+        QCOMPARE(admitted(limiter, source(2), 60, kStart), 60);
     }
 
     void allSourcesTogetherHaveABurstAndThenTwoHundredASecond()

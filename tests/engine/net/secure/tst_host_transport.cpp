@@ -5,6 +5,17 @@
 
 namespace carina::host_transport_test
 {
+
+/// What may happen to the keys of a host while a handshake is under way.
+enum class Change : std::uint8_t {
+    Nothing,
+    OtherRolesCode,
+    Code,
+    CodeUnderived,
+    TokenReplaced,
+    TokenRevoked
+};
+
 namespace
 {
 
@@ -38,16 +49,6 @@ QByteArray withAnotherRandom(QByteArray hello, int round)
 
 const ParticipantId kAnna{1};
 const std::string kAnnas = "trainee:" + kSession + ":1";
-
-/// What may happen to the keys of a host while a handshake is under way.
-enum class Change : std::uint8_t {
-    Nothing,
-    OtherRolesCode,
-    Code,
-    CodeUnderived,
-    TokenReplaced,
-    TokenRevoked
-};
 
 void apply(Change change, TestHost& host)
 {

@@ -1,5 +1,7 @@
 #include "apps/program/control_script.h"
 
+#include "engine/io/files/private_file.h"
+
 #include <QAbstractButton>
 #include <QAbstractSpinBox>
 #include <QAction>
@@ -82,7 +84,8 @@ bool type(const QWidget& in, const QString& name, const QString& text)
 bool picture(const QWidget& window, const QString& file)
 {
     QSaveFile whole{file}; // never half of it under that name
-    return whole.open(QIODevice::WriteOnly)
+    // Names of people are in it.
+    return whole.open(QIODevice::WriteOnly) && whole.setPermissions(kOwnerOnly)
            && window.screen()->grabWindow(window.winId()).save(&whole, "PNG") && whole.commit();
 }
 

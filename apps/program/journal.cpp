@@ -1,6 +1,7 @@
 #include "apps/program/journal.h"
 
 #include "engine/core/monotonic_clock.h"
+#include "engine/io/files/private_file.h"
 #include "models/patient/shared_patient.h"
 #include "models/site/standing_words.h"
 
@@ -132,7 +133,8 @@ Result<std::unique_ptr<Journal>> Journal::open(const QString& path, const Sessio
 {
     std::unique_ptr<Journal> journal{new Journal{node, station, scene, std::move(notice)}};
     journal->m_file.setFileName(path);
-    if (!journal->m_file.open(QIODevice::WriteOnly | QIODevice::Append))
+    // It holds people's names.
+    if (!openPrivately(journal->m_file, QIODevice::WriteOnly | QIODevice::Append))
         return fail(Errc::FileUnwritable, path.toStdString());
     journal->m_timer.start(kInterval_ms);
     return journal;

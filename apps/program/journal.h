@@ -33,7 +33,8 @@ public:
     /// What the program tells the person in front of it.
     using Notice = std::function<QString()>;
 
-    /// Starts to append to the file. @pre all outlive this.
+    /// Starts to append to the file, which only its owner may read from then on. @pre all outlive
+    /// this.
     /// @returns FileUnwritable with the path.
     [[nodiscard]] static Result<std::unique_ptr<Journal>> open(const QString& path,
                                                                const SessionNode& node,

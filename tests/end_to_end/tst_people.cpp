@@ -4,6 +4,7 @@
 #include "tests/end_to_end/program.h"
 #include "tests/support/test_class.h"
 
+#include <QFile>
 #include <QJsonArray>
 #include <QTemporaryDir>
 
@@ -68,6 +69,10 @@ private Q_SLOTS:
             drawn.push_back({.participant = int(who),
                              .hasTools = who > 0,
                              .frames = drawnFramesIn(m_journals[who])});
+        // They hold names.
+        for (const QString& journal : m_journals)
+            QCOMPARE(QFile::permissions(journal) & (QFile::ReadGroup | QFile::ReadOther),
+                     QFile::Permissions{});
         m_compared = compareScenes(drawn, m_from, m_until, {.longestGap = kLongestGap});
     }
 

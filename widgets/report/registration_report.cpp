@@ -273,7 +273,10 @@ Result<void> writeRegistrationReport(const std::filesystem::path& file,
                                      const RegistrationReport& report)
 {
     QSaveFile target{QString::fromStdString(file.string())};
-    if (!target.open(QIODevice::WriteOnly) || !drawReport(target, report) || !target.commit())
+    // It names its operator; whoever wants others to read it passes it on.
+    if (!target.open(QIODevice::WriteOnly)
+        || !target.setPermissions(QSaveFile::ReadOwner | QSaveFile::WriteOwner)
+        || !drawReport(target, report) || !target.commit())
         return fail(Errc::FileUnwritable, file.string() + ": cannot be written");
     return {};
 }

@@ -46,8 +46,7 @@ constexpr Key kGapBefore{"largest_gap_before_ms",
                          "time before the attack",
                          1};
 constexpr Key kGap{"largest_gap_ms", "the same during the attack", 1};
-constexpr Key kMostGap{"most_gap_ms",
-                       "that may be; null: with guests, where it depends on the processors", 1};
+constexpr Key kMostGap{"most_gap_ms", "that may be, with guests too", 1};
 constexpr Key kLate{"late_look_ms",
                     "the longest time in it for which the observer's own thread did not run, where "
                     "the processor was busy: as much of the gap may not be the session's",
@@ -56,7 +55,10 @@ constexpr Key kDriftBefore{"drift_before_mm",
                            "root mean square of how far the tube was shown there from where it "
                            "was, before the attack",
                            1};
-constexpr Key kDrift{"drift_mm", "the same during the attack; at most twice that before", 1};
+constexpr Key kDrift{"drift_mm",
+                     "the same during the attack; at most twice that before, of which at least 0.1 "
+                     "counts",
+                     1};
 constexpr Key kJumps{"jumps",
                      "how often the tube was elsewhere from one sample to the next during the "
                      "attack, because the trainee laid another patient; the drift until the view "
@@ -144,7 +146,7 @@ QJsonObject objectOf(const AttackFigures& figures)
             {attack_key::kTaken, figures.isTakenForAnother},
             {attack_key::kGapBefore, inMilliseconds(figures.before.largestGap)},
             {attack_key::kGap, inMilliseconds(figures.during.largestGap)},
-            {attack_key::kMostGap, orNull(mostGapOf_ms(figures))},
+            {attack_key::kMostGap, kMostGap_ms},
             {attack_key::kLate, inMilliseconds(figures.during.latest)},
             {attack_key::kDriftBefore, figures.before.places.drift_mm()},
             {attack_key::kDrift, figures.during.places.drift_mm()},

@@ -28,7 +28,11 @@ constexpr Duration kNewcomerWaits = 10s;
 constexpr std::array kNewcomers{Role::Trainee, Role::Observer, Role::Instructor};
 /// An attack that is to send more than it can ends without it.
 constexpr Duration kLongest = 120s;
-constexpr int kOfFive = 5;     ///< guests, one is an observer
+// Of nine guests one is an instructor, two are observers, and the others trainees: so 234 guests,
+// the attackers and who comes new are fewer of each role than may be present.
+constexpr int kOfNine = 9;
+constexpr int kInstructorsOfNine = 1;
+constexpr int kObserversOfNine = 2;
 constexpr Duration kCalm = 3s; ///< after an attack, in which its traces go
 /// In which each program has given back the free pages of its heap (program::HeapPages).
 constexpr Duration kPagesGoBack = 22s;
@@ -52,6 +56,14 @@ DeriveKey derivingOnce()
             return known->keys.emplace(code.text(), key).first->second;
         });
     };
+}
+
+Role roleOfGuest(int number)
+{
+    const int place = number % kOfNine;
+    if (place < kInstructorsOfNine)
+        return Role::Instructor;
+    return place < kInstructorsOfNine + kObserversOfNine ? Role::Observer : Role::Trainee;
 }
 
 /// Works the event loop, and what else there is to do, for a time.
@@ -150,7 +162,7 @@ private:
     Result<void> comeInGuests()
     {
         for (int i = 0; i < m_settings.guests; ++i) {
-            const Role role = i % kOfFive == 0 ? Role::Observer : Role::Trainee;
+            const Role role = roleOfGuest(i);
             auto guest = join(role, "Guest " + std::to_string(i));
             if (!guest)
                 return tl::unexpected(guest.error());

@@ -8,10 +8,10 @@ namespace carina::lab
 namespace
 {
 
-constexpr double kMostGap_ms = 100.0;
 constexpr double kMostDriftRatio = 2.0;
-/// The largest of 22 that were measured before an attack: a smaller one is as good.
-constexpr double kUsualDrift_mm = 0.35;
+/// Of what is usual: the noise of a good optical tracker, below which nobody can tell a place from
+/// another. In a run that had less before, twice of this is as good as twice of nothing.
+constexpr double kLeastUsualDrift_mm = 0.1;
 constexpr double kMostJoin_s = 2.0;
 // By how much the memory of a program varies that draws and is not attacked: seen are 4.8 MB and
 // 1.4 MB, of pages that hold blocks of every age.
@@ -32,13 +32,13 @@ bool holdsDrift(const AttackFigures& figures)
     const ShownPlaces& during = figures.during.places;
     return during.places() > 0
            && during.drift_mm()
-                  <= kMostDriftRatio * std::max(kUsualDrift_mm, figures.before.places.drift_mm());
+                  <= kMostDriftRatio
+                         * std::max(kLeastUsualDrift_mm, figures.before.places.drift_mm());
 }
 
 bool holdsGap(const AttackFigures& figures)
 {
-    const auto most = mostGapOf_ms(figures);
-    return !most || toSeconds(figures.during.largestGap) * 1e3 <= *most;
+    return toSeconds(figures.during.largestGap) * 1e3 <= kMostGap_ms;
 }
 
 bool letsIn(const AttackFigures& figures)
@@ -70,11 +70,6 @@ double leastFactsOf(const AttackFigures& figures)
 {
     // Each newcomer's joining, too.
     return double(figures.joined.size()) + figures.kind->leastPerS * toSeconds(figures.length);
-}
-
-std::optional<double> mostGapOf_ms(const AttackFigures& figures)
-{
-    return figures.guests > 0 ? std::nullopt : std::optional{kMostGap_ms};
 }
 
 /// Only the host of a session has paths.

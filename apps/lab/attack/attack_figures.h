@@ -33,9 +33,8 @@ struct AttackFigures {
 [[nodiscard]] double mostFactsOf(const AttackFigures& figures);
 [[nodiscard]] double leastFactsOf(const AttackFigures& figures);
 
-/// The longest gap between two samples that may be, ms; nothing where so many take part that a gap
-/// is a matter of how many processors there are.
-[[nodiscard]] std::optional<double> mostGapOf_ms(const AttackFigures& figures);
+/// The longest gap between two samples that may be, however many take part.
+inline constexpr double kMostGap_ms = 100.0;
 
 /// The memory that may come of it at console and trainee: what programs that draw vary by, and the
 /// facts and paths that the attack leaves.

@@ -329,16 +329,16 @@ private:
     std::int64_t m_sent = 0;
 };
 
-/// The first kinds at once, each by an attacker of its own.
+/// All kinds that can act at the same time, each by an attacker of its own.
 class Together : public Attack
 {
 public:
-    static constexpr std::size_t kAttackers = 16;
-
     explicit Together(const Target& target)
     {
         int number = 0;
-        for (const AttackKind& single : attackKinds().first(kAttackers)) {
+        for (const AttackKind& single : attackKinds()) {
+            if (!actsBesideOthers(single))
+                continue;
             Target own = target;
             own.attacker += ' ' + std::to_string(number++);
             m_attacks.push_back(single.begin(own));
@@ -386,6 +386,11 @@ WayIn wayIn(const Target& target, Role role)
     return {target.port, role, target.codes.at(role), target.derive};
 }
 
+bool actsBesideOthers(const AttackKind& kind)
+{
+    return !kind.isAllOthers && !kind.spoils && kind.strategy == StrategyKind::SessionClock;
+}
+
 std::span<const AttackKind> attackKinds()
 {
     // One for each coming and going of those who take part: attacker, newcomers, listener.
@@ -408,6 +413,8 @@ std::span<const AttackKind> attackKinds()
     constexpr double kSharing = 4.0;
     // Whoever floods the host is put out after several seconds, and comes in again: two facts.
     constexpr double kComingAgain = 0.4;
+    // The names of one who sends of every kind.
+    constexpr double kSteady = 3.0 * 8.0;
     // What one trainee may propose: a burst, and by the second, and a tenth.
     constexpr double kOwn = 44.0;
     constexpr double kOwnPerS = 22.0;
@@ -502,7 +509,7 @@ std::span<const AttackKind> attackKinds()
                    .what = "a trainee sends datagrams of every kind under eight names, as fast as "
                            "each may",
                    .begin = beginSteady,
-                   .mostFacts = kComings + 3.0 * 8.0,
+                   .mostFacts = kComings + kSteady,
                    .leastSent = kMany},
         AttackKind{.name = "turns",
                    .what = "a trainee proposes under 24 names, of which four are there at a time, "
@@ -517,13 +524,16 @@ std::span<const AttackKind> attackKinds()
                    .mostFacts = kComings + kOwn,
                    .factsPerS = kOwnPerS},
         AttackKind{.name = "together",
-                   .what = "sixteen attackers, in the first sixteen of these ways at once",
+                   .what = "nineteen attackers at once, in all of these ways but \"messages\" and "
+                           "\"new-codes\", which would hinder the others",
                    .begin = begin<Together>,
-                   .mostFacts = double(Together::kAttackers) * kComings + kSharing
-                                + 2.0 * kInstructing + kCrowd,
+                   // All trainees share the budget of one address.
+                   .mostFacts = double(kAttackersAtOnce) * kComings + kSharing + 2.0 * kInstructing
+                                + kCrowd + kTurns + kSteady + kOwn,
                    .factsPerS = kBreathing + kInstructing + kCrowdPerS,
                    .leastPerS = 2.0 * kLeastOfMany,
-                   .mostPaths = kIdlePaths},
+                   .mostPaths = kIdlePaths,
+                   .isAllOthers = true},
         AttackKind{.name = "new-codes",
                    .what = "an instructor gives observers a new code without end",
                    .begin = begin<NewCodes>,

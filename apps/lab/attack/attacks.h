@@ -58,7 +58,13 @@ struct AttackKind {
     double leastSent = 100.0; ///< it goes on until it has sent as much
     StrategyKind strategy = StrategyKind::SessionClock; ///< of the session meanwhile
     std::optional<Role> spoils{}; ///< role whose code is void by it, so that nobody new comes in
+    bool isAllOthers = false;     ///< all that can act at the same time
 };
+
+/// How many can: not one that wants another strategy, nor one that voids the code by which others
+/// come in.
+inline constexpr std::size_t kAttackersAtOnce = 19;
+[[nodiscard]] bool actsBesideOthers(const AttackKind& kind);
 
 [[nodiscard]] std::span<const AttackKind> attackKinds();
 

@@ -2,6 +2,8 @@
 
 #include "engine/io/mesh/mesh_codec.h"
 
+#include <utility>
+
 namespace carina
 {
 namespace
@@ -9,10 +11,23 @@ namespace
 
 enum class Answer : std::uint8_t { Surfaces, Failure };
 
+bool isTooMuch(const MeshFile& file)
+{
+    return file.surfaces.size() > kMostParts || file.attributions.size() > kMostParts
+           || file.textureFaults.size() > kMostParts;
+}
+
+std::uint32_t readCount(ByteReader& reader)
+{
+    const auto count = reader.number<std::uint32_t>();
+    reader.require(count <= kMostParts, "not too many parts");
+    return count;
+}
+
 MeshFile readSurfaces(ByteReader& reader)
 {
     MeshFile file;
-    for (auto left = reader.number<std::uint32_t>(); left > 0 && reader.ok(); --left) {
+    for (auto left = readCount(reader); left > 0 && reader.ok(); --left) {
         NamedSurface surface;
         surface.name = readText(reader);
         surface.conceptId = readText(reader);
@@ -20,9 +35,9 @@ MeshFile readSurfaces(ByteReader& reader)
         surface.colors = readColors(reader, surface.mesh.positions.size());
         file.surfaces.push_back(std::move(surface));
     }
-    for (auto left = reader.number<std::uint32_t>(); left > 0 && reader.ok(); --left)
+    for (auto left = readCount(reader); left > 0 && reader.ok(); --left)
         file.attributions.push_back(readText(reader));
-    for (auto left = reader.number<std::uint32_t>(); left > 0 && reader.ok(); --left)
+    for (auto left = readCount(reader); left > 0 && reader.ok(); --left)
         file.textureFaults.push_back(readFileError(reader));
     return file;
 }
@@ -31,6 +46,8 @@ MeshFile readSurfaces(ByteReader& reader)
 
 std::vector<std::byte> encodeMeshFile(const Result<MeshFile>& file)
 {
+    if (file && isTooMuch(*file))
+        return encodeMeshFile(fail(Errc::FileTooLarge, "it has too many parts"));
     std::vector<std::byte> bytes;
     ByteWriter writer{bytes};
     if (!file) {
@@ -71,7 +88,7 @@ Result<Result<MeshFile>> decodeMeshFile(std::span<const std::byte> bytes)
     if (!reader.ok())
         return fail(Errc::FileMalformed,
                     std::string{"its reader broke a rule: "} + reader.brokenRule());
-    return file;
+    return Result<MeshFile>{std::move(file)};
 }
 
 } // namespace carina

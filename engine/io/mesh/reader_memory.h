@@ -17,6 +17,13 @@ public:
     /// Bytes of that many shares.
     [[nodiscard]] static std::uint64_t bytesOf(unsigned shares);
 
+    /// Bytes of the longest answer of a program that has so many: it holds the surfaces of a file
+    /// and its answer at once, and the answer is no shorter than the surfaces.
+    [[nodiscard]] static std::uint64_t longestAnswer(unsigned shares)
+    {
+        return bytesOf(shares) / 2;
+    }
+
     /// Waits until so many shares are free and takes them.
     /// @returns false where they did not become free within `patience`.
     [[nodiscard]] static bool take(unsigned shares, std::chrono::milliseconds patience);

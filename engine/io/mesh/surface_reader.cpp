@@ -14,15 +14,19 @@
 #include <QStringList>
 
 #include <algorithm>
+#include <array>
 #include <csignal>
+#include <new>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace carina
 {
 namespace
 {
 
-constexpr std::uint64_t kLongestAnswer = std::uint64_t{1} << 31;
+constexpr const char* kTooMuch = "it holds more than can be read";
 constexpr int kPatience = 10; ///< files that others may read before this one has its turn
 
 /// Beside the running program as in a package, else where it was built.
@@ -31,6 +35,14 @@ QString readerProgram()
     const QString beside =
         QCoreApplication::applicationDirPath() + QStringLiteral("/carina-surface-reader");
     return QFileInfo::exists(beside) ? beside : QStringLiteral(CARINA_SURFACE_READER);
+}
+
+/// Of an answer that may be as long as it likes, and of any content.
+Result<Result<MeshFile>> decoded(std::span<const std::byte> bytes)
+try {
+    return decodeMeshFile(bytes);
+} catch (const std::bad_alloc&) {
+    return fail(Errc::FileTooLarge, kTooMuch);
 }
 
 Result<MeshFile> aboutFile(const std::filesystem::path& file, Errc code, const std::string& fault)
@@ -105,6 +117,26 @@ Error SurfaceReader::whyItEnded() const
     return {Errc::FileMalformed, "its format library ended its reader"};
 }
 
+Result<void> SurfaceReader::hear(std::span<std::byte> whole, const QDeadlineTimer& deadline)
+{
+    std::size_t heard = 0;
+    while (heard < whole.size()) {
+        const auto rest = whole.subspan(heard);
+        const qint64 more =
+            m_process->read(reinterpret_cast<char*>(rest.data()), qint64(rest.size()));
+        if (more > 0) {
+            heard += std::size_t(more);
+            continue;
+        }
+        if (deadline.hasExpired())
+            return fail(Errc::FileMalformed, "reading it takes too long");
+        if (!m_process->waitForReadyRead(int(deadline.remainingTime()))
+            && m_process->state() != QProcess::Running)
+            return tl::unexpected(whyItEnded());
+    }
+    return {};
+}
+
 SurfaceReader::Answer SurfaceReader::answerTo(const std::filesystem::path& file)
 {
     const std::string path = file.string();
@@ -114,27 +146,24 @@ SurfaceReader::Answer SurfaceReader::answerTo(const std::filesystem::path& file)
     m_process->write(path.data(), qint64(path.size()));
 
     const QDeadlineTimer deadline{m_limitPerFile};
-    const std::uint64_t longest = std::min(kLongestAnswer, ReaderMemory::bytesOf(m_shares));
-    QByteArray answer;
-    constexpr std::size_t kHeader = sizeof(std::uint64_t);
-    std::optional<std::uint64_t> length;
-    while (!length || std::uint64_t(answer.size()) < kHeader + *length) {
-        if (deadline.hasExpired())
-            return fail(Errc::FileMalformed, "reading it takes too long");
-        if (!m_process->waitForReadyRead(int(deadline.remainingTime()))
-            && m_process->state() != QProcess::Running)
-            return tl::unexpected(whyItEnded());
-        answer += m_process->readAllStandardOutput();
-        if (!length && std::size_t(answer.size()) >= kHeader)
-            length = ByteReader{std::as_bytes(std::span{answer.constData(), kHeader})}
-                         .number<std::uint64_t>();
-        // A reader that was taken over may send anything, without end.
-        if (length && (*length > longest || std::uint64_t(answer.size()) > kHeader + *length))
-            return fail(Errc::FileTooLarge, "it holds more than can be read");
-    }
+    std::array<std::byte, sizeof(std::uint64_t)> header{};
+    if (const auto heard = hear(header, deadline); !heard)
+        return tl::unexpected(heard.error());
+    // A reader that was taken over may announce and send anything, without end. What it does not
+    // send takes no memory: the pages are not touched before it comes.
+    const auto length = ByteReader{header}.number<std::uint64_t>();
+    AnswerBytes answer;
+    if (length <= ReaderMemory::longestAnswer(m_shares))
+        answer = {std::unique_ptr<std::byte[]>{new (std::nothrow) std::byte[length]},
+                  std::size_t{length}};
+    if (!answer.bytes)
+        return fail(Errc::FileTooLarge, kTooMuch);
+    if (const auto heard = hear({answer.bytes.get(), answer.size}, deadline); !heard)
+        return tl::unexpected(heard.error());
+    if (m_process->bytesAvailable() > 0)
+        return fail(Errc::FileTooLarge, kTooMuch);
     m_spent += m_limitPerFile - std::chrono::milliseconds{deadline.remainingTime()};
-    const auto bytes = std::as_bytes(std::span{answer.constData(), std::size_t(answer.size())});
-    return std::vector<std::byte>{bytes.begin() + kHeader, bytes.end()};
+    return answer;
 }
 
 SurfaceReader::Answer SurfaceReader::attempt(const std::filesystem::path& file, unsigned shares)
@@ -163,7 +192,9 @@ Result<MeshFile> SurfaceReader::read(const std::filesystem::path& file)
     auto answer = attempt(path, 1);
     if (!answer && answer.error().code == Errc::FileTooLarge)
         answer = attempt(path, ReaderMemory::shares());
-    auto read = answer.and_then([](const auto& bytes) { return decodeMeshFile(bytes); });
+    auto read = answer.and_then([](const AnswerBytes& bytes) {
+        return decoded({bytes.bytes.get(), bytes.size});
+    });
     if (read)
         return std::move(*read);
     stop();

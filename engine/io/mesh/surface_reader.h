@@ -6,8 +6,9 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
-#include <vector>
+#include <span>
 
+class QDeadlineTimer;
 class QProcess;
 
 namespace carina
@@ -39,12 +40,19 @@ public:
     [[nodiscard]] Result<MeshFile> read(const std::filesystem::path& file);
 
 private:
+    /// What the process said.
+    struct AnswerBytes {
+        std::unique_ptr<std::byte[]> bytes;
+        std::size_t size = 0;
+    };
     /// What came of one attempt.
-    using Answer = Result<std::vector<std::byte>>;
+    using Answer = Result<AnswerBytes>;
 
     Answer attempt(const std::filesystem::path& file, unsigned shares);
     Result<void> start(const std::filesystem::path& folder, unsigned shares);
     Answer answerTo(const std::filesystem::path& file);
+    /// Waits until the process has said as much.
+    Result<void> hear(std::span<std::byte> whole, const QDeadlineTimer& deadline);
     [[nodiscard]] Error whyItEnded() const;
     void stop();
 

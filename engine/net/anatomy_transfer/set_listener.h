@@ -4,6 +4,7 @@
 #include "engine/net/anatomy_transfer/set_sender.h"
 #include "engine/net/anatomy_transfer/set_server.h"
 #include "engine/net/anatomy_transfer/transfer_frame.h"
+#include "engine/net/anatomy_transfer/transfer_places.h"
 
 #include <QPointer>
 #include <QSslServer>
@@ -11,6 +12,8 @@
 
 #include <deque>
 #include <map>
+#include <optional>
+#include <vector>
 
 namespace carina
 {
@@ -19,12 +22,12 @@ namespace carina
 class SetListener : public QSslServer
 {
 public:
-    explicit SetListener(const std::filesystem::path& anatomyCache);
+    SetListener(const std::filesystem::path& anatomyCache, const SetPatience& patience);
 
     /// @returns AddressInUse with the port.
     [[nodiscard]] Result<std::uint16_t> bind(std::uint16_t port, bool open);
-    void admit(const std::string& sessionId, HostTransport::KeyOf keyOf,
-               SetServer::IsNamed isNamed);
+    void admit(const std::string& sessionId, HostTransport::KeyOf keyOf, SetServer::IsNamed isNamed,
+               SetServer::IsWelcome isWelcome);
 
     /// The set with this content hash, ready to be sent.
     [[nodiscard]] tl::expected<CarriedSet, transfer::Reason> find(const std::string& contentHash);
@@ -36,18 +39,44 @@ public:
     void giveTurns(SetSender& sender);
 
 private:
-    void answerKey(QSslPreSharedKeyAuthenticator& question) const;
+    /// A key that a client was told to have.
+    struct Key {
+        PskIdentity identity;
+        AccessKey key;
+    };
+    struct Asked {
+        QPointer<QSslSocket> socket;
+        Key key;
+    };
+    struct Transfer {
+        QPointer<SetSender> sender;
+        Key key;
+        SourcePrefix from;
+    };
+
+    void answerKey(QSslSocket* socket, QSslPreSharedKeyAuthenticator& question);
+    /// With which the handshake of this connection was made.
+    [[nodiscard]] std::optional<Key> takeKey(const QSslSocket* socket);
+    /// Whether the key is still the one of its identity, and its holder in the session.
+    [[nodiscard]] bool mayHave(const Key& key) const;
     void welcome();
+    /// Gives it a place, and ends another for it where it must. @returns whether it has one
+    [[nodiscard]] bool findPlace(SetSender& sender, const Key& key, const SourcePrefix& from);
+    void endVoid();
     void sendOneChunk();
 
     CarriedSets m_sets;
+    SetPatience m_patience;
     HostTransport::KeyOf m_keyOf;
     SetServer::IsNamed m_isNamed;
+    SetServer::IsWelcome m_isWelcome;
     std::map<std::string, CarriedSet> m_prepared; // by content hash
-    HelloLimiter m_limiter;
-    std::size_t m_transfers = 0;
+    SourceLimiter m_limiter;
+    std::vector<Asked> m_asked; // whose handshake is under way
+    std::vector<Transfer> m_transfers;
     std::deque<QPointer<SetSender>> m_turns; // the next one first
     QTimer m_pace{this};
+    QTimer m_look{this};
 };
 
 } // namespace carina

@@ -1,7 +1,11 @@
 #include "engine/net/anatomy_transfer/set_sender.h"
 
+#include "engine/core/monotonic_clock.h"
 #include "engine/net/anatomy_transfer/set_listener.h"
 #include "engine/net/secure/dtls.h"
+
+#include <algorithm>
+#include <utility>
 
 namespace carina
 {
@@ -19,20 +23,44 @@ constexpr std::size_t kChunk = std::size_t{16} << 10U; ///< one record of TLS
 
 } // namespace
 
-SetSender::SetSender(QSslSocket& socket, SetListener& listener)
-    : QObject{&socket}, m_socket{socket}, m_listener{listener}
+SetSender::SetSender(QSslSocket& socket, SetListener& listener, const SetPatience& patience)
+    : QObject{&socket},
+      m_socket{socket},
+      m_listener{listener},
+      m_leastBytes{patience.leastBytes},
+      m_began{monotonicNow()},
+      m_measuredFrom{m_began},
+      m_windowBegan{m_began}
 {
     socket.setReadBufferSize(kLongestQuestion);
     socket.setSocketOption(QAbstractSocket::SendBufferSizeSocketOption, kMostUnderWay);
-    connect(&socket, &QSslSocket::readyRead, this, &SetSender::read);
-    connect(&socket, &QSslSocket::encryptedBytesWritten, &m_patience,
-            [this] { m_patience.start(); });
-    m_patience.setSingleShot(true);
-    m_patience.setInterval(
-        std::chrono::duration_cast<std::chrono::milliseconds>(SetServer::kPatience));
-    m_patience.callOnTimeout(&socket, &QSslSocket::abort);
-    m_patience.start();
+    connect(&socket, &QSslSocket::encryptedBytesWritten, this,
+            [this](qint64 bytes) { m_moved += static_cast<std::uint64_t>(bytes); });
+    m_window.setInterval(std::chrono::duration_cast<std::chrono::milliseconds>(patience.window));
+    m_window.callOnTimeout(this, &SetSender::endWindow);
+    m_window.start();
+}
+
+void SetSender::start()
+{
+    connect(&m_socket, &QSslSocket::readyRead, this, &SetSender::read);
     read(); // what came with the handshake
+}
+
+void SetSender::endWindow()
+{
+    if (m_moved < m_leastBytes)
+        return m_socket.abort();
+    m_measuredFrom = m_windowBegan;
+    m_windowBegan = monotonicNow();
+    m_movedBefore = std::exchange(m_moved, 0);
+}
+
+double SetSender::bytesPerSecond(LocalTime now) const
+{
+    constexpr Duration kLeast = std::chrono::seconds{1}; // so that what has just come is not fast
+    return static_cast<double>(m_movedBefore + m_moved)
+           / toSeconds(std::max(now - m_measuredFrom, kLeast));
 }
 
 void SetSender::read()

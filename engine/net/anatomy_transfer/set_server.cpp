@@ -6,11 +6,12 @@ namespace carina
 {
 
 Result<std::unique_ptr<SetServer>> SetServer::listen(std::uint16_t port, bool open,
-                                                     const std::filesystem::path& anatomyCache)
+                                                     const std::filesystem::path& anatomyCache,
+                                                     const SetPatience& patience)
 {
     std::unique_ptr<SetServer> server{new SetServer};
     server->m_thread.setObjectName(QStringLiteral("carina-sets"));
-    server->m_listener = std::make_unique<SetListener>(anatomyCache);
+    server->m_listener = std::make_unique<SetListener>(anatomyCache, patience);
     server->m_listener->moveToThread(&server->m_thread);
     server->m_thread.start();
     Result<std::uint16_t> bound;
@@ -21,9 +22,12 @@ Result<std::unique_ptr<SetServer>> SetServer::listen(std::uint16_t port, bool op
     return server;
 }
 
-void SetServer::admit(const std::string& sessionId, HostTransport::KeyOf keyOf, IsNamed isNamed)
+void SetServer::admit(const std::string& sessionId, HostTransport::KeyOf keyOf, IsNamed isNamed,
+                      IsWelcome isWelcome)
 {
-    runThere([&] { m_listener->admit(sessionId, std::move(keyOf), std::move(isNamed)); });
+    runThere([&] {
+        m_listener->admit(sessionId, std::move(keyOf), std::move(isNamed), std::move(isWelcome));
+    });
 }
 
 SetServer::~SetServer()

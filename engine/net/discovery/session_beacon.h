@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/net/discovery/session_notice.h"
-#include "engine/net/entry/hello_limiter.h"
+#include "engine/net/entry/source_limiter.h"
 
 #include <QUdpSocket>
 
@@ -38,7 +38,7 @@ private:
 
     SessionNotice m_notice;
     Announced m_announced;
-    HelloLimiter m_limiter;
+    SourceLimiter m_limiter;
     QUdpSocket m_socket;
 };
 

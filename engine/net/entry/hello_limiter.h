@@ -1,36 +1,48 @@
 #pragma once
 
-#include "engine/core/session_time.h"
+#include "engine/net/entry/source_limiter.h"
 
-#include <array>
-#include <cstdint>
 #include <map>
 
 namespace carina
 {
 
-/// Source of datagrams for rate limiting: an IPv4 address or the first 64 bits of an IPv6 address.
-using SourcePrefix = std::array<std::uint8_t, 16>;
-
-/// Rate limit of ClientHellos with a valid cookie for each source, because each costs the host more
-/// than its sender: a burst of 128, then 50 a second, as a whole class may share one address.
+/// Rate limit of ClientHellos with a valid cookie, because each costs the host more than its
+/// sender. Each source has a burst of 128, then 50 a second, as a whole class may share one
+/// address; all sources together have a burst of 256, then 200 a second.
+///
+/// Where more than half of the burst of all is used up, the sources of the last 10 s have turns:
+/// each of n has one ClientHello in 10 n ms, and all of them 100 a second. The other half is for
+/// who comes new: it finds room, however many each of up to 400 others sends.
 class HelloLimiter
 {
 public:
-    static constexpr int kBurst = 128;
-    static constexpr Duration kInterval = std::chrono::milliseconds{20};
-    /// Most sources stored; all others share one limit.
-    static constexpr std::size_t kMostSources = 1024;
+    static constexpr int kBurst = SourceLimiter::kBurst;
+    static constexpr Duration kInterval = SourceLimiter::kInterval;
+    static constexpr int kBurstOfAll = 256;
+    static constexpr Duration kIntervalOfAll = std::chrono::milliseconds{5};
+    /// How long a source is known as one that has turns: 1000 have one in this time.
+    static constexpr Duration kRemembered = std::chrono::seconds{10};
 
-    /// Whether a ClientHello that arrives at `now` is within the limit; counts it if so.
+    /// Whether a ClientHello that arrives at `now` is within the limits; counts it if so.
     [[nodiscard]] bool admits(const SourcePrefix& source, LocalTime now);
 
 private:
-    void forgetQuietSources(LocalTime now);
+    struct Source {
+        LocalTime fullAgain; ///< as below
+        LocalTime last;      ///< that was admitted
+    };
 
-    // When the full burst is available again (token bucket); kBurst intervals before, nothing is.
-    std::map<SourcePrefix, LocalTime> m_fullAgain;
-    LocalTime m_othersFullAgain{};
+    void forgetQuietSources(LocalTime now);
+    /// Whether one that is known may have one more, where all want more than there is; counts it.
+    [[nodiscard]] bool hasTurn(const Source& source, LocalTime now);
+
+    // When the full burst is available again (token bucket); a burst of intervals before, nothing
+    // is.
+    std::map<SourcePrefix, Source> m_sources;
+    LocalTime m_allFullAgain = LocalTime::min();
+    LocalTime m_turnsFullAgain = LocalTime::min();
+    LocalTime m_nextForget = LocalTime::min();
 };
 
 } // namespace carina

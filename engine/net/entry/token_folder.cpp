@@ -42,6 +42,11 @@ Result<void> TokenFolder::keep(const std::string& sessionId, const Token& token)
     m_known.insert_or_assign(sessionId, token);
     if (m_folder.empty())
         return {};
+    // The names of the files tell whose they are to who guesses the name. Where this fails, writing
+    // does too, or the folder is not the user's own.
+    std::error_code error;
+    std::filesystem::create_directories(m_folder, error);
+    std::filesystem::permissions(m_folder, std::filesystem::perms::owner_all, error);
     return writePrivateFile(fileOf(sessionId),
                             std::to_string(token.participant.value) + ' ' + toHex(token.key));
 }

@@ -10,7 +10,8 @@ namespace carina
 {
 
 /// The tokens issued to a program, with which it joins a session again without its code: one file
-/// for each session, role and name, which only its owner may read.
+/// for each session, role and name, which only its owner may read, in a folder that only its owner
+/// may open.
 class TokenFolder
 {
 public:

@@ -2,6 +2,8 @@
 
 #include "engine/net/entry/session_identity.h"
 
+#include <vector>
+
 namespace carina
 {
 
@@ -34,14 +36,20 @@ std::function<Result<void>()> HostAccess::handOver()
 void HostAccess::giveUp()
 {
     const JoinCodes given = m_secrets.codes();
+    std::vector<Proof*> held;
+    for (auto& [peer, proof] : m_peers)
+        if (holds(proof))
+            held.push_back(&proof);
     {
         const std::scoped_lock lock{m_mutex};
         m_secrets.revertTo(m_stored);
     }
+    for (Proof* proof : held)
+        proof->token = tokenOf(proof->who);
     // A number that was undone is the next newcomer's.
-    for (auto& [peer, who] : m_peers)
-        if (who.participant && !m_secrets.token(who.role, *who.participant))
-            who.participant.reset();
+    for (auto& [peer, proof] : m_peers)
+        if (proof.who.participant && !tokenOf(proof.who))
+            proof.who.participant.reset();
     m_handedOver = m_stored;
     m_isUnwritten = true;
     for (const auto& [role, code] : given)
@@ -110,7 +118,8 @@ void HostAccess::changeCode(Role role)
         m_isUnwritten = true;
     }
     std::erase_if(m_peers, [role](const auto& peer) {
-        return peer.second.role == role && !peer.second.participant;
+        const Credential& who = peer.second.who;
+        return who.role == role && !who.participant;
     });
     derive(role);
 }
@@ -126,9 +135,14 @@ bool HostAccess::isDeriving(Role role) const
     return !m_secrets.codeKey(role) && !m_faults.contains(role);
 }
 
+std::optional<AccessKey> HostAccess::tokenOf(const Credential& who) const
+{
+    return who.participant ? m_secrets.token(who.role, *who.participant) : std::nullopt;
+}
+
 void HostAccess::connected(PeerAddress peer, const Credential& who)
 {
-    m_peers.insert_or_assign(peer, who);
+    m_peers.insert_or_assign(peer, Proof{who, tokenOf(who)});
     if (who.participant)
         m_unshown.erase(*who.participant);
 }
@@ -145,28 +159,33 @@ Result<void> HostAccess::check(PeerAddress peer, Role role, ParticipantId partic
     if (m_displaced.contains(peer))
         return fail(Errc::UsedElsewhere);
     const auto known = m_peers.find(peer);
-    if (known == m_peers.end() || known->second.role != role)
+    if (known == m_peers.end() || known->second.who.role != role)
         return fail(Errc::NotPermitted, "the code is one for another role");
-    if (known->second.participant && *known->second.participant != participant)
+    const auto& proved = known->second.who.participant;
+    if (proved && *proved != participant)
         return fail(Errc::NotPermitted, "the token is somebody else's");
+    if (proved && !holds(known->second))
+        return fail(Errc::NotPermitted, "the token is void");
     if (isSameRun && m_unshown.contains(participant))
         return {};
-    const std::scoped_lock lock{m_mutex};
-    if (!known->second.participant && m_secrets.token(role, participant))
+    if (!proved && tokenOf({role, participant}))
         return fail(Errc::NameTaken, "only its token proves who it is");
     return {};
 }
 
 void HostAccess::admitted(PeerAddress peer, ParticipantId participant)
 {
-    if (const auto known = m_peers.find(peer); known != m_peers.end())
-        known->second.participant = participant;
+    const auto known = m_peers.find(peer);
+    if (known == m_peers.end())
+        return;
+    known->second.who.participant = participant;
+    known->second.token = tokenOf(known->second.who);
 }
 
 bool HostAccess::isProven(PeerAddress peer) const
 {
     const auto known = m_peers.find(peer);
-    return known != m_peers.end() && known->second.participant.has_value();
+    return known != m_peers.end() && holds(known->second);
 }
 
 void HostAccess::displace(PeerAddress peer)
@@ -175,12 +194,25 @@ void HostAccess::displace(PeerAddress peer)
         m_displaced.insert(peer);
 }
 
-AccessKey HostAccess::replaceToken(Role role, ParticipantId participant)
+AccessKey HostAccess::replaceToken(Role role, ParticipantId participant,
+                                   std::optional<PeerAddress> keeper)
 {
     m_unshown.erase(participant);
+    const Credential who{role, participant};
+    for (const auto& [peer, proof] : m_peers)
+        if (proof.who == who && peer != keeper)
+            m_displaced.insert(peer);
+    const AccessKey token = newToken(who);
+    if (const auto known = keeper ? m_peers.find(*keeper) : m_peers.end(); known != m_peers.end())
+        known->second.token = token;
+    return token;
+}
+
+AccessKey HostAccess::newToken(const Credential& who)
+{
     const std::scoped_lock lock{m_mutex};
     m_isUnwritten = true;
-    return m_secrets.newToken(role, participant);
+    return m_secrets.newToken(who.role, *who.participant);
 }
 
 void HostAccess::revokeToken(Role role, ParticipantId participant)
@@ -198,10 +230,14 @@ Result<AccessKey> HostAccess::issueToken(PeerAddress peer, ParticipantId partici
     const auto known = m_peers.find(peer);
     if (known == m_peers.end())
         return fail(Errc::NotPermitted, "its code was changed before it came in");
-    const Role role = known->second.role;
-    if (const auto issued = m_secrets.token(role, participant))
+    const Credential who{known->second.who.role, participant};
+    if (const auto issued = tokenOf(who))
         return *issued;
-    const AccessKey token = replaceToken(role, participant);
+    const AccessKey token = newToken(who);
+    // Those of the same run that came in before it had one.
+    for (auto& [other, proof] : m_peers)
+        if (proof.who == who)
+            proof.token = token;
     m_unshown.insert(participant);
     return token;
 }

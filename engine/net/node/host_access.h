@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <set>
 
 namespace carina
@@ -46,7 +47,8 @@ public:
     /// Keeps the secrets beside the new file of the store from now on.
     void moveBeside(const std::filesystem::path& store);
 
-    /// Gives a role another code; who has not come in with the old one is out.
+    /// Gives a role another code; who has not come in with the old one is out, and a handshake that
+    /// began with its key is not completed (HostTransport).
     void changeCode(Role role);
 
     /// Whether the key of this role's code is still being derived.
@@ -55,25 +57,28 @@ public:
     /// Stores what a peer proved, as long as it is connected.
     void connected(PeerAddress peer, const Credential& who);
     void disconnected(PeerAddress peer);
-    /// @returns NotPermitted for a peer that proved another role, or another participant;
-    ///          UsedElsewhere for one that was displaced; NameTaken
-    ///          for one that proved a role by its code, where the participant has a token: once
-    ///          there is one, nothing else proves a return. But a token that nobody has come in
-    ///          with may not have arrived: until then the same run of the program returns by its
-    ///          code.
+    /// @returns NotPermitted for a peer that proved another role, another participant, or a token
+    ///          that is void; UsedElsewhere for one that was displaced, or whose token was
+    ///          replaced; NameTaken for one that proved a role by its code, where the participant
+    ///          has a token: once there is one, nothing else proves a return. But a token that
+    ///          nobody has come in with may not have arrived: until then the same run of the
+    ///          program returns by its code.
     /// @param isSameRun whether the peer proved that it is the run that came in as the participant
     [[nodiscard]] Result<void> check(PeerAddress peer, Role role, ParticipantId participant,
                                      bool isSameRun = false) const;
     /// From now on this peer is that participant, and nobody else.
     void admitted(PeerAddress peer, ParticipantId participant);
-    /// Whether the peer proved which participant it is: by a token, or by coming in before.
+    /// Whether the peer proved which participant it is: by a token that holds, or by coming in
+    /// before.
     [[nodiscard]] bool isProven(PeerAddress peer) const;
 
     /// Another program proved the participant of this peer, too: this one proves nothing any more.
     void displace(PeerAddress peer);
-    /// Replaces the token of a participant.
-    [[nodiscard]] AccessKey replaceToken(Role role, ParticipantId participant);
-    /// A participant has no token any more.
+    /// Replaces the token of a participant. @param keeper the peer that is the participant from now
+    /// on: all others that proved so are out
+    [[nodiscard]] AccessKey replaceToken(Role role, ParticipantId participant,
+                                         std::optional<PeerAddress> keeper);
+    /// A participant has no token any more, and no peer proves that it is this participant.
     void revokeToken(Role role, ParticipantId participant);
 
     /// The token with which an admitted participant can join again.
@@ -85,12 +90,26 @@ private:
     void deriveMissing();
     void derive(Role role);
 
+    /// What a peer proved.
+    struct Proof {
+        Credential who;
+        std::optional<AccessKey> token; ///< that the participant had then; none for a code
+    };
+    /// Nothing where none was issued.
+    [[nodiscard]] std::optional<AccessKey> tokenOf(const Credential& who) const;
+    [[nodiscard]] AccessKey newToken(const Credential& who);
+    /// Whether the participant is still proved: its token is the one of then.
+    [[nodiscard]] bool holds(const Proof& proof) const
+    {
+        return proof.who.participant && proof.token == tokenOf(proof.who);
+    }
+
     mutable std::mutex m_mutex; // over m_secrets: it changes on the node's thread
     SessionSecrets m_secrets;
     SessionSecrets m_handedOver;
     SessionSecrets m_stored;
     bool m_isUnwritten = false;
-    std::map<PeerAddress, Credential> m_peers;
+    std::map<PeerAddress, Proof> m_peers;
     std::set<PeerAddress> m_displaced;
     std::map<Role, Error> m_faults;    ///< why a role's code has no key
     std::set<ParticipantId> m_unshown; // whose token was issued, and nobody has come in with

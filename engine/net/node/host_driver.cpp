@@ -509,6 +509,11 @@ void HostDriver::receive(PeerAddress from, std::span<const std::byte> bytes, Loc
     if (peer == m_core->peers().end() || !m_core->takesDatagram(from, bytes.size(), now)
         || !m_paths.hearsTokenRequest(from, now))
         return;
+    // Who is banned gets none, though it has not been told so yet.
+    const auto& participants = m_ledger.decided().state().participants();
+    if (const auto known = participants.find(peer->second.participant);
+        known != participants.end() && known->second.removal)
+        return;
     // Without a token the peer comes back by its code.
     if (const auto token = m_access->issueToken(from, peer->second.participant))
         m_tokens.push_back({from, encodeToken({peer->second.participant, *token})});
@@ -562,11 +567,14 @@ void HostDriver::replaceTokens(const std::vector<SyncHost::Output::Displaced>& d
     for (const auto& [old, participant] : displaced) {
         m_access->displace(old);
         const Role role = m_ledger.stored().state().participants().at(participant).role;
-        const AccessKey token = m_access->replaceToken(role, participant);
-        static_cast<void>(decideByHost(kNoStation, fact::TokenReplaced{participant}, now));
+        std::optional<PeerAddress> keeper;
         for (const auto& [address, peer] : m_core->peers())
             if (peer.participant == participant)
-                m_tokens.push_back({address, encodeToken({participant, token})});
+                keeper = address;
+        const AccessKey token = m_access->replaceToken(role, participant, keeper);
+        static_cast<void>(decideByHost(kNoStation, fact::TokenReplaced{participant}, now));
+        if (keeper)
+            m_tokens.push_back({*keeper, encodeToken({participant, token})});
     }
 }
 

@@ -48,6 +48,17 @@ bool isNamed(const NodeBoard& board, const std::string& contentHash)
     });
 }
 
+/// Whether the participant is not one who was removed, and has not come in again. A code is
+/// nobody's.
+bool isWelcome(const NodeBoard& board, const Credential& who)
+{
+    if (!who.participant)
+        return true;
+    const auto state = board.state();
+    const auto known = state->participants().find(*who.participant);
+    return known == state->participants().end() || !known->second.removal;
+}
+
 /// Lets those in whose keys the driver knows. There is no certificate where sets are handed out, so
 /// beside one only a token opens that door.
 void admit(const HostPorts& ports, const HostAccess& access, const NodeBoard& board,
@@ -61,8 +72,10 @@ void admit(const HostPorts& ports, const HostAccess& access, const NodeBoard& bo
                                                            : HostTransport::KeyAnswer{};
     };
     if (ports.sets)
-        ports.sets->admit(access.sessionId(), keyOf,
-                          [&board](const std::string& hash) { return isNamed(board, hash); });
+        ports.sets->admit(
+            access.sessionId(), keyOf,
+            [&board](const std::string& hash) { return isNamed(board, hash); },
+            [&board](const Credential& who) { return isWelcome(board, who); });
 }
 
 Result<std::optional<HostCertificate>> certificateIn(const std::optional<CertificateFiles>& files)

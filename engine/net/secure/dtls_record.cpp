@@ -9,6 +9,8 @@ namespace
 {
 
 constexpr std::size_t kRecordHeader = 13;
+constexpr std::size_t kHandshakeHeader = 12;
+constexpr std::size_t kVersionAndRandom = 2 + 32; // of a ClientHello, before its session id
 constexpr std::uint8_t kClientHello = 1;
 constexpr std::uint8_t kFatal = 2;
 constexpr std::uint8_t kHandshakeFailure = 40;
@@ -41,6 +43,15 @@ bool isClientHello(std::span<const std::uint8_t> datagram)
     const auto record = firstRecord(datagram);
     return record && record->type == DtlsRecord::Type::Handshake && record->epoch == 0
            && record->size > kRecordHeader && datagram[kRecordHeader] == kClientHello;
+}
+
+bool holdsCookie(std::span<const std::uint8_t> clientHello)
+{
+    const std::size_t sessionId = kRecordHeader + kHandshakeHeader + kVersionAndRandom;
+    if (sessionId >= clientHello.size())
+        return false;
+    const std::size_t cookie = sessionId + 1 + clientHello[sessionId];
+    return cookie < clientHello.size() && clientHello[cookie] > 0;
 }
 
 bool holdsFinished(std::span<const std::uint8_t> datagram)

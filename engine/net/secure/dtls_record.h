@@ -25,6 +25,8 @@ struct DtlsRecord {
 
 /// Whether a datagram begins with an unencrypted ClientHello, the start of a handshake.
 [[nodiscard]] bool isClientHello(std::span<const std::uint8_t> datagram);
+/// Whether a ClientHello holds a cookie (RFC 6347, 4.2.1), of whatever value.
+[[nodiscard]] bool holdsCookie(std::span<const std::uint8_t> clientHello);
 /// Whether a datagram contains an encrypted handshake record: the end of a client's part of it.
 [[nodiscard]] bool holdsFinished(std::span<const std::uint8_t> datagram);
 

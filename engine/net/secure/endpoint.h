@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/net/entry/hello_limiter.h"
+#include "engine/net/entry/source_limiter.h"
 
 #include <QHostAddress>
 

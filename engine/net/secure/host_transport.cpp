@@ -14,10 +14,10 @@ struct HostTransport::Association {
     PeerAddress address = 0;
     QByteArray hello; // that it began with
     LocalTime lastHeard{};
-    bool asked = false; // for its key
-    AccessKey nonce{};  // that a role is proved with, under a certificate
-    Credential who;     // as it says
-    KeyAnswer::State key = KeyAnswer::State::Unknown;
+    bool asked = false;                  // for its key
+    AccessKey nonce{};                   // that a role is proved with, under a certificate
+    std::optional<PskIdentity> identity; // as it says
+    KeyAnswer key;                       // that it has to have for that
     QDtls dtls{QSslSocket::SslServerMode};
 };
 
@@ -135,18 +135,23 @@ void HostTransport::take(const RawDatagram& datagram, TransportListener& listene
 
 void HostTransport::greet(const Endpoint& from, const RawDatagram& hello, LocalTime now)
 {
-    if (!m_verifier.verifyClient(&m_socket, hello.bytes, hello.from, hello.port))
-        return; // it was sent its cookie, and comes again with it
-    // Only now is the source proved: a forged one cannot use up its owner's share.
-    if (!m_limiter.admits(sourcePrefix(from), now))
-        return;
     const auto began = [&](const Associations& associations) {
         const auto known = associations.find(from);
         return known != associations.end() && known->second->hello == hello.bytes;
     };
+    // A repeat uses nothing up: whoever captured it can send it as often as they like.
     if (began(m_handshakes) || began(m_paths))
-        return; // a repeat
+        return;
+    const auto cookie = m_cookies.check(m_socket, hello, now);
+    if (!cookie)
+        return; // it was sent its cookie, and comes again with it
+    // Only now is the source proved: a forged one cannot use up its owner's share.
+    if (!m_endpointLimiter.hasRoom(from, now) || !m_limiter.admits(sourcePrefix(from), now))
+        return;
+    m_endpointLimiter.count(from, now);
     auto association = newAssociation(hello, now);
+    // It looks at the cookie once more.
+    association->dtls.setCookieGeneratorParameters(*cookie);
     if (!association->dtls.doHandshake(&m_socket, hello.bytes))
         return;
     m_handshakes.insert_or_assign(from, std::move(association));
@@ -182,12 +187,10 @@ std::unique_ptr<HostTransport::Association> HostTransport::newAssociation(const 
     prepareDtls(association->dtls, m_hint);
     const auto onQuestion = [this,
                              peer = association.get()](QSslPreSharedKeyAuthenticator* question) {
-        const auto identity = pskIdentity(question->identity().toStdString());
-        const KeyAnswer answer = keyOf(identity);
+        peer->identity = pskIdentity(question->identity().toStdString());
+        peer->key = keyOf(peer->identity);
         peer->asked = true;
-        peer->who = identity ? identity->who : Credential{};
-        peer->key = answer.state;
-        answerPsk(*question, {}, answer.key);
+        answerPsk(*question, {}, peer->key.key);
     };
     QObject::connect(&association->dtls, &QDtls::pskRequired, &association->dtls, onQuestion);
     return association;
@@ -221,7 +224,7 @@ void HostTransport::goOn(Associations::iterator handshake, const RawDatagram& da
         return;
     // A client sends all that its key makes in one datagram: what is not complete now has another
     // key. Where the right one is not derived yet, the client shall just try again.
-    if (peer.key != KeyAnswer::State::NotYet) {
+    if (peer.key.state != KeyAnswer::State::NotYet) {
         const auto alert = wrongKeyAlert();
         m_socket.writeDatagram(reinterpret_cast<const char*>(alert.data()),
                                static_cast<qint64>(alert.size()), datagram.from, datagram.port);
@@ -248,7 +251,8 @@ bool HostTransport::hearProof(Associations::iterator handshake, const RawDatagra
     // Where the right key is not derived yet, the client shall just try again.
     if (answer.state != KeyAnswer::State::NotYet)
         peer.dtls.writeDatagramEncrypted(&m_socket, viewOf(encodeVerdict(taken)));
-    peer.who = proof->identity.who;
+    peer.identity = proof->identity;
+    peer.key = answer;
     if (taken)
         proved(handshake, listener, now);
     else
@@ -262,6 +266,10 @@ void HostTransport::proved(Associations::iterator handshake, TransportListener& 
     const Endpoint from = handshake->first;
     std::unique_ptr<Association> peer = std::move(handshake->second);
     m_handshakes.erase(handshake);
+    if (!hasHeldKey(*peer)) {
+        peer->dtls.shutdown(&m_socket);
+        return;
+    }
     if (const auto before = m_paths.find(from); before != m_paths.end())
         drop(before, listener, now);
     if (m_paths.size() >= kMostPaths) { // the listener ends idle ones before
@@ -274,7 +282,15 @@ void HostTransport::proved(Associations::iterator handshake, TransportListener& 
     m_byAddress.emplace(peer->address, peer.get());
     const Association& path = *m_paths.emplace(from, std::move(peer)).first->second;
     listener.cameFrom(sourcePrefix(from));
-    listener.connected(path.address, path.who, now);
+    listener.connected(path.address, path.identity->who, now);
+}
+
+bool HostTransport::hasHeldKey(const Association& peer) const
+{
+    // A handshake lasts as long as its client likes: meanwhile the code may have been changed, or
+    // the token replaced.
+    const KeyAnswer held = peer.identity ? m_keyOf(*peer.identity) : KeyAnswer{};
+    return held.state == KeyAnswer::State::Known && peer.key == held;
 }
 
 void HostTransport::decrypt(Associations::iterator path, const RawDatagram& datagram,

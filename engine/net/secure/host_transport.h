@@ -1,8 +1,10 @@
 #pragma once
 
+#include "engine/net/entry/hello_limiter.h"
 #include "engine/net/secure/arrival_queue.h"
 #include "engine/net/secure/dtls.h"
-#include "engine/net/secure/endpoint.h"
+#include "engine/net/secure/endpoint_limiter.h"
+#include "engine/net/secure/hello_cookies.h"
 #include "engine/net/secure/secure_transport.h"
 
 #include <algorithm>
@@ -14,12 +16,14 @@ namespace carina
 /// The host's transport: one UDP socket, and a DTLS association for each authenticated peer.
 ///
 /// A ClientHello from an unknown source is answered with a cookie, and no state is stored for it;
-/// the rate of ClientHellos with a cookie is limited for each source, so that nobody else can use a
-/// source's share up. An existing path is replaced only by an
-/// authenticated one: a ClientHello with a forged source address does not affect its owner. With a
-/// wrong key the last message of the handshake cannot be decrypted; the client is then sent an
-/// unencrypted alert, and its handshake is dropped. A host with a certificate requires the proof of
-/// a role inside the association instead, and the handshake lasts until it arrives.
+/// the rate of ClientHellos with a cookie is limited for each endpoint, each address, and over all.
+/// A handshake is complete only if the key that it began with is still the one of its identity: a
+/// code that was changed or a token that was replaced in between lets nobody in. An existing path
+/// is replaced only by an authenticated one: a ClientHello with a forged source address does not
+/// affect its owner. With a wrong key the last message of the handshake cannot be decrypted; the
+/// client is then sent an unencrypted alert, and its handshake is dropped. A host with a
+/// certificate requires the proof of a role inside the association instead, and the handshake lasts
+/// until it arrives.
 class HostTransport : public SecureTransport
 {
 public:
@@ -27,6 +31,8 @@ public:
         enum class State : std::uint8_t { Known, NotYet, Unknown }; ///< NotYet: still being derived
         State state = State::Unknown;
         AccessKey key{}; ///< valid if Known
+
+        friend bool operator==(const KeyAnswer&, const KeyAnswer&) = default;
     };
     using KeyOf = std::function<KeyAnswer(const PskIdentity&)>;
 
@@ -79,6 +85,8 @@ private:
                    TransportListener& listener, LocalTime now);
     [[nodiscard]] KeyAnswer keyOf(const std::optional<PskIdentity>& identity) const;
     void proved(Associations::iterator handshake, TransportListener& listener, LocalTime now);
+    /// Whether the key that the handshake began with is the one of its identity to this moment.
+    [[nodiscard]] bool hasHeldKey(const Association& peer) const;
     void decrypt(Associations::iterator path, const RawDatagram& datagram,
                  TransportListener& listener, LocalTime now);
     Associations::iterator drop(Associations::iterator path, TransportListener& listener,
@@ -89,11 +97,12 @@ private:
     void watch(LocalTime from) { m_nobodySilentBefore = std::min(m_nobodySilentBefore, from); }
 
     QUdpSocket m_socket;
-    QDtlsClientVerifier m_verifier;
+    HelloCookies m_cookies;
     QByteArray m_hint;
     std::optional<HostCertificate> m_certificate;
     CertificateDigest m_digest{}; // of it
     KeyOf m_keyOf;
+    EndpointLimiter m_endpointLimiter;
     HelloLimiter m_limiter;
     ArrivalQueue m_arrived;
     Associations m_handshakes;

@@ -61,6 +61,29 @@ class RegistrationReportFileTest : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    /// It names its operator.
+    void isForItsOwnerAlone_data()
+    {
+        QTest::addColumn<bool>("wasThere");
+        QTest::newRow("new") << false;
+        QTest::newRow("in place of one for everybody") << true;
+    }
+    void isForItsOwnerAlone()
+    {
+        QFETCH(const bool, wasThere);
+        const QString file = m_folder.filePath(letters(wasThere ? "old.pdf" : "new.pdf"));
+        if (wasThere) {
+            put(file, "old");
+            QVERIFY(QFile::setPermissions(file, QFile::ReadOwner | QFile::WriteOwner
+                                                    | QFile::ReadGroup | QFile::ReadOther));
+        }
+        QVERIFY(writeRegistrationReport(file.toStdString(), test::wholeReport()));
+        const auto ofOthers =
+            QFile::ReadGroup | QFile::WriteGroup | QFile::ReadOther | QFile::WriteOther;
+        QCOMPARE(QFile::permissions(file) & ofOthers, QFile::Permissions{});
+        QVERIFY(bytesOf(file).startsWith("%PDF"));
+    }
+
     void refusesWhatCannotBeWritten_data()
     {
         QTest::addColumn<QString>("name");

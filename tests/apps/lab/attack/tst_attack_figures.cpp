@@ -25,12 +25,12 @@ const AttackKind& kindOf(std::string_view name)
     return *std::ranges::find(attackKinds(), name, &AttackKind::name);
 }
 
-/// A tube that was shown where it was.
-ShownPlaces seenPlaces()
+/// A tube that was shown so far from where it was.
+ShownPlaces seenPlaces(double drift_mm = 0.0)
 {
     ShownPlaces places;
     for (SessionTime t{1s}; t < SessionTime{2s}; t += 20ms)
-        places.shown(t, Vec3::Zero(),
+        places.shown(t, Vec3{1e-3 * drift_mm, 0.0, 0.0},
                      [](SessionTime) { return std::optional<Vec3>{Vec3::Zero()}; });
     return places;
 }
@@ -66,6 +66,7 @@ private Q_SLOTS:
         row("somebody honest is put out", [](AttackFigures& f) { f.putOut = 1; });
         row("an object of another moved", [](AttackFigures& f) { f.moved = 1; });
         row("a gap", [](AttackFigures& f) { f.during.largestGap = 101ms; });
+        row("a drift", [](AttackFigures& f) { f.during.places = seenPlaces(0.21); });
         row("no tube seen", [](AttackFigures& f) { f.during.places = {}; });
         row("an instructor comes in late",
             [](AttackFigures& f) { f.joined[Role::Instructor] = 2001ms; });
@@ -101,15 +102,45 @@ private Q_SLOTS:
         }
     }
 
-    /// With as many as fill two processors.
-    void boundsNoGapBesideGuests()
+    /// Twice what it was before the attack in the same run; as little as it was, 0.2 mm is enough.
+    void boundsTheDriftByTheOneBefore_data()
+    {
+        QTest::addColumn<double>("before_mm");
+        QTest::addColumn<double>("during_mm");
+        QTest::addColumn<bool>("isHeld");
+        QTest::newRow("none before") << 0.0 << 0.19 << true;
+        QTest::newRow("none before, and some") << 0.0 << 0.21 << false;
+        QTest::newRow("twice") << 0.3 << 0.59 << true;
+        QTest::newRow("more than twice") << 0.3 << 0.61 << false;
+        QTest::newRow("of what once was the largest") << 0.15 << 0.6 << false;
+    }
+    void boundsTheDriftByTheOneBefore()
+    {
+        QFETCH(const double, before_mm);
+        QFETCH(const double, during_mm);
+        QFETCH(const bool, isHeld);
+        AttackFigures figures = heldAgainst(kindOf("crowd"));
+        figures.before.places = seenPlaces(before_mm);
+        figures.during.places = seenPlaces(during_mm);
+        QCOMPARE(holds(figures), isHeld);
+    }
+
+    void boundsTheGapBesideGuestsToo()
     {
         AttackFigures figures = heldAgainst(kindOf("together"));
-        figures.during.largestGap = 300ms;
-        QVERIFY(!holds(figures));
-        figures.guests = 237;
+        figures.guests = 234;
+        figures.during.largestGap = 100ms;
         QVERIFY(holds(figures));
-        QVERIFY(!mostGapOf_ms(figures));
+        figures.during.largestGap = 101ms;
+        QVERIFY(!holds(figures));
+    }
+
+    void allThatCanActAtOnceDo()
+    {
+        QCOMPARE(std::size_t(std::ranges::count_if(attackKinds(), actsBesideOthers)),
+                 kAttackersAtOnce);
+        for (const char* name : {"together", "messages", "new-codes"})
+            QVERIFY2(!actsBesideOthers(kindOf(name)), name);
     }
 
     void eachNameDrawsItsOwnIds()

@@ -7,6 +7,8 @@
 #include <array>
 #include <atomic>
 #include <csignal>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
@@ -18,12 +20,15 @@
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 namespace
 {
 
 constexpr int kArguments = 7;
+constexpr std::size_t kIoUringParameters = 120; ///< bytes of struct io_uring_params
+constexpr std::size_t kCloneArguments = 8;      ///< words of the first struct clone_args
 
 void say(const std::string& word)
 {
@@ -73,7 +78,17 @@ const std::map<std::string, Deed>& deeds()
         {"nothing", [](const char*) { return true; }},
         {"socket", [](const char*) { return socket(AF_INET, SOCK_STREAM, 0) >= 0; }},
         {"local-socket", [](const char*) { return socket(AF_UNIX, SOCK_STREAM, 0) >= 0; }},
+        {"io-uring",
+         [](const char*) {
+             std::array<std::byte, kIoUringParameters> none{};
+             return syscall(SYS_io_uring_setup, 1, none.data()) >= 0;
+         }},
         {"fork", [](const char*) { return fork() >= 0; }},
+        {"clone3",
+         [](const char*) {
+             std::array<std::uint64_t, kCloneArguments> none{};
+             return syscall(SYS_clone3, none.data(), sizeof none) >= 0;
+         }},
         {"run", [](const char*) { return execl("/bin/true", "true", nullptr) == 0; }},
         {"kill", [](const char*) { return kill(getppid(), 0) == 0; }},
         {"trace", [](const char*) { return ptrace(PTRACE_TRACEME, 0, nullptr, nullptr) == 0; }},

@@ -1,3 +1,4 @@
+#include "engine/io/files/private_file.h"
 #include "engine/io/files/whole_file.h"
 #include "tests/support/test_class.h"
 
@@ -38,6 +39,37 @@ private Q_SLOTS:
         QCOMPARE(
             *readWholeFile(folder.filePath(QStringLiteral("key")).toStdString(), kDescriptionLimit),
             std::string{"y"});
+    }
+
+    void privateFileIsForItsOwnerAlone_data()
+    {
+        QTest::addColumn<bool>("wasThere");
+        QTest::newRow("new") << false;
+        QTest::newRow("was for everybody") << true;
+    }
+    void privateFileIsForItsOwnerAlone()
+    {
+        QFETCH(const bool, wasThere);
+        const QTemporaryDir folder;
+        QFile file{folder.filePath(QStringLiteral("journal"))};
+        const std::filesystem::path path = file.fileName().toStdString();
+        if (wasThere) {
+            QVERIFY(writeWholeFile(path, "before"));
+            std::filesystem::permissions(path, std::filesystem::perms{0644});
+        }
+        QVERIFY(openPrivately(file, QIODevice::WriteOnly | QIODevice::Append));
+        QVERIFY(std::filesystem::status(path).permissions() == std::filesystem::perms{0600});
+        QVERIFY(file.write(" after") > 0 && file.flush());
+        QCOMPARE(*readWholeFile(path, kDescriptionLimit),
+                 std::string{wasThere ? "before after" : " after"});
+    }
+
+    void whatIsNoFileKeepsItsMode()
+    {
+        const auto before = std::filesystem::status("/dev/null").permissions();
+        QFile nothing{QStringLiteral("/dev/null")};
+        QVERIFY(openPrivately(nothing, QIODevice::WriteOnly | QIODevice::Append));
+        QVERIFY(std::filesystem::status("/dev/null").permissions() == before);
     }
 
     void folderThatTakesNothingIsNamed()

@@ -15,6 +15,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <netinet/in.h>
+#include <sys/socket.h>
+
+#include <atomic>
 #include <deque>
 #include <utility>
 
@@ -40,6 +44,13 @@ inline KeyOffer traineesOffer()
     return {{{Role::Trainee, std::nullopt}, kCarriedSession}, keyFilledWith(7)};
 }
 
+/// The holder of a participant's token, with it.
+inline KeyOffer tokenOffer(std::uint16_t participant)
+{
+    return {{{Role::Trainee, ParticipantId{participant}}, kCarriedSession},
+            keyFilledWith(100 + participant)};
+}
+
 inline HostDoor doorAt(std::uint16_t port, KeyOffer offer = traineesOffer())
 {
     return {"127.0.0.1", port, std::move(offer)};
@@ -48,7 +59,8 @@ inline HostDoor doorAt(std::uint16_t port, KeyOffer offer = traineesOffer())
 inline HostTransport::KeyAnswer answerTo(const PskIdentity& identity)
 {
     using State = HostTransport::KeyAnswer::State;
-    const KeyOffer known = traineesOffer();
+    const auto& participant = identity.who.participant;
+    const KeyOffer known = participant ? tokenOffer(participant->value) : traineesOffer();
     return identity == known.identity ? HostTransport::KeyAnswer{State::Known, known.key}
                                       : HostTransport::KeyAnswer{};
 }
@@ -69,7 +81,8 @@ inline std::filesystem::path cacheWithSample(std::size_t copies)
 
 /// A computer that serves the sample, as long as it is named.
 struct ServingHost {
-    explicit ServingHost(std::size_t copies = 20'000)
+    explicit ServingHost(std::size_t copies = 20'000, const SetPatience& given = {})
+        : patience{given}
     {
         std::filesystem::copy(cacheWithSample(copies), cache(),
                               std::filesystem::copy_options::recursive);
@@ -79,9 +92,14 @@ struct ServingHost {
     }
     void open(std::uint16_t port = 0)
     {
-        server = *SetServer::listen(port, false, cache());
-        server->admit(kCarriedSession, answerTo,
-                      [this](const std::string& hash) { return isNamed && hash == kSetHash; });
+        server = *SetServer::listen(port, false, cache(), patience);
+        server->admit(
+            kCarriedSession,
+            [this](const PskIdentity& identity) {
+                return isKeyHeld ? answerTo(identity) : HostTransport::KeyAnswer{};
+            },
+            [this](const std::string& hash) { return isNamed && hash == kSetHash; },
+            [this](const Credential&) { return isWelcome.load(); });
     }
     [[nodiscard]] std::filesystem::path cache() const
     {
@@ -90,19 +108,41 @@ struct ServingHost {
     [[nodiscard]] std::uint16_t port() const { return server->port(); }
 
     QTemporaryDir folder;
+    SetPatience patience;
     std::atomic<bool> isNamed = true;
-    QByteArray bytes; ///< of the set as it is carried
+    std::atomic<bool> isKeyHeld = true;
+    std::atomic<bool> isWelcome = true; ///< everybody
+    QByteArray bytes;                   ///< of the set as it is carried
     std::unique_ptr<SetServer> server;
 };
+
+/// A connection to a port of loopback from another of its addresses.
+inline int connectedFrom(const QHostAddress& from, std::uint16_t port)
+{
+    const auto addressOf = [](const QHostAddress& address, std::uint16_t number) {
+        sockaddr_in known{};
+        known.sin_family = AF_INET;
+        known.sin_addr.s_addr = htonl(address.toIPv4Address());
+        known.sin_port = htons(number);
+        return known;
+    };
+    const int opened = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    const sockaddr_in own = addressOf(from, 0);
+    const sockaddr_in host = addressOf(kHere, port);
+    ::bind(opened, reinterpret_cast<const sockaddr*>(&own), sizeof own);
+    ::connect(opened, reinterpret_cast<const sockaddr*>(&host), sizeof host);
+    return opened;
+}
 
 /// A peer that speaks frames by hand, at either end.
 class RawPeer
 {
 public:
     /// A client, once it is let in or turned away. @param configuration of its own, or Carina's
+    /// @param from one of the loopback addresses of this computer
     explicit RawPeer(std::uint16_t port, const KeyOffer& offer = traineesOffer(),
                      const QSslConfiguration& configuration = tlsConfiguration({}),
-                     int patience_ms = kSoon_ms)
+                     int patience_ms = kSoon_ms, const QHostAddress& from = kHere)
         : m_socket{new QSslSocket}
     {
         m_socket->setSslConfiguration(configuration);
@@ -110,7 +150,12 @@ public:
                          m_socket.get(), [=](QSslPreSharedKeyAuthenticator* question) {
                              answerPsk(*question, toText(offer.identity), offer.key);
                          });
-        m_socket->connectToHostEncrypted(kHere.toString(), port);
+        if (from == kHere) {
+            m_socket->connectToHostEncrypted(kHere.toString(), port);
+        } else {
+            m_socket->setSocketDescriptor(connectedFrom(from, port));
+            m_socket->startClientEncryption();
+        }
         m_socket->waitForEncrypted(patience_ms);
     }
     /// A host's end.

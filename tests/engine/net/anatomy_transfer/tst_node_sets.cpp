@@ -74,6 +74,27 @@ private Q_SLOTS:
         QVERIFY(fetch.status().fault->code == Errc::SetNotNamed);
     }
 
+    void removedParticipantIsSentNothing()
+    {
+        serve();
+        m_host->propose(kStation, fact::AnatomyChosen{test::kSetHash, "Somebody"});
+        const auto trainee = join(*m_host, "Tom");
+        const auto hasToken = [&] {
+            const auto door = trainee->door();
+            return door && door->offer.identity.who.participant == trainee->self();
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(hasToken(), kSoonMs);
+        const HostDoor door = *trainee->door();
+        const ParticipantId id = trainee->self();
+        m_host->propose(kStation, fact::ParticipantRemoved{id, false, "too loud"});
+        QTRY_VERIFY_WITH_TIMEOUT(m_host->state()->participants().at(id).removal.has_value(),
+                                 kSoonMs);
+        const SetFetch fetch{door, test::kSetHash, m_root / "here"};
+        QTRY_VERIFY_WITH_TIMEOUT(fetch.status().fault.has_value(), kSoonMs);
+        QVERIFY(fetch.status().fault->code == Errc::HostSilent);
+        QVERIFY(fetch.status().state == FetchStatus::State::Asking);
+    }
+
     void nothingListensWhereThereIsNothingToHandOut()
     {
         m_host = host(*m_disk);

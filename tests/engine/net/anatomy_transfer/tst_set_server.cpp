@@ -1,10 +1,16 @@
 #include "tests/engine/net/anatomy_transfer/transfer_ends.h"
 #include "tests/support/test_class.h"
 
+#include <QTimer>
+
+#include <algorithm>
+#include <chrono>
+
 namespace carina::set_server_test
 {
 
 using namespace test;
+using namespace std::chrono_literals;
 
 /// The server before clients that do as they like.
 class TestSetServer : public QObject
@@ -18,6 +24,31 @@ private:
         configuration.setProtocol(protocol);
         configuration.setCiphers(QString::fromLatin1(cipher));
         return configuration;
+    }
+
+    /// What a client is told that asks for the set.
+    static std::optional<Frame> told(RawPeer& client)
+    {
+        client.say(Want{kVersion, kSetHash});
+        if (!soon([&] { return !client.heard().empty(); }))
+            return std::nullopt;
+        return client.heard().at(0);
+    }
+    static bool isOffered(RawPeer& client)
+    {
+        const auto answer = told(client);
+        return answer && std::holds_alternative<Offer>(*answer);
+    }
+    static bool isBusy(RawPeer& client)
+    {
+        const auto answer = told(client);
+        const auto* refusal = answer ? std::get_if<Refusal>(&*answer) : nullptr;
+        return refusal && refusal->reason == Reason::Busy;
+    }
+    static bool comesIn(const ServingHost& host, const KeyOffer& offer = traineesOffer())
+    {
+        RawPeer client{host.port(), offer};
+        return isOffered(client);
     }
 
 private Q_SLOTS:
@@ -113,27 +144,98 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(client.isOut(), kSoon_ms);
     }
 
-    void refusesWhoComesBesidesTooMany()
+    void refusesWhoComesBesidesTooManyOfItsAddress()
     {
         ServingHost host{1};
         std::deque<RawPeer> clients;
-        for (std::size_t i = 0; i < SetServer::kMostTransfers; ++i) {
-            RawPeer& client = clients.emplace_back(host.port());
-            client.say(Want{kVersion, kSetHash});
-            QTRY_VERIFY_WITH_TIMEOUT(!client.heard().empty(), kSoon_ms);
-            QVERIFY(std::holds_alternative<Offer>(client.heard().at(0)));
-        }
+        for (std::size_t i = 0; i < kMostTransfersOfAddress; ++i)
+            QVERIFY(isOffered(clients.emplace_back(host.port())));
         RawPeer more{host.port()};
-        QTRY_VERIFY_WITH_TIMEOUT(!more.heard().empty(), kSoon_ms);
-        QVERIFY(std::get<Refusal>(more.heard().at(0)).reason == Reason::Busy);
+        QVERIFY(isBusy(more));
         clients.pop_front(); // one leaves
-        const auto isTaken = [&] {
-            RawPeer next{host.port()};
-            next.say(Want{kVersion, kSetHash});
-            const bool came = QTest::qWaitFor([&] { return !next.heard().empty(); }, kSoon_ms);
-            return came && std::holds_alternative<Offer>(next.heard().at(0));
+        QTRY_VERIFY_WITH_TIMEOUT(comesIn(host), kSoon_ms);
+    }
+
+    void tokenHasTwoAtATime()
+    {
+        ServingHost host{1};
+        std::deque<RawPeer> clients;
+        for (int i = 0; i < 2; ++i)
+            QVERIFY(isOffered(clients.emplace_back(host.port(), tokenOffer(1))));
+        RawPeer third{host.port(), tokenOffer(1)};
+        QVERIFY(isBusy(third));
+        RawPeer another{host.port(), tokenOffer(2)};
+        QVERIFY(isOffered(another));
+    }
+
+    /// One person under many names from a few addresses keeps out nobody from elsewhere.
+    void whoComesFromElsewhereHasAPlaceBesideAnyCrowd()
+    {
+        ServingHost host{1};
+        std::deque<RawPeer> crowd;
+        std::uint16_t name = 0;
+        for (const char* address : {"127.0.0.2", "127.0.0.3", "127.0.0.4", "127.0.0.5"})
+            for (std::size_t i = 0; i < kMostTransfersOfAddress; ++i)
+                QVERIFY(isOffered(crowd.emplace_back(host.port(), tokenOffer(++name),
+                                                     tlsConfiguration({}), kSoon_ms,
+                                                     QHostAddress{QString::fromLatin1(address)})));
+        QCOMPARE(crowd.size(), kMostTransfers);
+        RawPeer newcomer{host.port()};
+        QVERIFY(isOffered(newcomer));
+        const auto areOut = [&] {
+            return std::ranges::count_if(crowd, [](const RawPeer& peer) { return peer.isOut(); });
         };
-        QTRY_VERIFY_WITH_TIMEOUT(isTaken(), kSoon_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(areOut(), std::ptrdiff_t{1}, kSoon_ms);
+    }
+
+    /// Who takes a byte now and then, only to keep its place, loses it.
+    void whoTakesTooLittleLosesItsPlace()
+    {
+        ServingHost host{60'000, {.window = 1s, .leastBytes = 64 << 10}};
+        std::deque<RawPeer> idle;
+        for (int i = 0; i < 2; ++i) {
+            RawPeer& client = idle.emplace_back(host.port(), tokenOffer(1));
+            QVERIFY(isOffered(client));
+            client.socket().setReadBufferSize(1024);
+            client.say(Get{0});
+        }
+        QTimer sips;
+        sips.callOnTimeout([&] {
+            for (RawPeer& client : idle)
+                client.socket().read(1);
+        });
+        sips.start(20);
+        RawPeer third{host.port(), tokenOffer(1)};
+        QVERIFY(isBusy(third));
+        QTRY_VERIFY_WITH_TIMEOUT(comesIn(host, tokenOffer(1)), kSoon_ms);
+    }
+
+    void whoAsksForNothingIsEnded()
+    {
+        ServingHost host{1, {.window = 300ms}};
+        RawPeer silent{host.port()};
+        QVERIFY(silent.isIn());
+        QTRY_VERIFY_WITH_TIMEOUT(silent.isOut(), kSoon_ms);
+    }
+
+    void whoMayNotBeThereAnyMoreIsSentNoMore_data()
+    {
+        QTest::addColumn<bool>("isKeyVoid");
+        QTest::newRow("removed from the session") << false;
+        QTest::newRow("its code or token void") << true;
+    }
+    void whoMayNotBeThereAnyMoreIsSentNoMore()
+    {
+        QFETCH(const bool, isKeyVoid);
+        ServingHost host;
+        RawPeer client{host.port(), tokenOffer(1)};
+        QVERIFY(isOffered(client));
+        QVERIFY(!client.isOut());
+        (isKeyVoid ? host.isKeyHeld : host.isWelcome) = false;
+        QTRY_VERIFY_WITH_TIMEOUT(client.isOut(), kSoon_ms);
+        RawPeer again{host.port(), tokenOffer(1)};
+        QTRY_VERIFY_WITH_TIMEOUT(again.isOut(), kSoon_ms);
+        QVERIFY(again.heard().empty());
     }
 
     void letsNobodyInBeforeTheSessionIsOpen()

@@ -99,9 +99,9 @@ private Q_SLOTS:
         int answers = 0;
         while (readRaw(flood))
             ++answers;
-        const auto refilled = (monotonicNow() - begin) / HelloLimiter::kInterval;
+        const auto refilled = (monotonicNow() - begin) / SourceLimiter::kInterval;
         QVERIFY(answers > 0);
-        QVERIFY(answers <= HelloLimiter::kBurst + refilled);
+        QVERIFY(answers <= SourceLimiter::kBurst + refilled);
     }
 };
 

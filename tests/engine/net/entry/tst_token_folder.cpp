@@ -40,6 +40,19 @@ private Q_SLOTS:
         QCOMPARE(files.size(), 1);
         QCOMPARE(files[0].permissions() & (QFile::ReadGroup | QFile::ReadOther),
                  QFile::Permissions{});
+        QVERIFY(std::filesystem::status(tokens).permissions() == std::filesystem::perms::owner_all);
+    }
+
+    /// As an earlier version left it.
+    void folderThatOthersMayOpenIsClosedToThem()
+    {
+        const QTemporaryDir folder;
+        const std::filesystem::path tokens =
+            folder.filePath(QStringLiteral("tokens")).toStdString();
+        std::filesystem::create_directory(tokens);
+        std::filesystem::permissions(tokens, std::filesystem::perms{0755});
+        QVERIFY(TokenFolder(tokens, Role::Trainee, "Anna").keep(kSession, {}));
+        QVERIFY(std::filesystem::status(tokens).permissions() == std::filesystem::perms::owner_all);
     }
 
     void knowsWhetherOneWasKeptForARoleAndAName()

@@ -277,6 +277,58 @@ private Q_SLOTS:
         QVERIFY((*access)->check(9, Role::Observer, ParticipantId{5}));
     }
 
+    /// Paths that a program keeps idle prove no more than its token does at the moment it comes in.
+    void whoHasNotComeInWithAnOldTokenIsOut()
+    {
+        const auto access = HostAccess::open({}, std::string(32, '0'), cheapKey);
+        constexpr ParticipantId kAnna{3};
+        const Credential byToken{Role::Trainee, kAnna};
+        constexpr PeerAddress kFirst = 5;
+        (*access)->connected(kFirst, {Role::Trainee, {}});
+        (*access)->admitted(kFirst, kAnna);
+        QVERIFY((*access)->issueToken(kFirst, kAnna));
+        QVERIFY((*access)->isProven(kFirst)); // who has just been given it
+
+        for (const PeerAddress peer : {7, 8})
+            (*access)->connected(peer, byToken);
+        const AccessKey token = (*access)->replaceToken(Role::Trainee, kAnna, 7);
+        QVERIFY(*(*access)->issueToken(7, kAnna) == token);
+        QVERIFY((*access)->check(7, Role::Trainee, kAnna) && (*access)->isProven(7));
+        for (const PeerAddress peer : {kFirst, PeerAddress{8}}) {
+            QCOMPARE((*access)->check(peer, Role::Trainee, kAnna).error().code,
+                     Errc::UsedElsewhere);
+            QVERIFY(!(*access)->isProven(peer));
+        }
+
+        (*access)->connected(9, byToken);
+        (*access)->revokeToken(Role::Trainee, kAnna);
+        for (const PeerAddress peer : {7, 9}) {
+            QCOMPARE((*access)->check(peer, Role::Trainee, kAnna).error().code, Errc::NotPermitted);
+            QVERIFY(!(*access)->isProven(peer));
+        }
+        (*access)->connected(10, {Role::Trainee, {}});
+        QVERIFY((*access)->check(10, Role::Trainee, kAnna)); // by the code, once it is let back in
+    }
+
+    /// What cannot be stored is undone, and who was inside stays who they were.
+    void tokenThatIsNotRevokedAfterAllProvesAsBefore()
+    {
+        const auto access = HostAccess::open({}, std::string(32, '0'), cheapKey);
+        constexpr ParticipantId kAnna{3};
+        (*access)->connected(7, {Role::Trainee, {}});
+        (*access)->admitted(7, kAnna);
+        QVERIFY((*access)->issueToken(7, kAnna));
+        QVERIFY((*access)->write());
+        (*access)->revokeToken(Role::Trainee, kAnna);
+        QVERIFY(!(*access)->isProven(7));
+        (*access)->giveUp();
+        QVERIFY((*access)->isProven(7) && (*access)->check(7, Role::Trainee, kAnna));
+        static_cast<void>((*access)->replaceToken(Role::Trainee, kAnna, 7));
+        QVERIFY((*access)->isProven(7));
+        (*access)->giveUp();
+        QVERIFY((*access)->isProven(7) && (*access)->check(7, Role::Trainee, kAnna));
+    }
+
     /// Whatever was decided on their ground is undone, too.
     void secretsThatAreNotStoredAreUndone()
     {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/net/secure/client_transport.h"
+#include "engine/net/secure/dtls_record.h"
 #include "engine/net/secure/host_transport.h"
 #include "evaluation/network/transport_pump.h"
 
@@ -127,6 +128,53 @@ private:
 
     QUdpSocket m_socket;
     QDtls m_dtls{QSslSocket::SslClientMode};
+};
+
+/// Between a client and a host: passes all datagrams but the encrypted end of the client's part of
+/// a handshake, its Finished, which it holds back until it is let go.
+class HeldFinish
+{
+public:
+    explicit HeldFinish(std::uint16_t hostPort) : m_hostPort{hostPort}
+    {
+        m_front.bind(kLoopback, 0);
+        m_back.bind(kLoopback, 0);
+        QObject::connect(&m_front, &QUdpSocket::readyRead, &m_front, [this] { passToHost(); });
+        QObject::connect(&m_back, &QUdpSocket::readyRead, &m_back, [this] { passToClient(); });
+    }
+    [[nodiscard]] std::uint16_t port() const { return m_front.localPort(); }
+    [[nodiscard]] bool isHeld() const { return !m_held.isEmpty(); }
+    void letGo() { m_back.writeDatagram(m_held, kLoopback, m_hostPort); }
+
+private:
+    void passToHost()
+    {
+        while (const auto datagram = readRaw(m_front)) {
+            m_client = datagram->port;
+            QByteArray rest = datagram->bytes;
+            QByteArray passed;
+            while (const auto record = firstRecord(octets(rest))) {
+                const auto size = static_cast<qsizetype>(record->size);
+                const bool isFinished =
+                    record->type == DtlsRecord::Type::Handshake && record->epoch > 0;
+                (isFinished ? m_held : passed) += rest.first(size);
+                rest = rest.sliced(size);
+            }
+            if (!passed.isEmpty())
+                m_back.writeDatagram(passed, kLoopback, m_hostPort);
+        }
+    }
+    void passToClient()
+    {
+        while (const auto datagram = readRaw(m_back))
+            m_front.writeDatagram(datagram->bytes, kLoopback, m_client);
+    }
+
+    std::uint16_t m_hostPort;
+    std::uint16_t m_client = 0;
+    QUdpSocket m_front;
+    QUdpSocket m_back;
+    QByteArray m_held;
 };
 
 } // namespace carina

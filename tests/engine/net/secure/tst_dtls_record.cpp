@@ -81,6 +81,20 @@ private Q_SLOTS:
         QVERIFY(!isClientHello(record(23, 0, kHello)));
     }
 
+    /// RFC 6347, 4.2.1: version, random, session id, cookie; the last two with their lengths.
+    void cookieIsFoundBehindTheSessionId()
+    {
+        const Bytes before = Bytes{1} + Bytes(11) + Bytes(34);
+        for (const std::uint8_t length : {std::uint8_t{0}, std::uint8_t{32}}) {
+            const Bytes hello = before + Bytes{length} + Bytes(length, 7);
+            QVERIFY(holdsCookie(record(22, 0, hello + Bytes{1, 99})));
+            QVERIFY(!holdsCookie(record(22, 0, hello + Bytes{0, 99})));
+            QVERIFY(!holdsCookie(record(22, 0, hello))); // cut off
+        }
+        QVERIFY(!holdsCookie(record(22, 0, before)));
+        QVERIFY(!holdsCookie(record(22, 0, before + Bytes{255, 1})));
+    }
+
     void finishedIsFoundBehindOtherRecords()
     {
         const Bytes keyExchange = record(22, 0, {16, 0});

@@ -5,6 +5,17 @@
 
 namespace carina::host_transport_test
 {
+
+/// What may happen to the keys of a host while a handshake is under way.
+enum class Change : std::uint8_t {
+    Nothing,
+    OtherRolesCode,
+    Code,
+    CodeUnderived,
+    TokenReplaced,
+    TokenRevoked
+};
+
 namespace
 {
 
@@ -16,6 +27,50 @@ QByteArray firstHelloOf(QUdpSocket& catcher)
     if (!catcher.waitForReadyRead(kHandshakeMs))
         return {};
     return readRaw(catcher)->bytes;
+}
+
+/// The first that holds a cookie.
+std::optional<LossyRelay::Passed> provedHello(const LossyRelay& relay)
+{
+    for (const auto& passed : relay.toHost())
+        if (isClientHello(octets(passed.bytes)) && holdsCookie(octets(passed.bytes)))
+            return passed;
+    return std::nullopt;
+}
+
+/// Another ClientHello with the same cookie, which is one of the address alone.
+QByteArray withAnotherRandom(QByteArray hello, int round)
+{
+    constexpr qsizetype kRandom = 13 + 12 + 2; // after the headers and the version
+    hello[kRandom] = static_cast<char>(round);
+    hello[kRandom + 1] = static_cast<char>(round >> 8);
+    return hello;
+}
+
+const ParticipantId kAnna{1};
+const std::string kAnnas = "trainee:" + kSession + ":1";
+
+void apply(Change change, TestHost& host)
+{
+    switch (change) {
+    case Change::Nothing:
+        return;
+    case Change::OtherRolesCode:
+        host.keys[Role::Observer] = randomKey();
+        return;
+    case Change::Code:
+        host.keys[Role::Trainee] = randomKey();
+        return;
+    case Change::CodeUnderived:
+        host.keys.erase(Role::Trainee);
+        return;
+    case Change::TokenReplaced:
+        host.tokens[kAnna] = randomKey();
+        return;
+    case Change::TokenRevoked:
+        host.tokens.erase(kAnna);
+        return;
+    }
 }
 
 } // namespace
@@ -56,6 +111,42 @@ private Q_SLOTS:
                                  kHandshakeMs);
         QVERIFY(host.heard.paths.empty());
         QCOMPARE(host.transport->handshakes(), std::size_t{0});
+    }
+
+    /// A client that has sent its key share and keeps back its last word.
+    void handshakeUnderWayIsHeldAgainstTheKeyAtItsEnd_data()
+    {
+        QTest::addColumn<QByteArray>("identity");
+        QTest::addColumn<Change>("change");
+        QTest::addColumn<bool>("comesIn");
+        const QByteArray code = QByteArray::fromStdString(kNewTrainee);
+        const QByteArray token = QByteArray::fromStdString(kAnnas);
+        QTest::newRow("code as before") << code << Change::Nothing << true;
+        QTest::newRow("another role's code changed") << code << Change::OtherRolesCode << true;
+        QTest::newRow("code changed") << code << Change::Code << false;
+        QTest::newRow("code changed, not derived yet") << code << Change::CodeUnderived << false;
+        QTest::newRow("token as before") << token << Change::Nothing << true;
+        QTest::newRow("token replaced") << token << Change::TokenReplaced << false;
+        QTest::newRow("token revoked") << token << Change::TokenRevoked << false;
+    }
+    void handshakeUnderWayIsHeldAgainstTheKeyAtItsEnd()
+    {
+        QFETCH(const QByteArray, identity);
+        QFETCH(const Change, change);
+        QFETCH(const bool, comesIn);
+        TestHost host;
+        host.tokens[kAnna] = randomKey();
+        HeldFinish between{host.port()};
+        const bool hasToken = identity == QByteArray::fromStdString(kAnnas);
+        RawClient client{between.port(), identity.toStdString(),
+                         hasToken ? host.tokens.at(kAnna) : host.keys.at(Role::Trainee)};
+        QTRY_VERIFY_WITH_TIMEOUT(between.isHeld() && host.asked == 1, kHandshakeMs);
+        QCOMPARE(host.transport->handshakes(), std::size_t{1});
+        apply(change, host);
+        between.letGo();
+        QTRY_COMPARE_WITH_TIMEOUT(host.transport->handshakes(), std::size_t{0}, kHandshakeMs);
+        QCOMPARE(host.transport->paths(), std::size_t{comesIn ? 1U : 0U});
+        QCOMPARE(!host.heard.paths.empty(), comesIn);
     }
 
     void oneWhoseKeyIsNotDerivedYetIsLeftWaiting()
@@ -101,6 +192,74 @@ private Q_SLOTS:
         // Had each been counted, this source could say hello again after 7 s only.
         QVERIFY(monotonicNow() - begin
                 < (500 - HelloLimiter::kBurst) * HelloLimiter::kInterval / 2);
+    }
+
+    /// As by somebody who saw it on its way, or who sits behind the same address.
+    void stormOfOneHelloWithItsCookieKeepsNobodyOfThatAddressOut_data()
+    {
+        QTest::addColumn<bool>("isSame");
+        QTest::newRow("the same datagram") << true;
+        QTest::newRow("another random number each time") << false;
+    }
+    void stormOfOneHelloWithItsCookieKeepsNobodyOfThatAddressOut()
+    {
+        QFETCH(const bool, isSame);
+        TestHost host;
+        LossyRelay relay{host.port(), {}, 1};
+        TestClient client{relay.port(), host.keys.at(Role::Trainee)};
+        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty() && !host.heard.paths.empty(),
+                                 kHandshakeMs);
+        const auto captured = provedHello(relay);
+        QVERIFY(captured);
+        int round = 0;
+        const auto replay = [&] {
+            const QByteArray bytes =
+                isSame ? captured->bytes : withAnotherRandom(captured->bytes, ++round);
+            relay.replay({captured->clientPort, bytes});
+        };
+        for (int i = 0; i < 500; ++i) {
+            replay();
+            host.pump.serve();
+        }
+        // Of its own place alone, and the path there is as it was.
+        QVERIFY(host.transport->handshakes() <= 1);
+        QVERIFY(host.heard.ended.empty());
+        QTimer storm;
+        storm.callOnTimeout([&] {
+            for (int i = 0; i < 10; ++i)
+                replay();
+        });
+        storm.start(0);
+        RawClient neighbour{host.port(), kNewTrainee, host.keys.at(Role::Trainee)};
+        QTRY_VERIFY_WITH_TIMEOUT(neighbour.isIn(), kHandshakeMs); // it says hello only once
+    }
+
+    void capturedHelloIsVoidOnceItsCookieIsOld_data()
+    {
+        QTest::addColumn<qint64>("age_s");
+        QTest::addColumn<bool>("begins");
+        QTest::newRow("at once") << qint64{0} << true;
+        QTest::newRow("of the period before") << qint64{90} << true;
+        QTest::newRow("of the one before that") << qint64{120} << false;
+        QTest::newRow("an hour old") << qint64{3600} << false;
+    }
+    void capturedHelloIsVoidOnceItsCookieIsOld()
+    {
+        QFETCH(const qint64, age_s);
+        QFETCH(const bool, begins);
+        TestHost host;
+        LossyRelay relay{host.port(), {}, 1};
+        TestClient client{relay.port(), host.keys.at(Role::Trainee)};
+        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty() && !host.heard.paths.empty(),
+                                 kHandshakeMs);
+        const auto captured = provedHello(relay);
+        QVERIFY(captured);
+        const LocalTime later = monotonicNow() + std::chrono::seconds{age_s};
+        host.transport->end(host.heard.paths.begin()->first, host.heard, later);
+        QCOMPARE(host.transport->paths() + host.transport->handshakes(), std::size_t{0});
+        relay.replay(*captured); // on loopback it is there once it is sent
+        host.transport->serve(host.heard, later);
+        QCOMPARE(host.transport->handshakes(), std::size_t{begins ? 1U : 0U});
     }
 
     void pathIsEndedOnRequest()

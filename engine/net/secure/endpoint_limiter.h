@@ -1,0 +1,30 @@
+#pragma once
+
+#include "engine/core/session_time.h"
+#include "engine/net/secure/endpoint.h"
+
+#include <map>
+
+namespace carina
+{
+
+/// Rate limit of ClientHellos with a valid cookie for each address and port: a burst of 8, then 2 a
+/// second, so that one port takes at most a sixteenth of what its address has at once, and a
+/// twenty-fifth afterwards. A client begins each handshake from a port of its own.
+class EndpointLimiter
+{
+public:
+    static constexpr int kBurst = 8;
+    static constexpr Duration kInterval = std::chrono::milliseconds{500};
+
+    /// Whether one more is within the limit.
+    [[nodiscard]] bool hasRoom(const Endpoint& from, LocalTime now) const;
+    /// Counts one that was within all limits: only these take up memory, for 4 s at most.
+    void count(const Endpoint& from, LocalTime now);
+
+private:
+    std::map<Endpoint, LocalTime> m_fullAgain; // when the full burst is available again
+    LocalTime m_nextForget = LocalTime::min();
+};
+
+} // namespace carina

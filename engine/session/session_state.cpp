@@ -330,6 +330,12 @@ bool SessionState::isOpen(StationId station) const
     return found != m_stations.end() && !found->second.closed;
 }
 
+bool SessionState::isPresent(ParticipantId participant) const
+{
+    const auto found = m_participants.find(participant);
+    return found != m_participants.end() && found->second.present;
+}
+
 StationId SessionState::stationOf(ParticipantId participant) const
 {
     const auto found = m_participants.find(participant);

@@ -108,6 +108,7 @@ public:
     /// Also those that are closed: their numbers are not used again.
     [[nodiscard]] const std::map<StationId, Station>& stations() const { return m_stations; }
     [[nodiscard]] bool isOpen(StationId station) const;
+    [[nodiscard]] bool isPresent(ParticipantId participant) const;
     /// Where the participant is, or was last; kNoStation for one who is not known.
     [[nodiscard]] StationId stationOf(ParticipantId participant) const;
 

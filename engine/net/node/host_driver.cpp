@@ -127,7 +127,15 @@ void HostDriver::startCore(const std::string& sessionId, std::vector<FactRecord>
         [this](ParticipantId participant) {
             return m_ledger.stored().state().stationOf(participant);
         },
-        [this](PeerAddress path) { return m_paths.sharedBudget(path); }};
+        [this](PeerAddress path) { return m_paths.sharedBudget(path); },
+        [this](ParticipantId participant) {
+            return m_ledger.stored().state().participants().at(participant).role
+                   == Role::Instructor;
+        },
+        [this](ParticipantId participant) {
+            const SessionState& state = m_ledger.stored().state();
+            return state.atWork(state.stationOf(participant)) == participant;
+        }};
     m_core = std::make_unique<SyncHost>(sessionKey(sessionId), std::move(log), clockOffset,
                                         std::move(rules));
     for (const auto& [id, object] : m_ledger.stored().state().objects())
@@ -237,7 +245,7 @@ void HostDriver::giveUp(const Error& why, LocalTime now)
 void HostDriver::share(const SharedObject& object)
 {
     m_core->share(object.id, {object.owner, object.epoch, object.inPlace});
-    if (object.owner == kSelf || object.owner == kNobody)
+    if (object.owner == kSelf || !m_ledger.stored().state().isPresent(object.owner))
         m_board.objects.remove(object.id);
     else
         m_board.objects.add(object.id, object.owner, object.station);

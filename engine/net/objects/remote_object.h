@@ -17,6 +17,10 @@ namespace carina
 class RemoteObject
 {
 public:
+    /// Samples kept, of 60 in a second: 4 s. Who draws or compares looks back by 2 s at most
+    /// (ShownViews::kHolds), and there may be many objects.
+    static constexpr std::size_t kKept = 256;
+
     /// Adds the next sample, newer than the last; `drawn` is the session time being drawn.
     void take(const StreamCpo& cpo, SessionTime drawn);
 
@@ -30,7 +34,7 @@ public:
 private:
     mutable std::mutex m_mutex;
     std::optional<PoseSample> m_newest;
-    PoseHistory m_past;
+    PoseHistory m_past{PoseHistory::Limits{.capacity = kKept}};
     StreamView m_ahead;
 };
 

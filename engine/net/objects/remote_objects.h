@@ -10,14 +10,15 @@
 namespace carina
 {
 
-/// The objects that other participants share. The node's thread adds samples, any thread reads.
+/// The objects that other participants share who are present: the history of what somebody owns who
+/// has gone is given up. The node's thread adds samples, any thread reads.
 class RemoteObjects
 {
 public:
     /// Adds an object of another participant; of a known one it sets the owner. Poses at another
     /// station are not continued: they are in the frame of another patient.
     void add(ObjectId object, ParticipantId owner, StationId station);
-    /// Removes an object that this node owns now, or that is no longer shared.
+    /// Removes an object that this node owns now, or nobody who is present.
     void remove(ObjectId object);
     void clear();
 

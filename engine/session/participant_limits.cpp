@@ -86,4 +86,30 @@ std::size_t mostNamesOf(Role role)
     return 0;
 }
 
+std::size_t mostNamesFrom(Role role)
+{
+    switch (role) {
+    case Role::Instructor:
+        return 96;
+    case Role::Trainee:
+        return 512;
+    case Role::Observer:
+        return 96;
+    }
+    return 0;
+}
+
+std::size_t mostPresentFrom(Role role)
+{
+    switch (role) {
+    case Role::Instructor:
+        return 28;
+    case Role::Trainee:
+        return 216;
+    case Role::Observer:
+        return 56;
+    }
+    return 0;
+}
+
 } // namespace carina

@@ -35,7 +35,9 @@ struct Participant {
     std::optional<RegistrationStanding> registration{};
     /// When an instructor moved them to their station; of this stay.
     std::optional<SessionTime> moved{};
-    Angle turn{}; ///< of the place where others see them (fact::PlaceChosen)
+    Angle turn{};                      ///< of the place where others see them (fact::PlaceChosen)
+    SessionTime since{};               ///< when they came in last
+    std::optional<SessionTime> left{}; ///< when they left, until they come in again
 };
 
 struct SharedObject {

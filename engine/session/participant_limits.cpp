@@ -107,7 +107,7 @@ std::size_t mostPresentFrom(Role role)
     case Role::Trainee:
         return 216;
     case Role::Observer:
-        return 56;
+        return 60;
     }
     return 0;
 }

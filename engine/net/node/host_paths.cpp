@@ -51,7 +51,7 @@ std::shared_ptr<SharedBudget> HostPaths::sharedBudget(PeerAddress path)
     return created;
 }
 
-bool HostPaths::takesNewcomer(PeerAddress path)
+bool HostPaths::takesNewcomer(PeerAddress path) const
 {
     const auto known = m_paths.find(path);
     if (known == m_paths.end())

@@ -54,7 +54,7 @@ public:
     [[nodiscard]] std::shared_ptr<SharedBudget> sharedBudget(PeerAddress path);
     /// Whether somebody new may come in over a path: its address has brought fewer names of the
     /// role than mostNamesFrom, and fewer are present from there than mostPresentFrom.
-    [[nodiscard]] bool takesNewcomer(PeerAddress path);
+    [[nodiscard]] bool takesNewcomer(PeerAddress path) const;
     /// Somebody is to come in over a path, once the fact that they joined is stored.
     void admits(PeerAddress path, bool isNew);
     /// True for a path that gave way to a new one: its Hello may come before it is closed.

@@ -226,7 +226,7 @@ void HostDriver::stored(std::size_t count, LocalTime now)
         if (mayChangeOwners(fact.body))
             for (const auto& [id, object] : m_ledger.stored().state().objects())
                 share(object);
-        m_shownState.reset();
+        m_hasNewState = true;
     }
 }
 
@@ -401,7 +401,8 @@ LocalTime HostDriver::nextWake() const
     if (!m_tokensStored.empty())
         return LocalTime::min();
     const LocalTime wake = std::min({m_core->nextWake(), m_publications.nextTick(), m_returnsEnd,
-                                     m_nextViews, m_paths.nextWake()});
+                                     m_nextViews, m_paths.nextWake(),
+                                     m_hasNewState ? m_nextState : LocalTime::max()});
     if (m_writer->isBusy())
         return wake; // it wakes by its report
     if (m_ledger.unstored() > 0 || !m_tokens.empty())
@@ -453,12 +454,12 @@ std::shared_ptr<const std::vector<NodeBoard::Link>> HostDriver::links(LocalTime 
     return m_shownLinks;
 }
 
-/// What was given up is decided no longer.
+/// What is in the session as it is shown waits no longer, nor what was given up.
 std::shared_ptr<const std::vector<FactBody>> HostDriver::pending()
 {
-    std::erase_if(m_awaited, [stored = m_ledger.stored().state().lastApplied(),
+    std::erase_if(m_awaited, [shown = m_shownState->lastApplied(),
                               decided = m_ledger.decided().state().lastApplied()](const auto& own) {
-        return own.first <= stored || own.first > decided;
+        return own.first <= shown || own.first > decided;
     });
     std::vector<FactBody> bodies;
     for (const auto& [number, body] : m_awaited)
@@ -470,8 +471,12 @@ std::shared_ptr<const std::vector<FactBody>> HostDriver::pending()
 
 void HostDriver::show(LocalTime now)
 {
-    if (!m_shownState)
+    if (m_hasNewState && now >= m_nextState) {
         m_shownState = std::make_shared<SessionState>(m_ledger.stored().state());
+        m_hasNewState = false;
+        const std::uint64_t facts = m_shownState->lastApplied().value;
+        m_nextState = now + (facts - std::min(facts, kShownAtOnce)) * kShownLater;
+    }
     NodeBoard::View view;
     view.self = kSelf;
     const Duration offset = m_core->sessionTime(now).time_since_epoch() - now.time_since_epoch();

@@ -21,6 +21,11 @@ public:
     static constexpr std::size_t kMostUnstored = 4096;
     /// By at most so much a slow disk puts off the effect of a change.
     static constexpr Duration kLongestStoring = std::chrono::seconds{2};
+    /// A session of so many facts is shown to the other threads as soon as there are new ones. Each
+    /// time it is copied, which takes the longer the more facts there are: for each one more it is
+    /// shown this much less often, so that copying takes up no more than a part of the time.
+    static constexpr std::uint64_t kShownAtOnce = 10'000;
+    static constexpr Duration kShownLater = std::chrono::microseconds{1};
 
     /// Opens the session in the store, or creates one. @param board outlives the driver.
     [[nodiscard]] static Result<std::unique_ptr<HostDriver>> open(const HostSettings& settings,
@@ -133,6 +138,8 @@ private:
     std::optional<Error> m_storeFault; // what happened to the store, until the end
     std::optional<Error> m_refusal;
     std::shared_ptr<const SessionState> m_shownState;
+    bool m_hasNewState = true; // not shown yet
+    LocalTime m_nextState = LocalTime::min();
     std::shared_ptr<const std::vector<NodeBoard::Link>> m_shownLinks =
         std::make_shared<std::vector<NodeBoard::Link>>();
     LocalTime m_nextLinks = LocalTime::min();

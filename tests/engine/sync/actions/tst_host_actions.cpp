@@ -119,6 +119,7 @@ private Q_SLOTS:
         std::uint32_t newest = 0;
         const auto hear = [&](LocalTime now) {
             host.advance(kSession, now);
+            (void)host.takeDue(kSecond, now);
             for (const WireRecord& record : host.takeDue(kFirst, now))
                 if (const auto* message = std::get_if<StrategyMessage>(&record)) {
                     ++passed;

@@ -400,9 +400,9 @@ LocalTime HostDriver::nextWake() const
 {
     if (!m_tokensStored.empty())
         return LocalTime::min();
-    const LocalTime wake = std::min({m_core->nextWake(), m_publications.nextTick(), m_returnsEnd,
-                                     m_nextViews, m_paths.nextWake(),
-                                     m_hasNewState ? m_nextState : LocalTime::max()});
+    const LocalTime wake =
+        std::min({m_core->nextWake(), m_publications.nextTick(), m_returnsEnd, m_nextViews,
+                  m_paths.nextWake(), m_hasNewState ? m_nextState : LocalTime::max()});
     if (m_writer->isBusy())
         return wake; // it wakes by its report
     if (m_ledger.unstored() > 0 || !m_tokens.empty())
@@ -475,7 +475,8 @@ void HostDriver::show(LocalTime now)
         m_shownState = std::make_shared<SessionState>(m_ledger.stored().state());
         m_hasNewState = false;
         const std::uint64_t facts = m_shownState->lastApplied().value;
-        m_nextState = now + (facts - std::min(facts, kShownAtOnce)) * kShownLater;
+        const std::uint64_t more = facts - std::min(facts, kShownAtOnce);
+        m_nextState = now + static_cast<Duration::rep>(more) * kShownLater;
     }
     NodeBoard::View view;
     view.self = kSelf;

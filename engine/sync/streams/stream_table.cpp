@@ -33,10 +33,11 @@ bool StreamTable::accept(const StreamSample& sample, SessionTime now)
 std::vector<StreamGroup> groupStreams(const std::vector<StreamSample>& samples)
 {
     std::vector<StreamGroup> groups;
-    std::map<std::tuple<ParticipantId, std::uint16_t, StationId>, std::size_t> last;
+    using Heading = std::tuple<ParticipantId, std::uint16_t, StationId>;
+    std::map<Heading, std::size_t> last; // group of each
     for (const StreamSample& sample : samples) {
-        const auto [found, isNew] =
-            last.try_emplace({sample.owner, sample.epoch, sample.station}, groups.size());
+        const Heading heading{sample.owner, sample.epoch, sample.station};
+        const auto [found, isNew] = last.try_emplace(heading, groups.size());
         if (!isNew && groups[found->second].streams.size() >= kStreamsPerGroup)
             found->second = groups.size();
         if (found->second == groups.size())

@@ -186,7 +186,8 @@ Result<FactNumber> HostDriver::decide(const Proposal& proposal, LocalTime now)
     if (const auto number = m_ledger.decided().settled(proposal.id))
         return *number;
     return m_ledger.decided()
-        .judge(proposal, m_core->sessionTime(now), m_core->slowestPath() + m_storing)
+        .judge(proposal, m_core->sessionTime(now),
+               m_core->slowestPath() + m_storing + showsWithin())
         .and_then([this](const Fact& fact) {
             return prepare(fact).map([&] {
                 m_ledger.enter(fact);
@@ -469,14 +470,19 @@ std::shared_ptr<const std::vector<FactBody>> HostDriver::pending()
     return m_shownPending;
 }
 
+Duration HostDriver::showsWithin() const
+{
+    const std::uint64_t facts = m_ledger.stored().state().lastApplied().value;
+    const std::uint64_t more = facts - std::min(facts, kShownAtOnce);
+    return std::min(static_cast<Duration::rep>(more) * kShownLater, kShownLatest);
+}
+
 void HostDriver::show(LocalTime now)
 {
     if (m_hasNewState && now >= m_nextState) {
         m_shownState = std::make_shared<SessionState>(m_ledger.stored().state());
         m_hasNewState = false;
-        const std::uint64_t facts = m_shownState->lastApplied().value;
-        const std::uint64_t more = facts - std::min(facts, kShownAtOnce);
-        m_nextState = now + static_cast<Duration::rep>(more) * kShownLater;
+        m_nextState = now + showsWithin();
     }
     NodeBoard::View view;
     view.self = kSelf;

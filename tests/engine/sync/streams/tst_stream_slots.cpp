@@ -20,13 +20,13 @@ ParticipantId ownerOf(std::size_t number)
 }
 
 /// So many of the objects from `first` on as get a slot.
-std::size_t taken(StreamSlots& slots, std::size_t first, std::size_t count, StationId station,
+std::size_t taken(StreamSlots& all, std::size_t first, std::size_t count, StationId station,
                   const StreamPlace& place)
 {
-    std::size_t taken = 0;
+    std::size_t number = 0;
     for (std::size_t i = first; i < first + count; ++i)
-        taken += slots.takes(object(i), station, ownerOf(i), place) ? 1 : 0;
-    return taken;
+        number += all.takes(object(i), station, ownerOf(i), place) ? 1 : 0;
+    return number;
 }
 
 } // namespace
@@ -39,64 +39,64 @@ class TestStreamSlots : public QObject
 private Q_SLOTS:
     void stationHasSoManyAndNoMore()
     {
-        StreamSlots slots;
-        QCOMPARE(taken(slots, 1, 200, kHere, kCrowd), StreamSlots::kMostOfStation);
-        QCOMPARE(taken(slots, 1, 200, kHere, kCrowd), StreamSlots::kMostOfStation); // the same
-        QVERIFY(slots.takes(object(1), kHere, ownerOf(1), kCrowd));
-        QVERIFY(!slots.takes(object(200), kHere, ownerOf(200), kCrowd));
+        StreamSlots all;
+        QCOMPARE(taken(all, 1, 200, kHere, kCrowd), StreamSlots::kMostOfStation);
+        QCOMPARE(taken(all, 1, 200, kHere, kCrowd), StreamSlots::kMostOfStation); // the same
+        QVERIFY(all.takes(object(1), kHere, ownerOf(1), kCrowd));
+        QVERIFY(!all.takes(object(200), kHere, ownerOf(200), kCrowd));
     }
 
     void placeHasSoManyAtAllStations()
     {
-        StreamSlots slots;
-        QCOMPARE(taken(slots, 1, 90, kHere, kCrowd) + taken(slots, 91, 90, kThere, kCrowd),
+        StreamSlots all;
+        QCOMPARE(taken(all, 1, 90, kHere, kCrowd) + taken(all, 91, 90, kThere, kCrowd),
                  StreamSlots::kMostOfPlace);
-        QCOMPARE(taken(slots, 300, 8, kThere, kClass), std::size_t{8});
+        QCOMPARE(taken(all, 300, 8, kThere, kClass), std::size_t{8});
     }
 
     /// Who comes first does not keep out those who come later from elsewhere.
     void whoHasFewGetsThoseOfWhoHasMost()
     {
-        StreamSlots slots;
-        QCOMPARE(taken(slots, 1, 200, kHere, kCrowd), StreamSlots::kMostOfStation);
-        QCOMPARE(taken(slots, 300, 16, kHere, kClass), std::size_t{16});
-        QCOMPARE(slots.taken(), StreamSlots::kMostOfStation);
+        StreamSlots all;
+        QCOMPARE(taken(all, 1, 200, kHere, kCrowd), StreamSlots::kMostOfStation);
+        QCOMPARE(taken(all, 300, 16, kHere, kClass), std::size_t{16});
+        QCOMPARE(all.taken(), StreamSlots::kMostOfStation);
         // The last of the crowd have given way, and cannot take back what others have.
-        QCOMPARE(taken(slots, 1, 200, kHere, kCrowd), StreamSlots::kMostOfStation - 16);
-        QCOMPARE(taken(slots, 300, 16, kHere, kClass), std::size_t{16});
+        QCOMPARE(taken(all, 1, 200, kHere, kCrowd), StreamSlots::kMostOfStation - 16);
+        QCOMPARE(taken(all, 300, 16, kHere, kClass), std::size_t{16});
     }
 
     void twoPlacesEndWithAsManyEach()
     {
-        StreamSlots slots;
-        taken(slots, 1, 200, kHere, kCrowd);
+        StreamSlots all;
+        taken(all, 1, 200, kHere, kCrowd);
         for (int turn = 0; turn < 3; ++turn) {
-            QCOMPARE(taken(slots, 300, 200, kHere, kClass), StreamSlots::kMostOfStation / 2);
-            QCOMPARE(taken(slots, 1, 200, kHere, kCrowd), StreamSlots::kMostOfStation / 2);
+            QCOMPARE(taken(all, 300, 200, kHere, kClass), StreamSlots::kMostOfStation / 2);
+            QCOMPARE(taken(all, 1, 200, kHere, kCrowd), StreamSlots::kMostOfStation / 2);
         }
     }
 
     void slotIsFreeWhenItsOwnerGoesOrChanges()
     {
-        StreamSlots slots;
-        taken(slots, 1, 200, kHere, kCrowd);
-        slots.leave(ownerOf(1));
-        QCOMPARE(slots.taken(), StreamSlots::kMostOfStation - 7); // objects 1 to 7
-        slots.owned(object(8), ownerOf(8));                       // as before
-        QCOMPARE(slots.taken(), StreamSlots::kMostOfStation - 7);
-        slots.owned(object(8), ownerOf(200));
-        slots.owned(object(8), ownerOf(200)); // has none any more
-        QCOMPARE(slots.taken(), StreamSlots::kMostOfStation - 8);
-        QCOMPARE(taken(slots, 150, 20, kHere, kCrowd), std::size_t{8});
+        StreamSlots all;
+        taken(all, 1, 200, kHere, kCrowd);
+        all.leave(ownerOf(1));
+        QCOMPARE(all.taken(), StreamSlots::kMostOfStation - 7); // objects 1 to 7
+        all.owned(object(8), ownerOf(8));                       // as before
+        QCOMPARE(all.taken(), StreamSlots::kMostOfStation - 7);
+        all.owned(object(8), ownerOf(200));
+        all.owned(object(8), ownerOf(200)); // has none any more
+        QCOMPARE(all.taken(), StreamSlots::kMostOfStation - 8);
+        QCOMPARE(taken(all, 150, 20, kHere, kCrowd), std::size_t{8});
     }
 
     void objectTakesItsSlotAlongToAnotherStation()
     {
-        StreamSlots slots;
-        QVERIFY(slots.takes(object(1), kHere, ownerOf(1), kCrowd));
-        QVERIFY(slots.takes(object(1), kThere, ownerOf(1), kCrowd));
-        QCOMPARE(slots.taken(), std::size_t{1});
-        QCOMPARE(taken(slots, 10, 200, kHere, kClass), StreamSlots::kMostOfStation);
+        StreamSlots all;
+        QVERIFY(all.takes(object(1), kHere, ownerOf(1), kCrowd));
+        QVERIFY(all.takes(object(1), kThere, ownerOf(1), kCrowd));
+        QCOMPARE(all.taken(), std::size_t{1});
+        QCOMPARE(taken(all, 10, 200, kHere, kClass), StreamSlots::kMostOfStation);
     }
 };
 

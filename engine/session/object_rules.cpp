@@ -46,7 +46,7 @@ bool isWantedBy(const SharedObject& object, ParticipantId who)
     return std::ranges::find(object.wantedBy, who) != object.wantedBy.end();
 }
 
-/// What others have shared and an instructor has, who may be given more by anybody.
+/// Whether an instructor may be given one more of what others have shared.
 Result<void> checkGiven(const SessionState& state, const Participant& instructor)
 {
     const std::size_t given = countObjects(state, [&](const SharedObject& other) {

@@ -23,6 +23,8 @@ public:
 
     /// Adds the next sample, newer than the last; `drawn` is the session time being drawn.
     void take(const StreamCpo& cpo, SessionTime drawn);
+    /// Gives up all samples but the newest, where that is from before this time.
+    void forgetPast(SessionTime before);
 
     /// X_AO at session time t; nothing before the first sample. Lost where it was not tracked, and
     /// more than StreamView::kStaleAfter after the newest sample. Without velocity once the
@@ -34,6 +36,7 @@ public:
 private:
     mutable std::mutex m_mutex;
     std::optional<PoseSample> m_newest;
+    bool m_hasPast = false; // besides m_newest
     PoseHistory m_past{PoseHistory::Limits{.capacity = kKept}};
     StreamView m_ahead;
 };

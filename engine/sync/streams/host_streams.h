@@ -56,9 +56,6 @@ public:
     /// Ends the tick: all participants were sent their records.
     void served(LocalTime now);
 
-    /// Of how many ticks each object is sent at one.
-    [[nodiscard]] unsigned thinning() const { return m_thinning; }
-
 private:
     struct Outgoing {
         StreamSample sample;
@@ -76,8 +73,8 @@ private:
     StreamSlots m_slots;
     StreamTick m_tick;
     std::uint64_t m_ticks = 0;
-    unsigned m_thinning = 1;
-    std::map<ObjectId, Outgoing> m_outgoing;                // the newest of each
+    unsigned m_thinning = 1;                 // of so many ticks each object is sent at one
+    std::map<ObjectId, Outgoing> m_outgoing; // the newest of each
     std::map<StationId, std::vector<StreamGroup>> m_groups; // of this tick
 };
 

@@ -36,8 +36,6 @@ public:
     /// The participant is gone, and its slots are free.
     void leave(ParticipantId owner);
 
-    [[nodiscard]] std::size_t taken() const { return m_slots.size(); }
-
 private:
     struct Slot {
         StationId station;

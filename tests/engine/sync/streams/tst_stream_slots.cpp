@@ -60,7 +60,6 @@ private Q_SLOTS:
         StreamSlots all;
         QCOMPARE(taken(all, 1, 200, kHere, kCrowd), StreamSlots::kMostOfStation);
         QCOMPARE(taken(all, 300, 16, kHere, kClass), std::size_t{16});
-        QCOMPARE(all.taken(), StreamSlots::kMostOfStation);
         // The last of the crowd have given way, and cannot take back what others have.
         QCOMPARE(taken(all, 1, 200, kHere, kCrowd), StreamSlots::kMostOfStation - 16);
         QCOMPARE(taken(all, 300, 16, kHere, kClass), std::size_t{16});
@@ -80,14 +79,14 @@ private Q_SLOTS:
     {
         StreamSlots all;
         taken(all, 1, 200, kHere, kCrowd);
-        all.leave(ownerOf(1));
-        QCOMPARE(all.taken(), StreamSlots::kMostOfStation - 7); // objects 1 to 7
-        all.owned(object(8), ownerOf(8));                       // as before
-        QCOMPARE(all.taken(), StreamSlots::kMostOfStation - 7);
+        all.leave(ownerOf(1)); // of objects 1 to 7
+        QCOMPARE(taken(all, 150, 20, kHere, kCrowd), std::size_t{7});
+        all.owned(object(8), ownerOf(8)); // as before
+        QVERIFY(!all.takes(object(180), kHere, ownerOf(180), kCrowd));
         all.owned(object(8), ownerOf(200));
         all.owned(object(8), ownerOf(200)); // has none any more
-        QCOMPARE(all.taken(), StreamSlots::kMostOfStation - 8);
-        QCOMPARE(taken(all, 150, 20, kHere, kCrowd), std::size_t{8});
+        QVERIFY(all.takes(object(180), kHere, ownerOf(180), kCrowd));
+        QVERIFY(!all.takes(object(181), kHere, ownerOf(181), kCrowd));
     }
 
     void objectTakesItsSlotAlongToAnotherStation()
@@ -95,7 +94,6 @@ private Q_SLOTS:
         StreamSlots all;
         QVERIFY(all.takes(object(1), kHere, ownerOf(1), kCrowd));
         QVERIFY(all.takes(object(1), kThere, ownerOf(1), kCrowd));
-        QCOMPARE(all.taken(), std::size_t{1});
         QCOMPARE(taken(all, 10, 200, kHere, kClass), StreamSlots::kMostOfStation);
     }
 };

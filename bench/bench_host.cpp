@@ -4,7 +4,7 @@
 // - while an instructor's ten objects go to five participants, 60 times a second. Beside it, in
 //   turn, the least that any host can cost: as many packets of that size sent as they are;
 // - "course": five stations, at each of which a participant sends six tracked objects, which go to
-//   all others;
+//   all others there;
 // - "growth": the same with fewer participants, objects or both.
 
 #include "engine/net/node/session_node.h"
@@ -47,12 +47,13 @@ constexpr std::array kKinds{carina::ObjectKind::Head, carina::ObjectKind::Jaw,
                             carina::ObjectKind::Tube, carina::ObjectKind::Stylus};
 const QString kTakePart = QStringLiteral("take-part");
 
+constexpr int kStations = 5;
 /// Who takes part beside the host, and how many of them send kOwnObjects each.
 struct Course {
     int participants = 0;
     int senders = 0;
+    int stations = kStations; ///< of those that are open
 };
-constexpr int kStations = 5;
 constexpr Course kCourse{16, kStations};
 constexpr std::array kGrowth{Course{4, 1},  Course{16, 1}, Course{4, 2},
                              Course{16, 2}, Course{8, 5},  Course{16, 10}};
@@ -131,7 +132,7 @@ public:
             m_programs.back()->start(
                 QCoreApplication::applicationFilePath(),
                 {kTakePart, QString::number(host.port()), QString::fromStdString(code.text()),
-                 QStringLiteral("participant %1").arg(i), stationName(i % kStations),
+                 QStringLiteral("participant %1").arg(i), stationName(i % course.stations),
                  QString::number(i < course.senders ? kOwnObjects : 0)});
         }
     }
@@ -258,7 +259,7 @@ bool printInstructor()
     if (!host)
         return false;
     publishObjects(*host, kStreams);
-    const Participants receivers{*host, {kReceivers, 0}};
+    const Participants receivers{*host, {kReceivers, 0, 1}};
     if (!waitForAll(*host, kReceivers, kStreams))
         return false;
     std::vector<double> hosting;

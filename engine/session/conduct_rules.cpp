@@ -1,5 +1,7 @@
 #include "engine/session/conduct_rules.h"
 
+#include "engine/session/participant_limits.h"
+
 #include <algorithm>
 #include <string>
 
@@ -46,6 +48,16 @@ Result<void> checkNamed(const SessionState& state, const FactBody& body)
     if (named && !state.participants().contains(*named))
         return fail(Errc::OutOfRange, "participant " + std::to_string(named->value));
     return {};
+}
+
+bool hasPlace(const Participant& participant, SessionTime now)
+{
+    if (participant.present)
+        return true;
+    if (!participant.left || participant.removal)
+        return false;
+    const Duration stayed = *participant.left - participant.since;
+    return now < *participant.left + std::min(stayed, kPlaceKept);
 }
 
 Result<void> checkEntry(const SessionState& state, const FactBody& body)

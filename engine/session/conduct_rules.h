@@ -13,6 +13,10 @@ namespace carina
 /// @returns OutOfRange with its number.
 [[nodiscard]] Result<void> checkNamed(const SessionState& state, const FactBody& body);
 
+/// Whether a participant takes up one of the places of its role: who is present, and who left and
+/// was not removed, for as long as they had been there, at most kPlaceKept.
+[[nodiscard]] bool hasPlace(const Participant& participant, SessionTime now);
+
 /// Whether the participant of a ParticipantJoined may come in. @pre its number is settled; 0 is new
 /// @returns Banned with who banned it and why; SessionLocked for somebody new.
 [[nodiscard]] Result<void> checkEntry(const SessionState& state, const FactBody& body);

@@ -41,13 +41,44 @@ Result<void> checkRoom(const SessionState& state, const Participant& who, Object
     return isFull ? fail(Errc::NotPermitted, "no more objects of this kind") : Result<void>{};
 }
 
+bool isWantedBy(const SharedObject& object, ParticipantId who)
+{
+    return std::ranges::find(object.wantedBy, who) != object.wantedBy.end();
+}
+
+/// Whether an instructor may be given one more of what others have shared.
+Result<void> checkGiven(const SessionState& state, const Participant& instructor)
+{
+    const std::size_t given = countObjects(state, [&](const SharedObject& other) {
+        return other.owner == instructor.id && other.sharer != instructor.id
+               && !isLiftable(other.kind);
+    });
+    return given >= kMostGiven ? fail(Errc::NotPermitted, instructor.name) : Result<void>{};
+}
+
+/// An instructor who takes an object, or has asked for it, is not kept from it by what others have
+/// given them.
+Result<void> checkRoomForTools(const SessionState& state, const Participant& who,
+                               const SharedObject& object, ParticipantId giver)
+{
+    const bool instructs = who.role == Role::Instructor;
+    if (instructs && (giver == who.id || isWantedBy(object, who.id)))
+        return {};
+    const auto author = state.participants().find(giver);
+    const bool isUnasked = instructs && author != state.participants().end()
+                           && author->second.role != Role::Instructor;
+    return checkRoom(state, who, object.kind,
+                     [&](const SharedObject& other) {
+                         return other.owner == who.id && other.id != object.id;
+                     })
+        .and_then([&] { return isUnasked ? checkGiven(state, who) : Result<void>{}; });
+}
+
 Result<void> checkRoomToHold(const SessionState& state, const Participant& who,
-                             const SharedObject& object)
+                             const SharedObject& object, ParticipantId giver)
 {
     if (!isLiftable(object.kind))
-        return checkRoom(state, who, object.kind, [&](const SharedObject& other) {
-            return other.owner == who.id && other.id != object.id;
-        });
+        return checkRoomForTools(state, who, object, giver);
     if (who.role != Role::Trainee || object.kind != ObjectKind::OrganGroup)
         return {};
     const std::size_t held = countObjects(state, [&](const SharedObject& other) {
@@ -101,7 +132,8 @@ Result<void> checkShared(const SessionState& state, StationId station,
     });
 }
 
-Result<void> checkHandOver(const SessionState& state, const fact::ObjectHandedOver& handed)
+Result<void> checkHandOver(const SessionState& state, ParticipantId author,
+                           const fact::ObjectHandedOver& handed)
 {
     if (const auto known = checkKnown(state, handed.object); !known)
         return known;
@@ -112,8 +144,9 @@ Result<void> checkHandOver(const SessionState& state, const fact::ObjectHandedOv
             return may;
     if (object.epoch != handed.epoch || (isPutBack && object.owner == kNobody))
         return fail(Errc::OwnerChanged, object.name);
-    return isPutBack ? Result<void>{}
-                     : checkRoomToHold(state, state.participants().at(handed.owner), object);
+    return isPutBack
+               ? Result<void>{}
+               : checkRoomToHold(state, state.participants().at(handed.owner), object, author);
 }
 
 Result<void> checkWish(const SessionState& state, const fact::ObjectWanted& wanted)
@@ -135,7 +168,7 @@ bool mayPassOn(const SessionState& state, const Participant& trainee,
     if (handed.owner == kNobody || handed.owner == trainee.id)
         return true;
     return state.participants().at(handed.owner).role == Role::Instructor
-           || std::ranges::find(object.wantedBy, handed.owner) != object.wantedBy.end();
+           || isWantedBy(object, handed.owner);
 }
 
 } // namespace carina

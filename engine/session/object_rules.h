@@ -17,10 +17,13 @@ namespace carina
 
 /// Whether an object may pass to another participant, or be put back: the new owner is known,
 /// neither an observer nor a trainee elsewhere, and has room for it; and the ownership that ends is
-/// the present one, so that of several at once the first holds, and the others see that it did.
+/// the present one, so that of several at once the first holds, and the others see that it did. An
+/// instructor who takes an object, or has asked for it, always has room; of what trainees give
+/// unasked, for kMostGiven.
+/// @param author who hands it over, whether or not they may (mayPassOn)
 /// @returns OutOfRange for an unknown object or participant, and for one who is absent and is to
 ///          hold what was lifted out; NotPermitted; OwnerChanged.
-[[nodiscard]] Result<void> checkHandOver(const SessionState& state,
+[[nodiscard]] Result<void> checkHandOver(const SessionState& state, ParticipantId author,
                                          const fact::ObjectHandedOver& handed);
 
 /// Whether an object may be asked for: it is known, and somebody owns it.

@@ -3,6 +3,7 @@
 #include "engine/core/session_time.h"
 
 #include <algorithm>
+#include <iterator>
 #include <span>
 #include <vector>
 
@@ -58,6 +59,15 @@ public:
     {
         m_changes.erase(std::lower_bound(m_changes.begin(), m_changes.end(), from, isEarlier),
                         m_changes.end());
+    }
+
+    /// Removes the changes before a time but the one in force then, so that value and integral are
+    /// what they were from that time on. @pre none is added any more that is earlier
+    void forgetBefore(SessionTime t)
+    {
+        const auto next = after(t);
+        if (next != m_changes.begin())
+            m_changes.erase(m_changes.begin(), std::prev(next));
     }
 
     [[nodiscard]] T at(SessionTime t) const

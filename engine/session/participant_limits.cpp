@@ -38,11 +38,11 @@ SharedLimits sharedLimitsOf(Role role)
 {
     switch (role) {
     case Role::Instructor:
-        return {.datagrams = 16000.0, .bytes = 8e6, .proposals = 200.0};
+        return {.datagrams = 16000.0, .bytes = 8e6, .proposals = 200.0, .events = 1600.0};
     case Role::Trainee:
-        return {.datagrams = 16000.0, .bytes = 4e6, .proposals = 40.0};
+        return {.datagrams = 16000.0, .bytes = 4e6, .proposals = 40.0, .events = 1600.0};
     case Role::Observer:
-        return {.datagrams = 8000.0, .bytes = 8e5, .proposals = 4.0};
+        return {.datagrams = 8000.0, .bytes = 8e5, .proposals = 4.0, .events = 0.0};
     }
     return {};
 }
@@ -82,6 +82,32 @@ std::size_t mostNamesOf(Role role)
         return 768;
     case Role::Observer:
         return 128;
+    }
+    return 0;
+}
+
+std::size_t mostNamesFrom(Role role)
+{
+    switch (role) {
+    case Role::Instructor:
+        return 96;
+    case Role::Trainee:
+        return 512;
+    case Role::Observer:
+        return 96;
+    }
+    return 0;
+}
+
+std::size_t mostPresentFrom(Role role)
+{
+    switch (role) {
+    case Role::Instructor:
+        return 28;
+    case Role::Trainee:
+        return 216;
+    case Role::Observer:
+        return 60;
     }
     return 0;
 }

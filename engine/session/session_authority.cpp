@@ -86,7 +86,8 @@ bool isSameObject(const SharedObject& known, StationId station, const fact::Obje
            && (isCarried(known.kind) || known.station == station);
 }
 
-Result<void> settleIds(const SessionState& state, StationId station, FactBody& body)
+Result<void> settleIds(const SessionState& state, ParticipantId author, StationId station,
+                       FactBody& body)
 {
     return std::visit(
         Overloaded{
@@ -103,7 +104,7 @@ Result<void> settleIds(const SessionState& state, StationId station, FactBody& b
                                     return isSameObject(known, station, shared);
                                 });
             },
-            [&](fact::ObjectHandedOver& handed) { return checkHandOver(state, handed); },
+            [&](fact::ObjectHandedOver& handed) { return checkHandOver(state, author, handed); },
             [&](fact::ObjectWanted& wanted) { return checkWish(state, wanted); },
             [&](fact::ParticipantMoved& moved) {
                 return checkParticipant(state, moved.participant);
@@ -157,33 +158,36 @@ bool isOfTheHostAlone(const FactBody& body)
 /// Whoever is new takes a plain name, and none that looks like that of a participant there ever
 /// was. Only a proposal is judged by this, not a log that is read: it depends on the version of
 /// Unicode.
-Result<void> checkNewName(const SessionState& state, const fact::ParticipantJoined& joined)
+Result<void> checkNewName(const NameIndex& names, const fact::ParticipantJoined& joined)
 {
-    if (state.participants().contains(joined.participant))
-        return {}; // comes back
-    for (const auto& [id, other] : state.participants())
-        if (lookAlike(other.name, joined.name))
-            return fail(Errc::NameUnclear, other.name);
-    return checkName(joined.name);
+    return checkName(joined.name).and_then([&]() -> Result<void> {
+        const std::string* other = names.alike(joined.name);
+        return other == nullptr ? Result<void>{} : fail(Errc::NameUnclear, *other);
+    });
 }
 
-/// As many participants of a role as may be present, and as may ever have been.
-Result<void> checkNumbers(const SessionState& state, const FactBody& body)
+/// As many participants of a role as may be present, and as may ever have been. Who was away for a
+/// while finds the place that is kept for them, also where somebody has filled all others.
+Result<void> checkNumbers(const SessionState& state, const NameIndex& index, SessionTime now,
+                          const FactBody& body)
 {
     const auto* joined = std::get_if<fact::ParticipantJoined>(&body);
     if (joined == nullptr)
         return {};
-    std::size_t present = 0;
+    std::size_t places = 0;
     std::size_t names = 0;
     for (const auto& [id, other] : state.participants())
         if (other.role == joined->role && id != joined->participant) {
             ++names;
-            present += other.present ? 1 : 0;
+            places += hasPlace(other, now) ? 1 : 0;
         }
-    const bool isNew = !state.participants().contains(joined->participant);
-    if (present >= mostPresentOf(joined->role) || (isNew && names >= mostNamesOf(joined->role)))
+    const auto known = state.participants().find(joined->participant);
+    const bool isNew = known == state.participants().end();
+    const bool comesBack = !isNew && hasPlace(known->second, now);
+    if ((!comesBack && places >= mostPresentOf(joined->role))
+        || (isNew && names >= mostNamesOf(joined->role)))
         return fail(Errc::SessionFull);
-    return checkNewName(state, *joined);
+    return isNew ? checkNewName(index, *joined) : Result<void>{};
 }
 
 Result<void> checkPermission(const SessionState& state, ParticipantId authorId, StationId station,
@@ -295,7 +299,7 @@ Result<Fact> SessionAuthority::judge(const Proposal& proposal, SessionTime now,
     if (takesEffectLater(fact.body))
         fact.effect = std::max(now + std::max(kShortestLead, slowestPath), m_latestEffect);
     const Result<void> verdict =
-        settleIds(m_state, fact.station, fact.body)
+        settleIds(m_state, fact.author, fact.station, fact.body)
             .and_then([&] { return settledStation(m_state, fact.station, fact.body); })
             .map([&](StationId station) { fact.station = station; })
             .and_then([&] { return checkNamed(m_state, fact.body); })
@@ -306,7 +310,7 @@ Result<Fact> SessionAuthority::judge(const Proposal& proposal, SessionTime now,
             .and_then([&] { return checkBody(fact.body); })
             .and_then([&] { return checkEntry(m_state, fact.body); })
             .and_then([&] { return checkConduct(m_state, fact.body); })
-            .and_then([&] { return checkNumbers(m_state, fact.body); })
+            .and_then([&] { return checkNumbers(m_state, m_names, now, fact.body); })
             .and_then([&] {
                 const auto* shared = std::get_if<fact::ObjectShared>(&fact.body);
                 return shared ? checkShared(m_state, fact.station, *shared) : Result<void>{};
@@ -334,6 +338,8 @@ std::optional<FactNumber> SessionAuthority::settled(ProposalId id) const
 void SessionAuthority::commit(const Fact& fact)
 {
     m_state.apply(fact);
+    if (const auto* joined = std::get_if<fact::ParticipantJoined>(&fact.body))
+        m_names.add(joined->name);
     m_settled.emplace(fact.proposal, fact.number);
     if (takesEffectLater(fact.body))
         m_latestEffect = std::max(m_latestEffect, fact.effect);

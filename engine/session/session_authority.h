@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/core/result.h"
+#include "engine/session/name_index.h"
 #include "engine/session/session_state.h"
 
 #include <map>
@@ -70,6 +71,7 @@ public:
 
 private:
     SessionState m_state;
+    NameIndex m_names; // of all participants there ever were
     SessionTime m_latestEffect = SessionTime::min();
     std::map<ProposalId, FactNumber> m_settled; // ordered: programs choose the ids
 };

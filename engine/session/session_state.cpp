@@ -49,6 +49,8 @@ struct SessionState::Applier {
         Participant joined{body.participant, body.role, body.name, around.station, true};
         joined.muted = before && before->muted;
         joined.turn = before ? before->turn : Angle{};
+        // Of a program that comes in again beside itself, the stay goes on.
+        joined.since = before && before->present ? before->since : around.committed;
         state.m_participants.insert_or_assign(body.participant, std::move(joined));
         endLessonsOf(body.participant);
         bringAlong(body.participant);
@@ -264,8 +266,10 @@ struct SessionState::Applier {
     }
     void leave(ParticipantId id) const
     {
-        if (Participant* participant = known(id))
+        if (Participant* participant = known(id); participant && participant->present) {
             participant->present = false;
+            participant->left = around.committed;
+        }
         endLessonsOf(id);
         for (auto& [number, object] : state.m_objects) {
             std::erase(object.wantedBy, id);
@@ -328,6 +332,12 @@ bool SessionState::isOpen(StationId station) const
 {
     const auto found = m_stations.find(station);
     return found != m_stations.end() && !found->second.closed;
+}
+
+bool SessionState::isPresent(ParticipantId participant) const
+{
+    const auto found = m_participants.find(participant);
+    return found != m_participants.end() && found->second.present;
 }
 
 StationId SessionState::stationOf(ParticipantId participant) const

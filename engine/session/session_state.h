@@ -35,7 +35,9 @@ struct Participant {
     std::optional<RegistrationStanding> registration{};
     /// When an instructor moved them to their station; of this stay.
     std::optional<SessionTime> moved{};
-    Angle turn{}; ///< of the place where others see them (fact::PlaceChosen)
+    Angle turn{};                      ///< of the place where others see them (fact::PlaceChosen)
+    SessionTime since{};               ///< when they came in last
+    std::optional<SessionTime> left{}; ///< when they left, until they come in again
 };
 
 struct SharedObject {
@@ -108,6 +110,7 @@ public:
     /// Also those that are closed: their numbers are not used again.
     [[nodiscard]] const std::map<StationId, Station>& stations() const { return m_stations; }
     [[nodiscard]] bool isOpen(StationId station) const;
+    [[nodiscard]] bool isPresent(ParticipantId participant) const;
     /// Where the participant is, or was last; kNoStation for one who is not known.
     [[nodiscard]] StationId stationOf(ParticipantId participant) const;
 

@@ -22,7 +22,7 @@ private Q_SLOTS:
              {"leaving",       "sharing", "breathing",  "repeating",   "impostor", "false-token",
               "client-hellos", "paths",   "false-tube", "shown",       "crowd",    "strangers",
               "actions",       "names",   "garbage",    "instructing", "messages", "steady",
-              "turns",         "hungry",  "together",   "new-codes"})
+              "turns",         "hungry",  "together",   "new-codes",   "gallery"})
             QTest::newRow(attack) << QString::fromLatin1(attack);
     }
 

@@ -1,6 +1,7 @@
 #include "apps/lab/attack/attacks.h"
 
 #include "apps/lab/attack/foreign_actions.h"
+#include "apps/lab/attack/gallery.h"
 #include "apps/lab/attack/impostors.h"
 #include "apps/lab/attack/overloads.h"
 #include "apps/lab/attack/participating.h"
@@ -539,7 +540,14 @@ std::span<const AttackKind> attackKinds()
                    .begin = begin<NewCodes>,
                    .mostFacts = kComings,
                    .factsPerS = 2.0,
-                   .spoils = Role::Observer}};
+                   .spoils = Role::Observer},
+        AttackKind{
+            .name = "gallery",
+            .what = "a trainee shares four objects under each of 32 names, and streams all: more "
+                    "than a station may have",
+            .begin = beginGallery,
+            .mostFacts = kComings + kGalleryNames * (2.0 + kGalleryObjects),
+            .leastPerS = 2.0}};
     return kKinds;
 }
 

@@ -257,7 +257,7 @@ void ClientDriver::noteStrategy(const FactBody& body, LocalTime now)
 void ClientDriver::share(const SharedObject& object)
 {
     m_core.share(object.id, {object.owner, object.epoch, object.inPlace});
-    if (object.owner == m_core.self() || object.owner == kNobody)
+    if (object.owner == m_core.self() || !m_state.isPresent(object.owner))
         m_board.objects.remove(object.id);
     else
         m_board.objects.add(object.id, object.owner, object.station);

@@ -127,7 +127,15 @@ void HostDriver::startCore(const std::string& sessionId, std::vector<FactRecord>
         [this](ParticipantId participant) {
             return m_ledger.stored().state().stationOf(participant);
         },
-        [this](PeerAddress path) { return m_paths.sharedBudget(path); }};
+        [this](PeerAddress path) { return m_paths.sharedBudget(path); },
+        [this](ParticipantId participant) {
+            return m_ledger.stored().state().participants().at(participant).role
+                   == Role::Instructor;
+        },
+        [this](ParticipantId participant) {
+            const SessionState& state = m_ledger.stored().state();
+            return state.atWork(state.stationOf(participant)) == participant;
+        }};
     m_core = std::make_unique<SyncHost>(sessionKey(sessionId), std::move(log), clockOffset,
                                         std::move(rules));
     for (const auto& [id, object] : m_ledger.stored().state().objects())
@@ -178,7 +186,8 @@ Result<FactNumber> HostDriver::decide(const Proposal& proposal, LocalTime now)
     if (const auto number = m_ledger.decided().settled(proposal.id))
         return *number;
     return m_ledger.decided()
-        .judge(proposal, m_core->sessionTime(now), m_core->slowestPath() + m_storing)
+        .judge(proposal, m_core->sessionTime(now),
+               m_core->slowestPath() + m_storing + showsWithin())
         .and_then([this](const Fact& fact) {
             return prepare(fact).map([&] {
                 m_ledger.enter(fact);
@@ -218,7 +227,7 @@ void HostDriver::stored(std::size_t count, LocalTime now)
         if (mayChangeOwners(fact.body))
             for (const auto& [id, object] : m_ledger.stored().state().objects())
                 share(object);
-        m_shownState.reset();
+        m_hasNewState = true;
     }
 }
 
@@ -237,7 +246,7 @@ void HostDriver::giveUp(const Error& why, LocalTime now)
 void HostDriver::share(const SharedObject& object)
 {
     m_core->share(object.id, {object.owner, object.epoch, object.inPlace});
-    if (object.owner == kSelf || object.owner == kNobody)
+    if (object.owner == kSelf || !m_ledger.stored().state().isPresent(object.owner))
         m_board.objects.remove(object.id);
     else
         m_board.objects.add(object.id, object.owner, object.station);
@@ -392,8 +401,9 @@ LocalTime HostDriver::nextWake() const
 {
     if (!m_tokensStored.empty())
         return LocalTime::min();
-    const LocalTime wake = std::min({m_core->nextWake(), m_publications.nextTick(), m_returnsEnd,
-                                     m_nextViews, m_paths.nextWake()});
+    const LocalTime wake =
+        std::min({m_core->nextWake(), m_publications.nextTick(), m_returnsEnd, m_nextViews,
+                  m_paths.nextWake(), m_hasNewState ? m_nextState : LocalTime::max()});
     if (m_writer->isBusy())
         return wake; // it wakes by its report
     if (m_ledger.unstored() > 0 || !m_tokens.empty())
@@ -445,12 +455,12 @@ std::shared_ptr<const std::vector<NodeBoard::Link>> HostDriver::links(LocalTime 
     return m_shownLinks;
 }
 
-/// What was given up is decided no longer.
+/// What is in the session as it is shown waits no longer, nor what was given up.
 std::shared_ptr<const std::vector<FactBody>> HostDriver::pending()
 {
-    std::erase_if(m_awaited, [stored = m_ledger.stored().state().lastApplied(),
+    std::erase_if(m_awaited, [shown = m_shownState->lastApplied(),
                               decided = m_ledger.decided().state().lastApplied()](const auto& own) {
-        return own.first <= stored || own.first > decided;
+        return own.first <= shown || own.first > decided;
     });
     std::vector<FactBody> bodies;
     for (const auto& [number, body] : m_awaited)
@@ -460,10 +470,20 @@ std::shared_ptr<const std::vector<FactBody>> HostDriver::pending()
     return m_shownPending;
 }
 
+Duration HostDriver::showsWithin() const
+{
+    const std::uint64_t facts = m_ledger.stored().state().lastApplied().value;
+    const std::uint64_t more = facts - std::min(facts, kShownAtOnce);
+    return std::min(static_cast<Duration::rep>(more) * kShownLater, kShownLatest);
+}
+
 void HostDriver::show(LocalTime now)
 {
-    if (!m_shownState)
+    if (m_hasNewState && now >= m_nextState) {
         m_shownState = std::make_shared<SessionState>(m_ledger.stored().state());
+        m_hasNewState = false;
+        m_nextState = now + showsWithin();
+    }
     NodeBoard::View view;
     view.self = kSelf;
     const Duration offset = m_core->sessionTime(now).time_since_epoch() - now.time_since_epoch();

@@ -91,7 +91,10 @@ Result<std::optional<Admission>> HostEntry::admit(PeerAddress from, const Hello&
     const auto& participants = m_ledger.decided().state().participants();
     const auto known = participants.find(who->participant);
     const Role role = std::get<fact::ParticipantJoined>(proposal->body).role; // by identify
-    if (known == participants.end() && !m_newcomers[role].take(1.0, kNewcomers, now)) {
+    const bool isNew = known == participants.end();
+    if (isNew && !m_paths.takesNewcomer(from))
+        return fail(Errc::SessionFull);
+    if (isNew && !m_newcomers[role].take(1.0, kNewcomers, now)) {
         m_paths.idleFrom(from, now);
         return std::nullopt;
     }
@@ -103,6 +106,7 @@ Result<std::optional<Admission>> HostEntry::admit(PeerAddress from, const Hello&
         && !(isPresent && isJoinOf(proposal->id, who->participant, log)))
         proposal->id = ProposalId{QRandomGenerator::system()->generate64()};
     return decide(*proposal).map([&](FactNumber joined) {
+        m_paths.admits(from, isNew);
         m_paths.idleFrom(from, now + kJoinStoredWithin);
         m_access.admitted(from, who->participant);
         return std::optional{Admission{who->participant, joined}};

@@ -169,7 +169,8 @@ public:
     /// X_A<object> (with its velocity, where known), which is sent where it is newer than the last.
     virtual void publish(ObjectKind kind, std::string name, PoseSource newest) = 0;
     /// The poses X_A<object> of an object that another participant shares; nullptr for an unknown
-    /// or own object. Shared because a viewer may use it while the node removes the object.
+    /// or own object, and for one whose owner is not present. Shared because a viewer may use it
+    /// while the node removes the object.
     [[nodiscard]] virtual std::shared_ptr<const RemoteObject> object(ObjectId id) const = 0;
 
     /// Begins an action on an object that this node owns, in force until the next; a rate of 0

@@ -14,6 +14,17 @@ void RemoteObject::take(const StreamCpo& cpo, SessionTime drawn)
     m_ahead.take(next, drawn);
     m_newest = fromStream(next);
     m_past.push(*m_newest);
+    m_hasPast = true;
+}
+
+void RemoteObject::forgetPast(SessionTime before)
+{
+    const std::scoped_lock lock{m_mutex};
+    if (!m_hasPast || m_newest->time >= before)
+        return;
+    m_past.clear();
+    m_past.push(*m_newest);
+    m_hasPast = false;
 }
 
 std::optional<PoseSample> RemoteObject::at(SessionTime t) const

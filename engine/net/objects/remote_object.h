@@ -17,8 +17,14 @@ namespace carina
 class RemoteObject
 {
 public:
+    /// Samples kept, of 60 in a second: 4 s. Who draws or compares looks back by 2 s at most
+    /// (ShownViews::kHolds), and there may be many objects.
+    static constexpr std::size_t kKept = 256;
+
     /// Adds the next sample, newer than the last; `drawn` is the session time being drawn.
     void take(const StreamCpo& cpo, SessionTime drawn);
+    /// Gives up all samples but the newest, where that is from before this time.
+    void forgetPast(SessionTime before);
 
     /// X_AO at session time t; nothing before the first sample. Lost where it was not tracked, and
     /// more than StreamView::kStaleAfter after the newest sample. Without velocity once the
@@ -30,7 +36,8 @@ public:
 private:
     mutable std::mutex m_mutex;
     std::optional<PoseSample> m_newest;
-    PoseHistory m_past;
+    bool m_hasPast = false; // besides m_newest
+    PoseHistory m_past{PoseHistory::Limits{.capacity = kKept}};
     StreamView m_ahead;
 };
 

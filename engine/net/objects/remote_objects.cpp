@@ -25,11 +25,22 @@ void RemoteObjects::clear()
     const std::scoped_lock lock{m_mutex};
     m_objects.clear();
     m_analysis.clear();
+    m_nextLook = SessionTime::min();
+}
+
+void RemoteObjects::forgetPasts(SessionTime drawn)
+{
+    if (drawn < m_nextLook)
+        return;
+    m_nextLook = drawn + kLook;
+    for (const auto& [id, object] : m_objects)
+        object.poses->forgetPast(drawn - kPastKept);
 }
 
 void RemoteObjects::take(const StreamSample& sample, SessionTime drawn)
 {
     const std::scoped_lock lock{m_mutex};
+    forgetPasts(drawn);
     const StreamCpo& cpo = sample.cpo;
     const auto found = m_objects.find(cpo.object);
     if (found == m_objects.end() || found->second.station != sample.station)

@@ -10,14 +10,21 @@
 namespace carina
 {
 
-/// The objects that other participants share. The node's thread adds samples, any thread reads.
+/// The objects that other participants share who are present: the history of what somebody owns who
+/// has gone is given up. The node's thread adds samples, any thread reads.
 class RemoteObjects
 {
 public:
+    /// An object of which no sample has come for this long keeps the newest alone, so that who
+    /// streams one object after the other fills no memory.
+    static constexpr Duration kPastKept = std::chrono::seconds{10};
+    /// How often it is looked which these are.
+    static constexpr Duration kLook = std::chrono::seconds{1};
+
     /// Adds an object of another participant; of a known one it sets the owner. Poses at another
     /// station are not continued: they are in the frame of another patient.
     void add(ObjectId object, ParticipantId owner, StationId station);
-    /// Removes an object that this node owns now, or that is no longer shared.
+    /// Removes an object that this node owns now, or nobody who is present.
     void remove(ObjectId object);
     void clear();
 
@@ -37,8 +44,12 @@ private:
         StationId station = kNoStation;
     };
 
+    /// With the mutex locked.
+    void forgetPasts(SessionTime drawn);
+
     mutable std::mutex m_mutex;
     std::map<ObjectId, Object> m_objects;
+    SessionTime m_nextLook = SessionTime::min();
     ApplicationAnalysis m_analysis;
 };
 

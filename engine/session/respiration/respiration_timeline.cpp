@@ -105,9 +105,29 @@ void RespirationTimeline::addCheckpoint(const RespirationState& checkpoint)
 {
     if (!m_checkpoints.empty() && m_checkpoints.back().at >= checkpoint.at)
         return;
-    if (m_checkpoints.size() == kMostCheckpoints)
+    if (m_checkpoints.size() == kMostCheckpoints) {
         m_checkpoints.erase(m_checkpoints.begin());
+        forgetBefore(m_checkpoints.front().at);
+    }
     m_checkpoints.push_back(checkpoint);
+}
+
+/// Nobody goes on from before the first checkpoint, and a change is decided for the present or
+/// later.
+void RespirationTimeline::forgetBefore(SessionTime t)
+{
+    m_rate.forgetBefore(t);
+    m_tidalVolume.forgetBefore(t);
+    m_inspiratoryFraction.forgetBefore(t);
+    m_build.forgetBefore(t);
+    m_conditions.forgetBefore(t);
+    m_ventilator.forgetBefore(t);
+    m_tube.forgetBefore(t);
+    m_position.forgetBefore(t);
+    m_decided.forgetBefore(t);
+    m_ownBreathing.forgetBefore(t);
+    m_bag.forgetBefore(t);
+    m_running.forgetBefore(t);
 }
 
 RespiratorySettings RespirationTimeline::settingsAt(SessionTime t) const

@@ -59,11 +59,13 @@ public:
     /// Ignored where it began after `heard`, or more than kLongestNews before.
     void addBreath(const HeardBreath& breath);
     /// Ignored where it is not later than the last. A change with an earlier effect time that is
-    /// added afterwards invalidates it. Only the last kMostCheckpoints are kept: the state of a
-    /// session is copied with each fact, and who draws looks back for seconds.
+    /// added afterwards invalidates it. Only the last kMostCheckpoints are kept, and of the changes
+    /// of settings those that have an effect from the first of these on: the state of a session is
+    /// copied with each fact, and who draws looks back for seconds.
     void addCheckpoint(const RespirationState& checkpoint);
 
-    /// The settings in force at t (what a console shows).
+    /// The settings in force at t (what a console shows), which is no earlier than the first
+    /// checkpoint that is kept.
     [[nodiscard]] RespiratorySettings settingsAt(SessionTime t) const;
     /// What was decided last about the patient's own breathing.
     [[nodiscard]] OwnBreathing ownBreathingAt(SessionTime t) const { return m_decided.at(t); }
@@ -80,6 +82,7 @@ public:
 
 private:
     void decide(SessionTime from);
+    void forgetBefore(SessionTime t);
 
     ParameterTimeline<Frequency> m_rate{BreathingPattern{}.rate};
     ParameterTimeline<Volume> m_tidalVolume{BreathingPattern{}.tidalVolume};

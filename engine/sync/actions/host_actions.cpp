@@ -26,6 +26,8 @@ EventAck ackOf(const EventCpo& event) { return {event.object, event.epoch, event
 void HostActions::setStrategy(const StrategyChoice& choice, LocalTime now)
 {
     m_choice = choice;
+    for (auto& [address, peer] : m_peers)
+        peer.relayed.clear(); // of the strategy before
     m_strategy.choose(choice, now);
     m_actions.show(m_strategy.view());
 }
@@ -74,6 +76,8 @@ void HostActions::share(ObjectId object, const Ownership& ownership)
         return;
     m_own.forget(object);
     m_strategy.forget(object);
+    for (auto& [address, peer] : m_peers)
+        peer.relayed.erase(object); // of the owner before
     m_actions.show(m_strategy.view());
     if (const EventCpo* last = m_actions.table().newest(object)) {
         restore(*last);
@@ -112,7 +116,35 @@ void HostActions::take(PeerAddress from, const RelayedMessage& relayed,
                                   : isWithin(isAnswer ? peer->second.answers : peer->second.probes);
     if (!isAllowed)
         return;
-    m_strategy.receive(peer->second.participant, message.bytes, now);
+    if (action)
+        relay(peer->second, action->object, message.bytes, now);
+    else
+        m_strategy.receive(peer->second.participant, message.bytes, now);
+}
+
+void HostActions::relay(Peer& peer, ObjectId object, const std::vector<std::byte>& message,
+                        LocalTime now)
+{
+    const auto waiting = peer.relayed.find(object);
+    if (waiting != peer.relayed.end()) {
+        waiting->second = message;
+    } else if (peer.relayedAtOnce.take(1.0, kAtOnce, now)) {
+        m_strategy.receive(peer.participant, message, now);
+    } else {
+        peer.relayed.emplace(object, message);
+        peer.relayedDue = std::min(peer.relayedDue, endOfInterval(now));
+    }
+}
+
+void HostActions::relayDue(LocalTime now)
+{
+    for (auto& [address, peer] : m_peers) {
+        if (now < peer.relayedDue)
+            continue;
+        peer.relayedDue = LocalTime::max();
+        for (const auto& [object, message] : std::exchange(peer.relayed, {}))
+            m_strategy.receive(peer.participant, message, now);
+    }
 }
 
 void HostActions::take(PeerAddress from, const EventCpo& event, SessionTime session, LocalTime now)
@@ -174,6 +206,7 @@ EventTable::Verdict HostActions::spread(ParticipantId from, const EventCpo& even
 
 void HostActions::advance(SessionTime session, LocalTime now)
 {
+    relayDue(now);
     m_strategy.advance(now);
     m_actions.show(m_strategy.view());
     for (const EventCpo& event : std::exchange(m_handedOver, {}))
@@ -210,7 +243,7 @@ LocalTime HostActions::nextDue() const
     LocalTime next = std::min(m_own.nextDue(), m_strategy.nextDue());
     for (const auto& [address, peer] : m_peers)
         next = std::min({next, peer.acks.empty() ? peer.events.nextDue() : LocalTime::min(),
-                         hasLag() ? peer.nextLag : LocalTime::max()});
+                         peer.relayedDue, hasLag() ? peer.nextLag : LocalTime::max()});
     return next;
 }
 

@@ -55,7 +55,9 @@ public:
     void take(PeerAddress from, const EventBeat& beat, SessionTime session, LocalTime now);
     /// A message of the strategy from a peer: dropped where it is an action and the peer may not
     /// act, or not on that object, and where it is to all others and no action. Of probes, and of
-    /// answers, at most kFastestProbes a second go from one participant to another.
+    /// answers, at most kFastestProbes a second go from one participant to another. Actions beyond
+    /// kAtOnce wait as those of the session clock do, and those that are replaced meanwhile are
+    /// lost, as the strategies must bear.
     /// @param relayed the message, decoded
     void take(PeerAddress from, const RelayedMessage& relayed, const StrategyMessage& message,
               bool mayAct, LocalTime now);
@@ -82,12 +84,19 @@ private:
         std::vector<WireRecord> acks{};
         Duration delay{};
         LocalTime nextLag = LocalTime::min();
-        TokenBucket atOnce{};                          ///< actions that are not put off
+        TokenBucket atOnce{};        ///< actions that are not put off
+        TokenBucket relayedAtOnce{}; ///< the same of messages
+        /// Messages that are put off until relayedDue, the newest of each object.
+        std::map<ObjectId, std::vector<std::byte>> relayed{};
+        LocalTime relayedDue = LocalTime::max();
         std::map<ParticipantId, TokenBucket> probes{}; ///< to others
         std::map<ParticipantId, TokenBucket> answers{};
     };
 
     void tellParticipants(LocalTime now);
+    /// Forwards a message with an action, now or with others.
+    void relay(Peer& peer, ObjectId object, const std::vector<std::byte>& message, LocalTime now);
+    void relayDue(LocalTime now);
     [[nodiscard]] bool hasLag() const { return m_choice.kind == StrategyKind::LocalLag; }
     /// The lag with which actions of this peer, or nullptr for the host, begin everywhere at once.
     [[nodiscard]] Duration lagOf(const Peer* author) const;

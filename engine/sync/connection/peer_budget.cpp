@@ -47,7 +47,11 @@ PeerBudget::Verdict PeerBudget::takesFacts(TokenBucket& bucket, double amount, d
     return Verdict::Later;
 }
 
-bool PeerBudget::takesEvent(LocalTime now) { return counted(m_events, 1.0, m_limits.events, now); }
+bool PeerBudget::takesEvent(LocalTime now)
+{
+    return counted(m_events, 1.0, m_limits.events, now)
+           && (!m_shared || m_shared->takesEvent(m_share, now));
+}
 
 bool PeerBudget::takesSamples(std::size_t count, LocalTime now)
 {

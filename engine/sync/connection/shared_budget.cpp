@@ -35,6 +35,14 @@ bool SharedBudget::takesDatagram(Share& share, std::size_t bytes, LocalTime now)
                     m_limits.bytes, now);
 }
 
+bool SharedBudget::takesEvent(Share& share, LocalTime now)
+{
+    const LocalTime present = share.present(fair(now));
+    const double capacity =
+        TokenBucket::kBurst_s * m_limits.events / static_cast<double>(m_members);
+    return takes(share.m_events, capacity, present, m_events, 1.0, m_limits.events, now);
+}
+
 bool SharedBudget::takesProposals(Share& share, double count, LocalTime now)
 {
     return takes(share.m_proposals, kSavedProposals, share.present(fair(now)), m_proposals, count,

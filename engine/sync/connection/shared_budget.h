@@ -14,6 +14,7 @@ struct SharedLimits {
     double datagrams = 0.0;
     double bytes = 0.0;
     double proposals = 0.0;
+    double events = 0.0; ///< starts, changes and beats of actions, each of which goes to all others
 };
 
 /// The budget of all participants who come from one place in one role, so that one person under
@@ -50,6 +51,7 @@ public:
         TokenBucket m_datagrams;
         TokenBucket m_bytes;
         TokenBucket m_proposals;
+        TokenBucket m_events;
         Duration m_offset{};
         std::optional<LocalTime> m_gone = LocalTime{}; ///< its present() when it went
     };
@@ -65,6 +67,7 @@ public:
 
     [[nodiscard]] bool takesDatagram(Share& share, std::size_t bytes, LocalTime now);
     [[nodiscard]] bool takesProposals(Share& share, double count, LocalTime now);
+    [[nodiscard]] bool takesEvent(Share& share, LocalTime now);
 
 private:
     /// Of the share, which holds `capacity`, or else of the pot.
@@ -76,6 +79,7 @@ private:
     TokenBucket m_datagrams;
     TokenBucket m_bytes;
     TokenBucket m_proposals;
+    TokenBucket m_events;
     std::size_t m_members = 1;
     LocalTime m_fair{};
     std::optional<LocalTime> m_fairAt;

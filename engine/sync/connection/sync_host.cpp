@@ -173,6 +173,8 @@ void SyncHost::serve(LocalTime now)
     const bool tick = m_streams.isDue(now);
     const bool isForAnybody = tick || m_actions.nextDue() <= now;
     m_behind = countBehind();
+    if (tick)
+        gatherStreams();
     for (auto& [address, peer] : m_peers)
         if (isForAnybody || nextDueTo(peer) <= now)
             sendDue(address, peer, tick, now);
@@ -222,9 +224,34 @@ void SyncHost::relayShown(LocalTime now)
 
 void SyncHost::forward(const ShownPose& shown, ParticipantId from)
 {
-    for (auto& [address, peer] : m_peers)
-        if (peer.participant != from)
+    // Who watches all may have objects at every station; the others have them where they are.
+    const StationId where = from == kHost ? kAllStations : watchedBy(from);
+    for (auto& [address, peer] : m_peers) {
+        const StationId watched = watchedBy(peer.participant);
+        const bool isSeen = where == kAllStations || watched == kAllStations || watched == where;
+        if (peer.participant != from && isSeen)
             peer.outbox.emplace_back(shown);
+    }
+}
+
+StationId SyncHost::watchedBy(ParticipantId participant) const
+{
+    return m_rules.watchesAll(participant) ? kAllStations : m_rules.stationOf(participant);
+}
+
+StreamSource SyncHost::sourceOf(const Peer& peer) const
+{
+    const auto* shared = peer.budget.shared();
+    return {{reinterpret_cast<std::uintptr_t>(shared), shared ? kNobody : peer.participant},
+            m_rules.comesFirst(peer.participant)};
+}
+
+void SyncHost::gatherStreams()
+{
+    std::vector<StationId> stations;
+    for (const auto& [address, peer] : m_peers)
+        stations.push_back(watchedBy(peer.participant));
+    m_streams.gather(stations);
 }
 
 LocalTime SyncHost::nextDueTo(const Peer& peer) const
@@ -257,7 +284,7 @@ void SyncHost::share(ObjectId object, const Ownership& ownership)
 
 void SyncHost::publish(const StreamSample& sample, LocalTime now)
 {
-    m_streams.take(sample, sessionTime(now));
+    m_streams.take(sample, {{0, kHost}, true}, sessionTime(now));
 }
 
 void SyncHost::drop(PeerAddress address, LocalTime now)
@@ -433,6 +460,7 @@ void SyncHost::remove(PeerAddress address, LocalTime now)
     m_peers.erase(leaving);
     countMembers(now);
     m_actions.leave(address, now);
+    m_streams.leave(participant);
     if (!isHere(participant)) // or it is coming in again
         m_rules.left(participant, now);
 }
@@ -447,6 +475,7 @@ void SyncHost::forgetParticipant(ParticipantId participant, LocalTime now)
         }
         entry = isOne ? m_peers.erase(entry) : std::next(entry);
     }
+    m_streams.leave(participant);
     countMembers(now);
 }
 
@@ -488,11 +517,12 @@ void SyncHost::takeStreams(Peer& peer, const StreamGroup& group, LocalTime now)
     }
     const SessionTime latest = sessionTime(now) + kLargestAhead
                                + std::min(roundTripOf(peer.link) / 2, kLargestAheadByPath);
+    const StreamSource source = sourceOf(peer);
     for (const StreamCpo& cpo : group.streams) {
         if (cpo.time > latest)
             continue;
         const StreamSample sample{group.owner, group.epoch, group.station, cpo};
-        if (m_streams.take(sample, sessionTime(now)))
+        if (m_streams.take(sample, source, sessionTime(now)))
             m_output.streams.push_back(sample);
     }
 }
@@ -543,7 +573,8 @@ void SyncHost::sendDue(PeerAddress to, Peer& peer, bool tick, LocalTime now)
     for (const FactRecord& fact : peer.facts.takeDue(m_log, roundTripOf(peer.link), now, maySend))
         records.emplace_back(fact);
     if (tick)
-        std::ranges::move(m_streams.dueTo(peer.participant), std::back_inserter(records));
+        std::ranges::move(m_streams.dueTo({peer.participant, watchedBy(peer.participant)}),
+                          std::back_inserter(records));
     const bool answer = std::exchange(peer.answer, false);
     if (records.empty() && !answer && now < peer.link.lastSent() + kKeepAlive)
         return;

@@ -40,6 +40,10 @@ struct HostRules {
     std::function<StationId(ParticipantId)> stationOf;
     /// What the participants behind this path and others share; null where they share nothing.
     std::function<std::shared_ptr<SharedBudget>(PeerAddress)> sharedBudget;
+    /// Whether a participant is sent the streams of all stations; else those of its own.
+    std::function<bool(ParticipantId)> watchesAll = [](ParticipantId) { return false; };
+    /// Whether the objects of a participant come first among the streams: it treats a patient.
+    std::function<bool(ParticipantId)> comesFirst = [](ParticipantId) { return false; };
 };
 
 /// The session host's end, without socket, clock or thread: replicates the log to every peer,
@@ -130,7 +134,7 @@ public:
     /// Whether a datagram of this peer that is no part of a bundle is within its budget; counts it.
     [[nodiscard]] bool takesDatagram(PeerAddress from, std::size_t bytes, LocalTime now);
     /// What was shown of an object of the host, for all others to compare with.
-    void tellShown(const ShownPose& shown) { forward(shown, kNobody); }
+    void tellShown(const ShownPose& shown) { forward(shown, ParticipantId{0}); }
     /// Sets the ownership of an object, taken from the facts.
     void share(ObjectId object, const Ownership& ownership);
     /// The session's strategy, taken from the facts.
@@ -187,6 +191,11 @@ private:
     /// Passes on what its owner showed of an object, when that is due.
     void relayShown(LocalTime now);
     void forward(const ShownPose& shown, ParticipantId from);
+    /// Of which station a participant is sent the streams; kAllStations: of all.
+    [[nodiscard]] StationId watchedBy(ParticipantId participant) const;
+    [[nodiscard]] StreamSource sourceOf(const Peer& peer) const;
+    /// Begins a tick of the streams.
+    void gatherStreams();
     void forgetParticipant(ParticipantId participant, LocalTime now);
     void propose(Peer& peer, ProposalRecord proposal, LocalTime now);
     void takeStreams(Peer& peer, const StreamGroup& group, LocalTime now);

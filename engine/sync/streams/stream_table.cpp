@@ -2,7 +2,8 @@
 
 #include "engine/sync/wire/sequence.h"
 
-#include <algorithm>
+#include <map>
+#include <tuple>
 
 namespace carina
 {
@@ -32,14 +33,16 @@ bool StreamTable::accept(const StreamSample& sample, SessionTime now)
 std::vector<StreamGroup> groupStreams(const std::vector<StreamSample>& samples)
 {
     std::vector<StreamGroup> groups;
+    using Heading = std::tuple<ParticipantId, std::uint16_t, StationId>;
+    std::map<Heading, std::size_t> last; // group of each
     for (const StreamSample& sample : samples) {
-        auto group = std::ranges::find_if(groups, [&](const StreamGroup& g) {
-            return g.owner == sample.owner && g.epoch == sample.epoch && g.station == sample.station
-                   && g.streams.size() < kStreamsPerGroup;
-        });
-        if (group == groups.end())
-            group = groups.insert(group, {sample.owner, sample.epoch, sample.station, {}});
-        group->streams.push_back(sample.cpo);
+        const Heading heading{sample.owner, sample.epoch, sample.station};
+        const auto [found, isNew] = last.try_emplace(heading, groups.size());
+        if (!isNew && groups[found->second].streams.size() >= kStreamsPerGroup)
+            found->second = groups.size();
+        if (found->second == groups.size())
+            groups.push_back({sample.owner, sample.epoch, sample.station, {}});
+        groups[found->second].streams.push_back(sample.cpo);
     }
     return groups;
 }

@@ -49,6 +49,32 @@ LogWriter withHost()
     return writer;
 }
 
+/// Nine more trainees, each with eight objects: more than an instructor may own.
+constexpr std::uint16_t kCrowd = 9;
+
+LogWriter withCrowd()
+{
+    LogWriter writer = withHost();
+    for (std::uint16_t i = 0; i < kCrowd; ++i) {
+        const ParticipantId who{static_cast<std::uint16_t>(50 + i)};
+        writer.add(kNow, fact::ParticipantJoined{who, Role::Trainee, "n" + std::to_string(i)});
+        for (std::uint16_t j = 0; j < mostObjectsOf(Role::Trainee); ++j)
+            writer.add(kNow, fact::ObjectShared{ObjectId{static_cast<std::uint16_t>(
+                                                    400 + mostObjectsOf(Role::Trainee) * i + j)},
+                                                who, ObjectKind(j % 4), "o" + std::to_string(j)});
+    }
+    return writer;
+}
+
+std::vector<ObjectId> crowdsObjects(const Course& course)
+{
+    std::vector<ObjectId> objects;
+    for (const auto& [id, object] : course.authority.state().objects())
+        if (object.sharer.value >= 50 && object.sharer.value < 50 + kCrowd)
+            objects.push_back(id);
+    return objects;
+}
+
 } // namespace
 
 class TestObjectRules : public QObject
@@ -90,6 +116,36 @@ private Q_SLOTS:
             QCOMPARE(course.handsOver(kSampleTrainee, tube, full), QByteArray{"not permitted"});
         QCOMPARE(course.handsOver(kSampleHost, tube, kSampleOtherTrainee),
                  QByteArray{"not permitted"});
+    }
+
+    /// Eight names handed eight objects each to an instructor, who then could take nothing back.
+    void nobodyFillsTheHandsOfAnInstructor_data()
+    {
+        QTest::addColumn<bool>("isHost");
+        QTest::newRow("the host") << true;
+        QTest::newRow("another") << false;
+    }
+    void nobodyFillsTheHandsOfAnInstructor()
+    {
+        QFETCH(const bool, isHost);
+        const ParticipantId instructor = isHost ? kSampleHost : kSampleInstructor;
+        Course course{withCrowd()};
+        std::size_t given = 0;
+        for (const ObjectId each : crowdsObjects(course)) {
+            const SharedObject object = course.authority.state().objects().at(each);
+            given += course.handsOver(object.owner, object, instructor) == "fine" ? 1 : 0;
+        }
+        QCOMPARE(given, kMostGiven);
+        // The instructor takes what there is, and is given what they asked for.
+        for (const ObjectId each : crowdsObjects(course)) {
+            const SharedObject object = course.authority.state().objects().at(each);
+            if (object.owner != instructor)
+                QCOMPARE(course.handsOver(instructor, object, instructor), QByteArray{"fine"});
+        }
+        const SharedObject tube = course.authority.state().objects().at(kSampleTube);
+        QCOMPARE(course.handsOver(kSampleTrainee, tube, instructor), QByteArray{"not permitted"});
+        QCOMPARE(course.by(instructor, fact::ObjectWanted{kSampleTube}), QByteArray{"fine"});
+        QCOMPARE(course.handsOver(kSampleTrainee, tube, instructor), QByteArray{"fine"});
     }
 
     /// One who got a tube unasked worked with that one instead of with their own.

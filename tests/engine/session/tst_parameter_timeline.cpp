@@ -22,6 +22,7 @@ private Q_SLOTS:
     void integratesValueOverTime();
     void integratesTruthToTheNanosecond();
     void agreesWithPlainSummationInAnyOrder();
+    void forgetsWhatWasBefore();
 };
 
 void TestParameterTimeline::holdsEachValueUntilTheNext()
@@ -118,6 +119,27 @@ void TestParameterTimeline::agreesWithPlainSummationInAnyOrder()
         sum += plain[i].second * double(plain[i + 1].first - plain[i].first);
     }
     QCOMPARE(timeline.integral(SessionTime{Duration{2000000}}).count(), sum);
+}
+
+void TestParameterTimeline::forgetsWhatWasBefore()
+{
+    ParameterTimeline<double> whole{1.0};
+    for (int i = 1; i <= 10; ++i)
+        whole.set(atSeconds(double(i)), double(i * i));
+    for (const double from : {0.5, 1.0, 4.0, 4.5, 10.0}) {
+        ParameterTimeline<double> timeline = whole;
+        timeline.forgetBefore(atSeconds(from));
+        QCOMPARE(timeline.changes().size(), std::size_t(10 - std::max(0, int(from) - 1)));
+        for (double t = from; t < 12.0; t += 0.25) {
+            QCOMPARE(timeline.at(atSeconds(t)), whole.at(atSeconds(t)));
+            QVERIFY(timeline.integral(atSeconds(t)) == whole.integral(atSeconds(t)));
+            QVERIFY(timeline.changeAfter(atSeconds(t)) == whole.changeAfter(atSeconds(t)));
+        }
+        timeline.set(atSeconds(20.0), 7.0);
+        ParameterTimeline<double> later = whole;
+        later.set(atSeconds(20.0), 7.0);
+        QVERIFY(timeline.integral(atSeconds(30.0)) == later.integral(atSeconds(30.0)));
+    }
 }
 
 CARINA_TEST(TestParameterTimeline)

@@ -1,4 +1,5 @@
 #include "engine/net/node/host_entry.h"
+#include "engine/session/participant_limits.h"
 #include "tests/engine/net/node/driver_world.h"
 #include "tests/support/test_class.h"
 
@@ -44,6 +45,26 @@ private Q_SLOTS:
         QCOMPARE(present(world.board, Role::Instructor), std::ptrdiff_t{1});
         QCOMPARE(present(world.board, Role::Observer), std::ptrdiff_t{1});
         QVERIFY(present(world.board, Role::Trainee) < kCrowd);
+    }
+
+    /// The places that are left are for people elsewhere.
+    void oneAddressTakesNotAllPlaces()
+    {
+        const std::size_t most = mostPresentFrom(Role::Observer);
+        HeldStore::Disk disk;
+        DriverWorld world{disk};
+        QVERIFY(world.host);
+        for (std::size_t i = 0; i < most + 4; ++i)
+            world.add("Guest " + std::to_string(i), Role::Observer);
+        world.run(500ms);
+        QCOMPARE(present(world.board, Role::Observer), std::ptrdiff_t(most));
+        QVERIFY(most < mostPresentOf(Role::Observer));
+        SourcePrefix elsewhere{};
+        elsewhere.front() = 9;
+        world.host->cameFrom(elsewhere);
+        world.add("Olga", Role::Observer);
+        world.run(100ms);
+        QCOMPARE(present(world.board, Role::Observer), std::ptrdiff_t(most) + 1);
     }
 };
 

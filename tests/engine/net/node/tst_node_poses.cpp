@@ -53,11 +53,27 @@ private Q_SLOTS:
         anna->publish(ObjectKind::Tube, "Tube", stillTube(*anna));
         QTRY_VERIFY_WITH_TIMEOUT(onlyObject(*instructor) && onlyObject(*instructor)->newest(),
                                  kSoonMs);
-        anna.reset();
         const auto tube = onlyObject(*instructor);
+        anna.reset();
         const SessionTime last = tube->newest()->time;
         QCOMPARE(tube->at(last + 300ms)->validity, Validity::Tracked);
         QCOMPARE(tube->at(last + 301ms)->validity, Validity::Lost);
+    }
+
+    /// Otherwise each name that came and went would leave a history of its poses.
+    void posesAreGivenUpWhenTheirOwnerHasGone()
+    {
+        MemoryDisk disk;
+        const auto instructor = host(disk);
+        const auto olga = join(*instructor, "Olga", Role::Observer);
+        auto anna = join(*instructor, "Anna");
+        anna->publish(ObjectKind::Tube, "Tube", stillTube(*anna));
+        for (const SessionNode* node : {instructor.get(), olga.get()})
+            QTRY_VERIFY_WITH_TIMEOUT(onlyObject(*node) && onlyObject(*node)->newest(), kSoonMs);
+        anna.reset();
+        for (const SessionNode* node : {instructor.get(), olga.get()})
+            QTRY_VERIFY_WITH_TIMEOUT(!onlyObject(*node), kSoonMs);
+        QCOMPARE(instructor->state()->objects().size(), std::size_t{1});
     }
 };
 

@@ -1,4 +1,4 @@
-#include "engine/net/objects/remote_object.h"
+#include "engine/net/objects/remote_objects.h"
 #include "tests/support/test_class.h"
 
 #include <cmath>
@@ -88,6 +88,45 @@ private Q_SLOTS:
         QCOMPARE(object.at(kStart + 10ms)->how, How::Interpolated);
         QVERIFY(std::abs(xAt(object, 20ms) - 0.010) < kExact);
         QCOMPARE(object.newest()->time, kStart + 20ms);
+    }
+
+    /// Of an object that is not streamed any more only where it was last is kept.
+    void pastIsGivenUpAndTheNewestIsNot()
+    {
+        RemoteObject object;
+        object.take(movingAt(0ms, 0.0), kStart);
+        object.take(movingAt(20ms, 0.010), kStart + 25ms);
+        object.forgetPast(kStart + 20ms); // it is from no earlier
+        QVERIFY(object.at(kStart));
+        const double later = xAt(object, 5s);
+        object.forgetPast(kStart + 20ms + 1ns);
+        QVERIFY(!object.at(kStart));
+        QCOMPARE(object.newest()->time, kStart + 20ms);
+        QVERIFY(std::abs(xAt(object, 20ms) - 0.010) < kExact);
+        QCOMPARE(xAt(object, 5s), later);
+        QCOMPARE(object.at(kStart + 5s)->validity, Validity::Lost);
+        object.take(movingAt(6s, 0.020), kStart + 6s);
+        QVERIFY(std::abs(xAt(object, 6s) - 0.020) < kExact);
+    }
+
+    void objectsThatFallSilentGiveUpTheirPasts()
+    {
+        RemoteObjects objects;
+        for (const ObjectId id : {ObjectId{1}, ObjectId{2}})
+            objects.add(id, ParticipantId{3}, StationId{});
+        const auto sample = [](ObjectId id, Duration after) {
+            StreamSample sampled{ParticipantId{3}, 1, StationId{}, movingAt(after, 0.0)};
+            sampled.cpo.object = id;
+            return sampled;
+        };
+        for (const Duration after : {Duration{0ms}, Duration{20ms}})
+            for (const ObjectId id : {ObjectId{1}, ObjectId{2}})
+                objects.take(sample(id, after), kStart + after);
+        for (Duration after = 1s; after <= 12s; after += 1s)
+            objects.take(sample(ObjectId{2}, after), kStart + after);
+        QVERIFY(!objects.find(ObjectId{1})->at(kStart));
+        QVERIFY(objects.find(ObjectId{1})->newest());
+        QVERIFY(objects.find(ObjectId{2})->at(kStart));
     }
 
     void lostObjectStaysWhereItWasSeen()

@@ -12,8 +12,9 @@ class TestPlainName : public QObject
 private Q_SLOTS:
     void takesNamesOfManyScripts()
     {
-        for (const char* name : {"Anna", "Dr. Hall", "José María", "Мария", "李 小龍",
-                                 "O'Brien-Smith", "أحمد", "Anna 2"})
+        for (const char* name :
+             {"Anna", "Dr. Hall", "José María", "Мария", "李 小龍", "O'Brien-Smith", "أحمد",
+              "Anna 2", "Nguye\u0302\u0303n", "ชื่น", "ஸ்ரீ", "क्षितिज"})
             QVERIFY2(checkName(name).has_value(), name);
         QVERIFY(checkName(std::string(kLongestName, 'a')).has_value());
     }
@@ -37,6 +38,16 @@ private Q_SLOTS:
         QTest::newRow("variation selector") << QByteArray{"Anna\ufe0f"};
         QTest::newRow("Hangul filler") << QByteArray{"\u3164"};
         QTest::newRow("private use") << QByteArray{"\ue000"};
+        QTest::newRow("Braille pattern without dots") << QByteArray{"Anna\u2800"};
+        QTest::newRow("note head that is not drawn") << QByteArray{"\U0001d159"};
+        QTest::newRow("filler of Khitan") << QByteArray{"An\U00016fe4na"};
+        QTest::newRow("object replacement") << QByteArray{"\ufffc"};
+        QTest::newRow("character replacement") << QByteArray{"Anna\ufffd"};
+        QTest::newRow("a mark alone") << QByteArray{"\u0301"};
+        QTest::newRow("a mark in front") << QByteArray{"\u0301Anna"};
+        QTest::newRow("a mark behind a blank") << QByteArray{"Anna \u0301b"};
+        QTest::newRow("four marks") << QByteArray{"Ann\u0301\u0302\u0303\u0304a"};
+        QTest::newRow("63 marks") << QByteArray{"a"}.append(QByteArray{"\u0301"}.repeated(63));
         QTest::newRow("too long") << QByteArray(kLongestName + 1, 'a');
     }
 
@@ -57,6 +68,8 @@ private Q_SLOTS:
         for (const char* other : {"lnstructor", "1nstructor", "instructor", "|nstructor"})
             QVERIFY2(lookAlike("Instructor", other), other);
         QVERIFY(lookAlike("Trainee I", "Trainee l"));
+        for (const char* blank : {"\u2800", "\U0001d159", "\U00016fe4"})
+            QVERIFY(lookAlike("Anna", std::string{"Anna"} + blank));
         for (const char* other : {"Anne", "Hanna", "Anna2"})
             QVERIFY2(!lookAlike("Anna", other), other);
     }

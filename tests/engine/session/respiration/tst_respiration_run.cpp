@@ -59,6 +59,7 @@ private Q_SLOTS:
     void doesNotBelieveOldOrFutureBreaths();
     void keepsCheckpointsInOrder();
     void keepsTheLatestCheckpoints();
+    void keepsTheSettingsSinceTheFirstCheckpoint();
     void namesTheNextChange();
 };
 
@@ -202,6 +203,26 @@ void TestRespirationRun::keepsTheLatestCheckpoints()
     QVERIFY(timeline.checkpointBefore(atSeconds(10.0 * kOldest - 0.1)) == nullptr);
     for (int i = kOldest; i <= kCheckpoints; ++i)
         QCOMPARE(timeline.checkpointBefore(atSeconds(10.0 * i))->state.steps, std::int64_t{i});
+}
+
+/// An instructor who changed a setting without end made each copy of the session longer.
+void TestRespirationRun::keepsTheSettingsSinceTheFirstCheckpoint()
+{
+    constexpr int kCheckpoints = 100;
+    constexpr int kOldest = kCheckpoints - int(RespirationTimeline::kMostCheckpoints) + 1;
+    const auto rateOf = [](int i) { return perMinute(10.0 + i % 7); };
+    RespirationTimeline timeline;
+    timeline.setRunning(atSeconds(1.0), true);
+    for (int i = 1; i <= kCheckpoints; ++i) {
+        timeline.setRate(atSeconds(10.0 * i - 5.0), rateOf(i));
+        timeline.addCheckpoint({atSeconds(10.0 * i), RespiratoryState{.steps = i}});
+    }
+    QVERIFY(timeline.changeAfter(SessionTime::min()) >= atSeconds(1.0));
+    QVERIFY(timeline.changeAfter(atSeconds(1.0)) == atSeconds(10.0 * kOldest - 5.0));
+    for (int i = kOldest; i <= kCheckpoints; ++i) {
+        QCOMPARE(timeline.settingsAt(atSeconds(10.0 * i)).pattern.rate.si, rateOf(i).si);
+        QVERIFY(timeline.runsAt(atSeconds(10.0 * i)));
+    }
 }
 
 void TestRespirationRun::namesTheNextChange()

@@ -107,6 +107,43 @@ private Q_SLOTS:
         QCOMPARE(send(99, kStart + 10s), 0U); // who is not there
     }
 
+    /// A thousand in a second went to each of the others at once.
+    void rapidMessagesGoOnTogether()
+    {
+        HostActions host;
+        host.setStrategy({.kind = StrategyKind::None}, kStart);
+        host.share(kObject, {ParticipantId{1}, 1});
+        for (const PeerAddress address : {kOwner, kFirst, kSecond})
+            host.join(address, ParticipantId{static_cast<std::uint16_t>(address - 100)}, kStart);
+        std::size_t passed = 0;
+        std::uint32_t newest = 0;
+        const auto hear = [&](LocalTime now) {
+            host.advance(kSession, now);
+            (void)host.takeDue(kSecond, now);
+            for (const WireRecord& record : host.takeDue(kFirst, now))
+                if (const auto* message = std::get_if<StrategyMessage>(&record)) {
+                    ++passed;
+                    newest = std::get<EventCpo>(decodeRelayed(message->bytes)->content).action;
+                }
+        };
+        constexpr std::uint32_t kActions = 5000;
+        for (std::uint32_t i = 1; i <= kActions; ++i) {
+            const LocalTime now = kStart + i * 1ms;
+            const RelayedMessage message{ParticipantId{1}, kAllOthers, actionOf(1, i)};
+            host.take(kOwner, message, {StrategyKind::None, encodeRelayed(message)}, true, now);
+            hear(now);
+        }
+        // The burst, those at once and those together, in 5 s.
+        const double together = 5.0 / toSeconds(HostActions::kTogether);
+        QVERIFY2(double(passed) <= 7.0 * HostActions::kAtOnce + together + 2.0,
+                 qPrintable(QString::number(passed)));
+        QVERIFY(double(passed) >= together);
+        const LocalTime due = host.nextDue();
+        QVERIFY(due <= kStart + kActions * 1ms + HostActions::kTogether);
+        hear(due);
+        QCOMPARE(newest, kActions); // the newest is not lost
+    }
+
     /// Nobody has it any more: the action is neither shown, nor sent, nor stored.
     void endsTheActionOnWhatIsPutBack()
     {

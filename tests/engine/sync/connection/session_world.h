@@ -45,10 +45,13 @@ struct TestSession {
     std::set<ParticipantId> observers; ///< who may not act
     bool areProven = true;             ///< whether each proves by a secret who it is
     PeerLimits limits{1e4, 1e7, 1e4, 1e4, 1e4, 1e4, 1e4};
-    Ownership ownership{kNobody, 1};      ///< of the one object
-    StationId station;                    ///< where everybody is
-    std::shared_ptr<SharedBudget> shared; ///< by all, if there is one
-    mutable int lookUps = 0;              ///< of whether a proposal is settled
+    Ownership ownership{kNobody, 1};           ///< of the one object
+    StationId station;                         ///< where everybody is
+    std::map<ParticipantId, StationId> places; ///< but those
+    std::set<ParticipantId> watchers;          ///< of the streams of all stations
+    ParticipantId worker = kNobody;            ///< whose streams come first
+    std::shared_ptr<SharedBudget> shared;      ///< by all, if there is one
+    mutable int lookUps = 0;                   ///< of whether a proposal is settled
 
     [[nodiscard]] static std::vector<std::byte> body(const std::string& text)
     {
@@ -104,19 +107,22 @@ struct TestSession {
     }
     [[nodiscard]] HostRules rules()
     {
-        return {[this](const Hello& hello, LocalTime) {
-                    return identify(hello.join).map([this](ParticipantId id) {
-                        return Identity{id, areProven};
-                    });
-                },
-                [this](const Hello& hello, LocalTime) { return admit(hello.join); },
-                [this](ProposalId id) { return isSettled(id); },
-                [this](const ProposalRecord& proposal, LocalTime) { return decide(proposal); },
-                [this](ParticipantId who, LocalTime when) { departures.emplace_back(who, when); },
-                [this](ParticipantId who) { return !observers.contains(who); },
-                [this](ParticipantId) { return limits; },
-                [this](ParticipantId) { return station; },
-                [this](PeerAddress) { return shared; }};
+        return {
+            [this](const Hello& hello, LocalTime) {
+                return identify(hello.join).map([this](ParticipantId id) {
+                    return Identity{id, areProven};
+                });
+            },
+            [this](const Hello& hello, LocalTime) { return admit(hello.join); },
+            [this](ProposalId id) { return isSettled(id); },
+            [this](const ProposalRecord& proposal, LocalTime) { return decide(proposal); },
+            [this](ParticipantId who, LocalTime when) { departures.emplace_back(who, when); },
+            [this](ParticipantId who) { return !observers.contains(who); },
+            [this](ParticipantId) { return limits; },
+            [this](ParticipantId who) { return places.contains(who) ? places.at(who) : station; },
+            [this](PeerAddress) { return shared; },
+            [this](ParticipantId who) { return watchers.contains(who); },
+            [this](ParticipantId who) { return who == worker; }};
     }
 };
 

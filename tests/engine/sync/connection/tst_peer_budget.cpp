@@ -292,6 +292,31 @@ private Q_SLOTS:
         QVERIFY(world.site(0).client->helloRefused() == std::nullopt);
         QCOMPARE(world.host().peers().size(), std::size_t{2});
     }
+
+    /// Each action goes to everybody: those of many names from one place are limited together.
+    void actionsOfOnePlaceAreLimitedTogether()
+    {
+        constexpr int kNames = 20;
+        const PeerLimits own{.datagrams = 1e4, .bytes = 1e7, .comings = 1.0, .events = 400.0};
+        const auto shared =
+            std::make_shared<SharedBudget>(SharedLimits{.proposals = 40.0, .events = 100.0});
+        std::vector<PeerBudget> budgets(kNames, PeerBudget{own});
+        for (PeerBudget& budget : budgets)
+            budget.comes(shared, kStart);
+        shared->setMembers(kNames, kStart);
+        int taken = 0;
+        constexpr int kSeconds = 10;
+        for (int i = 0; i < kSeconds * 100; ++i) // each a hundred in a second
+            for (PeerBudget& budget : budgets)
+                taken += budget.takesEvent(kStart + i * 10ms) ? 1 : 0;
+        // The shares and the pot, each a hundred in a second and a burst of two seconds.
+        QVERIFY2(taken <= 2 * 100 * (kSeconds + 2), qPrintable(QString::number(taken)));
+        QVERIFY2(taken >= 2 * 100 * (kSeconds - 1), qPrintable(QString::number(taken)));
+        for (const PeerBudget& budget : budgets)
+            QVERIFY(!budget.isFarExceeded());
+        PeerBudget alone{own};
+        QVERIFY(alone.takesEvent(kStart));
+    }
 };
 
 CARINA_TEST(TestPeerBudget)

@@ -2,6 +2,8 @@
 #include "tests/engine/sync/connection/session_world.h"
 #include "tests/support/test_class.h"
 
+#include <set>
+
 namespace carina::stream_sync_test
 {
 namespace
@@ -109,6 +111,75 @@ private Q_SLOTS:
                   [&] { world.site(0).client->publish(StationId{3}, world.sample(1)); });
         QVERIFY(world.site(1).streams.empty());
         QCOMPARE(world.host().take().streams.size(), std::size_t{0});
+    }
+
+    /// Everybody was sent what all stations stream.
+    void samplesStayAtTheirStation()
+    {
+        TubeWorld world;
+        world.addSite(kCalm);
+        world.startClient(2, "carl");
+        world.run(1s);
+        world.site(2).client->share(kTube, {world.site(0).client->self(), 1});
+        world.session.places[world.site(1).client->self()] = StationId{4};
+        std::uint16_t sequence = 0;
+        const auto stream = [&] {
+            world.site(0).client->publish(StationId{}, world.sample(++sequence));
+        };
+        world.run(500ms, StreamTick::kPeriod, stream);
+        QVERIFY(world.site(1).streams.empty());
+        QVERIFY(world.site(2).streams.size() > 20);
+        world.session.watchers.insert(world.site(1).client->self()); // as an instructor
+        world.run(500ms, StreamTick::kPeriod, stream);
+        QVERIFY(world.site(1).streams.size() > 20);
+    }
+
+    /// The same holds for what its owner showed of an object.
+    void whatWasShownStaysAtItsStation()
+    {
+        TubeWorld world;
+        world.session.places[world.site(1).client->self()] = StationId{4};
+        const auto tell = [&] {
+            world.site(0).client->tellShown({kTube, world.trueSessionTime(), {}});
+        };
+        world.run(1s, 250ms, tell);
+        QVERIFY(world.site(1).shown.empty());
+        world.session.places.clear();
+        world.run(1s, 250ms, tell);
+        QVERIFY(!world.site(1).shown.empty());
+    }
+
+    /// One under many objects, and another who comes later from elsewhere.
+    void objectsOfOnePlaceAreNotAllThatIsStreamed()
+    {
+        TubeWorld world;
+        const ParticipantId crowd = world.site(1).client->self();
+        constexpr std::uint16_t kFirst = 100;
+        constexpr std::uint16_t kObjects = 120;
+        for (std::uint16_t i = 0; i < kObjects; ++i)
+            world.host().share(ObjectId{static_cast<std::uint16_t>(kFirst + i)}, {crowd, 1});
+        std::uint16_t sequence = 0;
+        std::set<ObjectId> heard;
+        const auto flood = [&] {
+            ++sequence;
+            for (std::uint16_t i = 0; i < kObjects; ++i) {
+                StreamCpo cpo = world.sample(sequence);
+                cpo.object = ObjectId{static_cast<std::uint16_t>(kFirst + i)};
+                world.site(1).client->publish(StationId{}, cpo);
+            }
+        };
+        for (std::uint16_t i = 0; i < kObjects; ++i)
+            world.site(0).client->share(ObjectId{static_cast<std::uint16_t>(kFirst + i)},
+                                        {crowd, 1});
+        world.run(500ms, StreamTick::kPeriod, flood);
+        for (const StreamSample& sample : world.site(0).streams)
+            heard.insert(sample.cpo.object);
+        QCOMPARE(heard.size(), StreamSlots::kMostOfStation);
+        world.run(500ms, StreamTick::kPeriod, [&] {
+            flood();
+            world.site(0).client->publish(StationId{}, world.sample(sequence));
+        });
+        QVERIFY(world.site(1).streams.size() > 20); // the tube
     }
 
     void sequencesOnlyRiseInAStorm()

@@ -11,6 +11,7 @@
 #include <QSaveFile>
 #include <QScreen>
 #include <QTableView>
+#include <QTimer>
 
 #include <algorithm>
 #include <utility>
@@ -60,14 +61,16 @@ bool choose(const QWidget& in, const QString& name, const QString& text)
 {
     if (auto* box = usable<QComboBox>(in, name))
         return chooseEntry(*box, text);
-    auto* table = usable<QTableView>(in, name);
-    if (!table || !table->model())
+    auto* list = usable<QAbstractItemView>(in, name);
+    if (!list || !list->model())
         return false;
-    const QModelIndexList rows = table->model()->match(table->model()->index(0, 0), Qt::DisplayRole,
-                                                       text, 1, Qt::MatchExactly);
+    const Qt::MatchFlags how =
+        qobject_cast<QTableView*>(list) ? Qt::MatchExactly : Qt::MatchContains;
+    const QModelIndexList rows =
+        list->model()->match(list->model()->index(0, 0), Qt::DisplayRole, text, 1, how);
     if (rows.isEmpty())
         return false;
-    table->setCurrentIndex(rows.first());
+    list->setCurrentIndex(rows.first());
     return true;
 }
 
@@ -87,6 +90,13 @@ bool picture(const QWidget& window, const QString& file)
     // Names of people are in it.
     return whole.open(QIODevice::WriteOnly) && whole.setPermissions(kOwnerOnly)
            && window.screen()->grabWindow(window.winId()).save(&whole, "PNG") && whole.commit();
+}
+
+/// Later: a question that it asks is answered by the script.
+bool close(QWidget& window)
+{
+    QTimer::singleShot(0, &window, &QWidget::close);
+    return true;
 }
 
 /// Milliseconds that a line says to wait; 0 of any other line.
@@ -120,8 +130,10 @@ void ControlScript::goOn()
 
 bool ControlScript::perform(const QString& line) const
 {
-    const QWidget* dialog = QApplication::activeModalWidget();
-    const QWidget& in = dialog ? *dialog : m_window();
+    QWidget* dialog = QApplication::activeModalWidget();
+    QWidget& in = dialog ? *dialog : m_window();
+    if (!in.isVisible())
+        return false; // the next one is to come
     const QString verb = line.section(QLatin1Char(' '), 0, 0);
     const QString name = line.section(QLatin1Char(' '), 1, 1);
     const QString text = line.section(QLatin1Char(' '), 2);
@@ -131,6 +143,8 @@ bool ControlScript::perform(const QString& line) const
         return choose(in, name, text);
     if (verb == QLatin1String{"picture"})
         return picture(m_window(), line.section(QLatin1Char(' '), 1));
+    if (verb == QLatin1String{"close"})
+        return close(in);
     if (verb == QLatin1String{"pause"})
         return true;
     return verb == QLatin1String{"type"} && type(in, name, text);
@@ -142,7 +156,7 @@ void addScriptOption(QCommandLineParser& parser)
                       QCoreApplication::translate(
                           "Program", "Work the controls as the lines of this file say, which may "
                                      "be appended later: press CONTROL, choose LIST ENTRY, type "
-                                     "FIELD TEXT, pause SECONDS, picture FILE."),
+                                     "FIELD TEXT, pause SECONDS, close, picture FILE."),
                       QStringLiteral("FILE")});
 }
 

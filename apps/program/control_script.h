@@ -32,10 +32,11 @@ template <class Control> Control* fetched(Control* control)
 /// shown; as long as there is none that can be used, the script waits.
 ///
 /// - `press CONTROL` presses a button, a check box or a command of the tool bar.
-/// - `choose LIST TEXT` chooses the row of a table whose first cell has this text, or the entry of
-///   a combo box.
+/// - `choose LIST TEXT` chooses the row of a table whose first cell has this text, the row of a
+///   list that has it within, or the entry of a combo box.
 /// - `type FIELD TEXT` replaces the text of a field, or the number of a spin box.
 /// - `pause SECONDS` waits, as a person does between two presses that are not to be a slip.
+/// - `close` closes the window or dialog, as the button in its frame does.
 /// - `picture FILE` saves what the window shows; its display must show all of it.
 class ControlScript
 {

@@ -4,22 +4,38 @@
 
 namespace carina::program
 {
-Entered askHowToJoin(const JoinSettings& settings, const QString& link, bool isComplete,
-                     bool isNamed)
+namespace
+{
+
+/// What the window begins with.
+JoinForm firstForm(const KnownEntry& known)
+{
+    JoinForm form = formOf(known.settings);
+    if (known.isComplete)
+        return form;
+    form.address = known.link;
+    if (!known.isNamed) {
+        form.name.clear();
+        form = withLastPerson(form, known.settings.tokens);
+    }
+    return known.isAnother ? form : withLastPlace(form, known.settings.tokens);
+}
+
+} // namespace
+
+Entered askHowToJoin(const KnownEntry& known)
 {
     FoundSessionsModel sessions;
-    Entrance entrance{settings};
-    JoinForm begin = formOf(settings);
-    if (!isComplete)
-        begin.address = link;
-    if (!isComplete && !isNamed)
-        begin.name = lastName(settings.tokens);
+    Entrance entrance{known.settings};
+    const JoinForm begin = firstForm(known);
+    if (const auto last = lastSession(begin, known.settings.tokens); last && !known.isAnother)
+        sessions.lookFor(*last);
     JoinDialog dialog{sessions, entrance, begin};
-    if (isComplete)
+    if (known.isComplete)
         dialog.accept();
     if (!entrance.isIn() && dialog.exec() != QDialog::Accepted)
         return {};
-    keepLastName(entrance.settings().tokens, dialog.form().name);
+    keepLastTime(entrance.settings().tokens, dialog.form());
     return {entrance.take(), entrance.settings().role};
 }
 

@@ -7,18 +7,23 @@
 namespace carina::program
 {
 
+/// How to come in, as far as it is known.
+struct KnownEntry {
+    JoinSettings settings;
+    QString link{};          ///< that a person is still to complete; may be empty
+    bool isComplete = false; ///< the settings are tried first, and a person asked after a refusal
+    bool isNamed = false;    ///< else name and role are those of the last time
+    bool isAnother = false;  ///< not into the session of the last time
+};
+
 /// The node of a joined session, and the role in it.
 struct Entered {
     std::unique_ptr<SessionNode> node; ///< null: the person cancelled
     Role role = Role::Trainee;
 };
 
-/// Shows the join dialog until the person is admitted or cancels.
-/// @param settings the known settings; if isComplete, they are tried first, and the dialog is shown
-///                 only after a refusal
-/// @param link a join link to fill in; may be empty
-/// @param isNamed whether the name is known; else the one of the last time is filled in
-[[nodiscard]] Entered askHowToJoin(const JoinSettings& settings, const QString& link,
-                                   bool isComplete, bool isNamed);
+/// Shows the join dialog until the person is admitted or cancels. A person who was in a session
+/// before finds it filled in, wherever its host is now.
+[[nodiscard]] Entered askHowToJoin(const KnownEntry& known);
 
 } // namespace carina::program

@@ -20,6 +20,7 @@
 #include "widgets/scene/view/scene_view.h"
 
 #include <QApplication>
+#include <QPointer>
 #include <QTimer>
 
 #include <utility>
@@ -154,20 +155,13 @@ FigureShapes::Mesh bladeOf(const TraineeStation& station)
                                                            .width = blade->heelWidth.si}));
 }
 
-/// How to come in, as far as the options say it.
-struct Entry {
-    JoinSettings settings;
-    QString link{}; ///< that a person is still to complete
-    bool isComplete = false;
-    bool isNamed = false;
-};
-
 /// @param asks whether a person may be asked for the rest
-Result<Entry> entryOptions(const QCommandLineParser& parser, bool asks)
+Result<program::KnownEntry> entryOptions(const QCommandLineParser& parser, bool asks)
 {
-    Entry entry{{.participantName = parser.value(QStringLiteral("as")).toStdString(),
-                 .role = parser.isSet(QStringLiteral("observe")) ? Role::Observer : Role::Trainee,
-                 .station = parser.value(kStationName).toStdString()}};
+    program::KnownEntry entry{
+        {.participantName = parser.value(QStringLiteral("as")).toStdString(),
+         .role = parser.isSet(QStringLiteral("observe")) ? Role::Observer : Role::Trainee,
+         .station = parser.value(kStationName).toStdString()}};
     const auto link = program::linkArgument(parser);
     if (!link)
         return tl::unexpected(link.error());
@@ -190,10 +184,11 @@ Result<Entry> entryOptions(const QCommandLineParser& parser, bool asks)
 }
 
 /// Comes in; a person is asked for what is missing or refused, but not while this measures.
-Result<program::Entered> enter(const Entry& entry, const program::MeasureOptions& options)
+Result<program::Entered> enter(const program::KnownEntry& entry,
+                               const program::MeasureOptions& options)
 {
     if (options.folder.isEmpty())
-        return program::askHowToJoin(entry.settings, entry.link, entry.isComplete, entry.isNamed);
+        return program::askHowToJoin(entry);
     auto node = SessionNode::join(entry.settings);
     if (!node)
         return tl::unexpected(node.error());
@@ -271,6 +266,18 @@ Result<Outfit> outfitFrom(const QCommandLineParser& parser, const program::Measu
                   *headset};
 }
 
+/// The window of the session that the program is in at present, for what works its controls.
+class ShownWindow
+{
+public:
+    void show(QWidget& window) { m_window = &window; }
+    [[nodiscard]] QWidget& operator()() { return m_window ? *m_window : m_none; }
+
+private:
+    QWidget m_none; ///< between two sessions: has no controls
+    QPointer<QWidget> m_window;
+};
+
 /// How one session was left.
 struct Left {
     int status = 0;
@@ -278,7 +285,8 @@ struct Left {
 };
 
 /// Takes part in a session until the person leaves it.
-Result<Left> takePart(const QCommandLineParser& parser, Outfit& outfit, program::Entered entered)
+Result<Left> takePart(const QCommandLineParser& parser, Outfit& outfit, program::Entered entered,
+                      ShownWindow& shown)
 {
     TrackerChange& change = outfit.change;
     auto tools = hardware(parser, entered.role, outfit.tracker);
@@ -346,8 +354,7 @@ Result<Left> takePart(const QCommandLineParser& parser, Outfit& outfit, program:
         if (*journal)
             (*journal)->setStation(now);
     });
-    const auto script =
-        program::scriptFromOptions(parser, [&window]() -> QWidget& { return window; });
+    shown.show(window);
     const auto giver = program::openIgtLinkOption(parser, window, [&station] {
         return OfferGiver::Shown{station.view(), station.patient()};
     });
@@ -361,9 +368,9 @@ Result<Left> takePart(const QCommandLineParser& parser, Outfit& outfit, program:
 }
 
 /// The way into another session: the person says which.
-Entry anotherEntry(const Entry& before, const program::Entered& entered)
+program::KnownEntry anotherEntry(const program::KnownEntry& before, const program::Entered& entered)
 {
-    Entry entry{.settings = before.settings};
+    program::KnownEntry entry{.settings = before.settings, .isAnother = true};
     entry.settings.port = 0;
     entry.settings.code.reset();
     entry.settings.station.clear();
@@ -385,6 +392,9 @@ Result<int> run(const QCommandLineParser& parser)
     auto outfit = outfitFrom(parser, *options, *output);
     if (!outfit)
         return tl::unexpected(outfit.error());
+    ShownWindow shown;
+    const auto script =
+        program::scriptFromOptions(parser, [&shown]() -> QWidget& { return shown(); });
     while (true) {
         auto entered = enter(*entry, *options);
         if (!entered)
@@ -392,7 +402,7 @@ Result<int> run(const QCommandLineParser& parser)
         if (!entered->node)
             return 0;
         *entry = anotherEntry(*entry, *entered);
-        const auto left = takePart(parser, *outfit, *std::move(entered));
+        const auto left = takePart(parser, *outfit, *std::move(entered), shown);
         if (!left)
             return tl::unexpected(left.error());
         if (!left->wantsAnother)

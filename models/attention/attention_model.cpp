@@ -77,7 +77,7 @@ bool isSameMatter(const Attention& a, const Attention& b)
 }
 
 AttentionModel::AttentionModel(SessionModel& session, QObject* parent)
-    : QObject{parent}, m_session{session}
+    : QObject{parent}, m_session{session}, m_handOver{*this, session.node()}
 {
     connect(&m_session, &SessionModel::changed, this, &AttentionModel::look);
     auto* timer = new QTimer{this};
@@ -306,9 +306,7 @@ void AttentionModel::give(const Attention& asked)
         || std::ranges::find(object->second.wantedBy, asked.participant)
                == object->second.wantedBy.end())
         return;
-    m_session.node().propose(
-        object->second.station,
-        fact::ObjectHandedOver{asked.object, asked.participant, object->second.epoch});
+    m_handOver.pass(object->second, asked.participant);
 }
 
 } // namespace carina

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "models/attention/developments.h"
-#include "models/session/session_model.h"
+#include "models/objects/object_hand_over.h"
 
 #include <QString>
 
@@ -61,6 +61,9 @@ public:
     /// Tells from now on also what keeps this patient away. @pre it outlives this.
     void setPatient(SessionPatient& patient);
 
+    /// Adds what is given to who asks for it to a history from now on.
+    void setHistory(ChangeHistory& history) { m_handOver.setHistory(history); }
+
     /// The most urgent first; of one concern, by station and participant.
     [[nodiscard]] const std::vector<Attention>& all() const { return m_all; }
     /// Does what the action says, or asks by showWanted for the place where it can be done. Nothing
@@ -93,6 +96,7 @@ private:
     void give(const Attention& asked);
 
     SessionModel& m_session;
+    ObjectHandOver m_handOver;
     SessionPatient* m_patient = nullptr;
     DevelopmentWatch m_developments;
     std::vector<Development> m_developing;

@@ -84,6 +84,12 @@ ObjectActionModel::ObjectActionModel(SharedObjectModel& object, QObject* parent)
     timer->start(kMotionInterval_ms);
 }
 
+void ObjectActionModel::setHistory(ChangeHistory& history)
+{
+    m_history = &history;
+    m_object.setHistory(history);
+}
+
 void ObjectActionModel::setKind(ActionKind kind)
 {
     m_kind = kind;
@@ -262,6 +268,7 @@ void ObjectActionModel::bringTo(ObjectId object, const ActedPose& pose)
         return;
     const SharedObject& at = found->second;
     if (at.owner == node.self()) {
+        std::erase_if(m_returns, [object](const Return& each) { return each.object == object; });
         node.act(object, {.from = pose, .anew = true});
         return look();
     }
@@ -315,8 +322,7 @@ void ObjectActionModel::putAllBack()
         const bool isOwn = patient->owner == node.self();
         m_returns.push_back({patient->id, std::uint16_t(patient->epoch + (isOwn ? 0 : 1)), {}});
         if (!isOwn)
-            node.propose(m_object.station(),
-                         fact::ObjectHandedOver{patient->id, node.self(), patient->epoch});
+            m_object.take(*patient);
         returnTaken();
     }
     look();

@@ -33,8 +33,9 @@ public:
     /// @pre object outlives this.
     explicit ObjectActionModel(SharedObjectModel& object, QObject* parent = nullptr);
 
-    /// Adds its steps to a history from now on, by which alone they are to be undone.
-    void setHistory(ChangeHistory& history) { m_history = &history; }
+    /// Adds its steps, and what changes hands, to a history from now on, by which alone they are to
+    /// be undone.
+    void setHistory(ChangeHistory& history);
     [[nodiscard]] bool hasHistory() const { return !m_history.isNull(); }
 
     [[nodiscard]] SharedObjectModel& object() const { return m_object; }

@@ -42,6 +42,14 @@ QString objectWord(const SharedObject& object)
     return group ? groupWord(*group) : QString::fromStdString(object.name);
 }
 
+QString participantWord(const SessionState& state, ParticipantId id)
+{
+    const auto found = state.participants().find(id);
+    return found == state.participants().end()
+               ? objectWords(QT_TRANSLATE_NOOP("ObjectWords", "an unknown participant"))
+               : QString::fromStdString(found->second.name);
+}
+
 QString liftedWord(const LiftedObject& lifted)
 {
     const QString what = lifted.group ? groupWord(*lifted.group) : tubeWord();

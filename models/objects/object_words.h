@@ -15,6 +15,9 @@ namespace carina
 /// other by the name under which it is shared.
 [[nodiscard]] QString objectWord(const SharedObject& object);
 
+/// What a participant is called.
+[[nodiscard]] QString participantWord(const SessionState& state, ParticipantId id);
+
 /// What is written beside something that is lifted out: "Lungs (Tom)", or "Lungs (you)".
 [[nodiscard]] QString liftedWord(const LiftedObject& lifted);
 

@@ -11,13 +11,6 @@ namespace carina
 namespace
 {
 
-QString nameOf(const SessionState& state, ParticipantId id)
-{
-    const auto found = state.participants().find(id);
-    return found == state.participants().end() ? SharedObjectModel::tr("an unknown participant")
-                                               : QString::fromStdString(found->second.name);
-}
-
 bool isPresent(const SessionState& state, ParticipantId id)
 {
     const auto found = state.participants().find(id);
@@ -27,15 +20,17 @@ bool isPresent(const SessionState& state, ParticipantId id)
 } // namespace
 
 SharedObjectModel::SharedObjectModel(SessionModel& session, StationId station, QObject* parent)
-    : QObject{parent}, m_session{session}, m_station{station}
+    : QObject{parent}, m_session{session}, m_station{station}, m_handOver{*this, session.node()}
 {
     connect(&m_session, &SessionModel::changed, this, &SharedObjectModel::changed);
 }
 
 void SharedObjectModel::setStation(StationId station)
 {
-    if (std::exchange(m_station, station) != station)
-        Q_EMIT changed();
+    if (std::exchange(m_station, station) == station)
+        return;
+    m_handOver.forget(); // what was done at another station is not taken back from here
+    Q_EMIT changed();
 }
 
 std::vector<SharedObjectModel::Named<ObjectId>> SharedObjectModel::objects() const
@@ -123,7 +118,7 @@ QString SharedObjectModel::ownerText() const
     if (!object)
         return {};
     const auto state = m_session.node().state();
-    const QString owner = nameOf(*state, object->owner);
+    const QString owner = participantWord(*state, object->owner);
     QString text = object->owner == kNobody           ? tr("○ nobody: in its place")
                    : isOwn()                          ? tr("● you")
                    : isPresent(*state, object->owner) ? tr("◆ %1").arg(owner)
@@ -132,7 +127,7 @@ QString SharedObjectModel::ownerText() const
     if (const auto* handed =
             travelling ? std::get_if<fact::ObjectHandedOver>(&*travelling) : nullptr)
         text += tr(" → %1").arg(handed->owner == kNobody ? tr("back to its place")
-                                                         : nameOf(*state, handed->owner));
+                                                         : participantWord(*state, handed->owner));
     return text;
 }
 
@@ -146,7 +141,7 @@ QString SharedObjectModel::wishText() const
         return full;
     QStringList names;
     for (const ParticipantId id : object->wantedBy)
-        names << (id == m_session.node().self() ? tr("you") : nameOf(*state, id));
+        names << (id == m_session.node().self() ? tr("you") : participantWord(*state, id));
     return names.isEmpty() ? QString{} : tr("Asking for it: %1").arg(names.join(tr(", ")));
 }
 
@@ -234,7 +229,7 @@ bool SharedObjectModel::canLift() const
 void SharedObjectModel::lift()
 {
     if (canLift())
-        handTo(*chosen(), m_session.node().self());
+        take(*chosen());
 }
 
 bool SharedObjectModel::canPutBack() const
@@ -253,8 +248,13 @@ void SharedObjectModel::putBack(ObjectId object)
 {
     const auto state = m_session.node().state();
     const auto found = state->objects().find(object);
-    if (found != state->objects().end() && mayPutBack(found->second))
-        handTo(found->second, kNobody);
+    if (found == state->objects().end() || !mayPutBack(found->second))
+        return;
+    const SharedObject& put = found->second;
+    if (put.owner == m_session.node().self()) // who moves it brings it back to where it was
+        m_session.node().propose(put.station, fact::ObjectHandedOver{object, kNobody, put.epoch});
+    else
+        m_handOver.pass(put, kNobody);
 }
 
 std::vector<ObjectId> SharedObjectModel::toPutBack() const
@@ -267,9 +267,9 @@ std::vector<ObjectId> SharedObjectModel::toPutBack() const
     return all;
 }
 
-void SharedObjectModel::handTo(const SharedObject& object, ParticipantId owner)
+void SharedObjectModel::take(const SharedObject& object)
 {
-    m_session.node().propose(m_station, fact::ObjectHandedOver{object.id, owner, object.epoch});
+    m_handOver.pass(object, m_session.node().self());
 }
 
 std::vector<SharedObjectModel::Named<ParticipantId>> SharedObjectModel::heirs() const
@@ -299,7 +299,7 @@ std::vector<SharedObjectModel::Named<ParticipantId>> SharedObjectModel::heirs() 
 void SharedObjectModel::handOver(ParticipantId heir)
 {
     if (const auto object = chosen(); object && mayGive(*object))
-        handTo(*object, heir);
+        m_handOver.pass(*object, heir);
 }
 
 } // namespace carina

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/anatomy/organ_group.h"
-#include "models/session/session_model.h"
+#include "models/objects/object_hand_over.h"
 
 #include <optional>
 #include <utility>
@@ -34,6 +34,9 @@ public:
     /// The objects of another station from now on.
     void setStation(StationId station);
 
+    /// Adds what changes hands to a history from now on.
+    void setHistory(ChangeHistory& history) { m_handOver.setHistory(history); }
+
     /// Offers only these groups of organs from now on: those of the patient that is drawn.
     void setGroups(std::vector<OrganGroup> groups);
 
@@ -64,10 +67,14 @@ public:
     [[nodiscard]] std::vector<Named<ParticipantId>> heirs() const;
 
     void handOver(ParticipantId heir);
+    /// Makes an object this person's own. @pre they may have it
+    void take(const SharedObject& object);
 
     [[nodiscard]] bool isLiftable() const; ///< the chosen one
     [[nodiscard]] bool canLift() const;
     [[nodiscard]] bool canPutBack() const;
+    /// The history takes it back where it was another's. What was this person's own comes back
+    /// with its place, by whoever moves it.
     void putBack(ObjectId object);
     /// What this person may put back at the station: an instructor all that is lifted out, a
     /// trainee what they hold.
@@ -90,12 +97,12 @@ private:
     [[nodiscard]] bool isOffered(const SharedObject& object) const;
     [[nodiscard]] bool mayPutBack(const SharedObject& object) const;
     [[nodiscard]] QString handsFull(const SharedObject& object) const;
-    void handTo(const SharedObject& object, ParticipantId owner);
 
     SessionModel& m_session;
     StationId m_station;
     std::vector<OrganGroup> m_groups{kOrganGroups.begin(), kOrganGroups.end()};
     std::optional<ObjectId> m_wanted; ///< the object chosen last
+    ObjectHandOver m_handOver;
 };
 
 } // namespace carina

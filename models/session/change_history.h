@@ -37,11 +37,15 @@ public:
     [[nodiscard]] QStringList texts() const;
     /// Takes back the last changes, so many of them.
     void undo(int count = 1);
+    /// By whoever takes a change back: it stays, and why.
+    void refuse(const QString& why) { Q_EMIT refused(why); }
 
     static constexpr std::size_t kMost = 200; ///< older ones are forgotten
 
 Q_SIGNALS:
     void changed();
+    /// What was to be taken back stays: a sentence with the reason.
+    void refused(const QString& why);
 
 private:
     struct Change {

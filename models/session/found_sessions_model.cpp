@@ -10,6 +10,25 @@ FoundSessionsModel::FoundSessionsModel(std::uint16_t discoveryPort, QObject* par
 {
 }
 
+void FoundSessionsModel::lookFor(const SessionKey& session)
+{
+    m_known = session;
+    m_finder.lookFor(session);
+}
+
+bool FoundSessionsModel::isKnown(const FoundSession& found) const
+{
+    return m_known == found.notice.session;
+}
+
+std::optional<int> FoundSessionsModel::knownRow() const
+{
+    for (int row = 0; row < rowCount(); ++row)
+        if (isKnown(at(row)))
+            return row;
+    return std::nullopt;
+}
+
 int FoundSessionsModel::rowCount(const QModelIndex& parent) const
 {
     return parent.isValid() ? 0 : static_cast<int>(m_shown.size());
@@ -22,9 +41,11 @@ QVariant FoundSessionsModel::data(const QModelIndex& index, int role) const
     const FoundSession& found = at(index.row());
     const QString name = QString::fromStdString(found.notice.name).simplified();
     const QString address = QString::fromStdString(found.address);
-    return found.isOnThisComputer()
-               ? tr("%1, on this computer, port %2").arg(name).arg(found.notice.port)
-               : tr("%1, at %2, port %3").arg(name, address).arg(found.notice.port);
+    const QString port = QString::number(found.notice.port);
+    const QString text = found.isOnThisComputer()
+                             ? tr("%1, on this computer, port %2").arg(name, port)
+                             : tr("%1, at %2, port %3").arg(name, address, port);
+    return isKnown(found) ? tr("%1: you were here last", "a session").arg(text) : text;
 }
 
 const FoundSession& FoundSessionsModel::at(int row) const

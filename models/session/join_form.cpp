@@ -4,6 +4,7 @@
 #include "engine/io/files/whole_file.h"
 #include "engine/net/discovery/addresses.h"
 #include "engine/net/entry/join_link.h"
+#include "engine/net/entry/session_identity.h"
 #include "engine/net/entry/token_folder.h"
 #include "engine/session/facts/fact_rules.h"
 #include "models/errors/error_text.h"
@@ -16,8 +17,8 @@ namespace carina
 namespace
 {
 
-constexpr FileLimit kNameLimit{"a name", 1024};
-constexpr const char* kLastName = "last-name";
+constexpr FileLimit kLastTimeLimit{"the last time", 1024};
+constexpr const char* kLastTime = "last-time";
 
 class JoinWords
 {
@@ -29,9 +30,20 @@ QString noCode()
     return JoinWords::tr("Type the code of your role, which the instructor's window shows.");
 }
 
+TokenFolder tokensOf(const JoinForm& form, const std::filesystem::path& tokens)
+{
+    return {tokens, form.role, form.name.trimmed().toStdString()};
+}
+
 bool wasHereBefore(const JoinForm& form, const std::filesystem::path& tokens)
 {
-    return TokenFolder{tokens, form.role, form.name.trimmed().toStdString()}.hasAny();
+    return tokensOf(form, tokens).hasAny();
+}
+
+QString wordOfRole(Role role)
+{
+    const std::string_view word = roleWord(role);
+    return QString::fromLatin1(word.data(), qsizetype(word.size()));
 }
 
 JoinField fieldOf(Errc refusal)
@@ -115,15 +127,45 @@ JoinGap gapOf(const Error& refusal, const JoinForm& form)
     return {fieldOf(refusal.code), errorText(refusal)};
 }
 
-QString lastName(const std::filesystem::path& tokens)
+void keepLastTime(const std::filesystem::path& tokens, const JoinForm& form)
 {
-    const auto name = readWholeFile(tokens / kLastName, kNameLimit);
-    return name ? QString::fromStdString(*name).simplified() : QString{};
+    const QStringList lines{form.name.simplified(), wordOfRole(form.role),
+                            form.certificate.simplified()};
+    static_cast<void>(
+        writePrivateFile(tokens / kLastTime, lines.join(QLatin1Char{'\n'}).toStdString()));
 }
 
-void keepLastName(const std::filesystem::path& tokens, const QString& name)
+JoinForm withLastPerson(JoinForm form, const std::filesystem::path& tokens)
 {
-    static_cast<void>(writePrivateFile(tokens / kLastName, name.trimmed().toStdString()));
+    const auto kept = readWholeFile(tokens / kLastTime, kLastTimeLimit);
+    if (!kept || !form.name.isEmpty())
+        return form;
+    const QStringList lines = QString::fromStdString(*kept).split(QLatin1Char{'\n'});
+    form.name = lines.value(0).simplified();
+    // An instructor's code is for the console.
+    if (lines.value(1) == wordOfRole(Role::Observer))
+        form.role = Role::Observer;
+    if (form.certificate.isEmpty())
+        form.certificate = lines.value(2).simplified();
+    return form;
+}
+
+JoinForm withLastPlace(JoinForm form, const std::filesystem::path& tokens)
+{
+    if (!form.address.isEmpty())
+        return form;
+    if (const auto last = tokensOf(form, tokens).lastVisit()) {
+        form.address = QString::fromStdString(last->address);
+        form.port = QString::number(last->port);
+        form.isPlaceOfLastTime = true;
+    }
+    return form;
+}
+
+std::optional<SessionKey> lastSession(const JoinForm& form, const std::filesystem::path& tokens)
+{
+    const auto last = tokensOf(form, tokens).lastVisit();
+    return last ? std::optional{sessionKey(last->sessionId)} : std::nullopt;
 }
 
 JoinForm formOf(const JoinSettings& settings)

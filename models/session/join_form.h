@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/net/node/session_node.h"
+#include "engine/sync/wire/datagram.h"
 #include "models/session/session_plan.h"
 
 #include <QString>
@@ -19,6 +20,8 @@ struct JoinForm {
     Role role = Role::Trainee;
     QString certificate{}; ///< the name in the host's certificate, if it has one
     QString station{};     ///< its name; empty: where this participant was last, else the first
+    /// Address and port are those of the last time: a session that is found is more likely meant.
+    bool isPlaceOfLastTime = false;
 };
 
 enum class JoinField : std::uint8_t { Address, Port, Code, Name, Certificate, Station };
@@ -42,12 +45,19 @@ struct JoinGap {
 /// What has to be corrected after a session refused this form.
 [[nodiscard]] JoinGap gapOf(const Error& refusal, const JoinForm& form);
 
-/// The name with which a person joined last, which lies beside their tokens; empty where there is
-/// none.
+/// Keeps who came in by this form, beside their tokens; where that fails it is typed again next
+/// time.
 /// @param tokens the folder that keeps them
-[[nodiscard]] QString lastName(const std::filesystem::path& tokens);
-/// Keeps it; where that fails it is typed again next time.
-void keepLastName(const std::filesystem::path& tokens, const QString& name);
+void keepLastTime(const std::filesystem::path& tokens, const JoinForm& form);
+/// The form with what is known of the last time: where it has no name, that name with its role and
+/// the host's certificate.
+[[nodiscard]] JoinForm withLastPerson(JoinForm form, const std::filesystem::path& tokens);
+/// And where it has no address, the one that the person of this form gave last, where they were let
+/// in.
+[[nodiscard]] JoinForm withLastPlace(JoinForm form, const std::filesystem::path& tokens);
+/// The session that the person of this form was in last, and may come into again without a code.
+[[nodiscard]] std::optional<SessionKey> lastSession(const JoinForm& form,
+                                                    const std::filesystem::path& tokens);
 
 /// A form filled in from settings.
 [[nodiscard]] JoinForm formOf(const JoinSettings& settings);

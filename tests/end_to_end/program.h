@@ -26,10 +26,14 @@ public:
     }
     ~Program() { kill(); }
 
+    /// With these variables from its next start on.
+    void setEnvironment(const QProcessEnvironment& around) { m_around = around; }
+
     void start(const QStringList& more = {})
     {
         m_process = std::make_unique<QProcess>();
         m_process->setProcessChannelMode(QProcess::ForwardedChannels);
+        m_process->setProcessEnvironment(m_around);
         m_process->start(m_path, m_arguments + more);
         QVERIFY2(m_process->waitForStarted(), qPrintable(m_path));
     }
@@ -89,6 +93,7 @@ private:
     QString m_path;
     QStringList m_arguments;
     QString m_journal;
+    QProcessEnvironment m_around = QProcessEnvironment::systemEnvironment();
     std::unique_ptr<QProcess> m_process;
     qsizetype m_linesBefore = 0;
 };

@@ -47,6 +47,7 @@ InstructorWindow::InstructorWindow(const ConsoleModels& models, KeptConsole& kep
     m_models.actions.setHistory(m_history);
     m_models.lesson.setHistory(m_history);
     m_models.conduct.setHistory(m_history);
+    m_models.attention.setHistory(m_history);
     m_ui->parts->setHistory(m_history);
     m_ui->section->setHistory(m_history);
     m_ui->pane->setModels(m_models.stations, m_models.attention);
@@ -58,8 +59,11 @@ InstructorWindow::InstructorWindow(const ConsoleModels& models, KeptConsole& kep
     m_ui->statusBar->addPermanentWidget(new UndoButton{m_history});
     m_ui->statusBar->addWidget(m_status, 1);
     fillSessionBar();
-    connect(m_ui->pane, &PatientPane::refused, m_ui->statusBar,
-            [this](const QString& why) { m_ui->statusBar->showMessage(why, kRefusalShown_ms); });
+    const auto tell = [this](const QString& why) {
+        m_ui->statusBar->showMessage(why, kRefusalShown_ms);
+    };
+    connect(m_ui->pane, &PatientPane::refused, m_ui->statusBar, tell);
+    connect(&m_history, &ChangeHistory::refused, m_ui->statusBar, tell);
     connect(&m_models.attention, &AttentionModel::showWanted, this, &InstructorWindow::showPlaceOf);
     connect(&m_models.session, &SessionModel::changed, this, &InstructorWindow::refresh);
     auto* timer = new QTimer{this};

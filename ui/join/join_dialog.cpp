@@ -47,7 +47,8 @@ JoinDialog::JoinDialog(FoundSessionsModel& sessions, Entrance& entrance, const J
       m_more{new QPushButton{tr("&More")}},
       m_typed{new QWidget{this}},
       m_missing{wrapping("missing")},
-      m_join{new QPushButton{tr("&Join")}}
+      m_join{new QPushButton{tr("&Join")}},
+      m_offered{begin.isPlaceOfLastTime ? begin : JoinForm{}}
 {
     setWindowTitle(tr("Join a session"));
     setMinimumWidth(kDialogWidth);
@@ -69,13 +70,13 @@ JoinDialog::JoinDialog(FoundSessionsModel& sessions, Entrance& entrance, const J
             &JoinDialog::choose);
     connect(&sessions, &QAbstractItemModel::rowsInserted, this, &JoinDialog::tellSearching);
     connect(&sessions, &QAbstractItemModel::rowsRemoved, this, &JoinDialog::tellSearching);
-    connect(&sessions, &QAbstractItemModel::rowsInserted, this, &JoinDialog::chooseTheOnly);
+    connect(&sessions, &QAbstractItemModel::rowsInserted, this, &JoinDialog::chooseByItself);
     connect(m_address, &QLineEdit::textChanged, this, &JoinDialog::readLink);
     connect(m_role, &QComboBox::currentIndexChanged, this, &JoinDialog::refresh);
     connect(&m_entrance, &Entrance::changed, this, &JoinDialog::follow);
     readLink();
     tellSearching();
-    chooseTheOnly();
+    chooseByItself();
     refresh();
 }
 
@@ -148,15 +149,43 @@ void JoinDialog::choose(const QModelIndex& session)
     const FoundSession& found = m_sessions.at(session.row());
     m_address->setText(QString::fromStdString(found.address));
     m_port->setText(QString::number(found.notice.port));
+    if (!m_choosesByItself && m_list->hasFocus())
+        m_wasChosen = true;
+    else // the list goes on to another row when one is removed
+        m_offered = form();
 }
 
-/// Of several a person chooses, and who typed an address has chosen.
-void JoinDialog::chooseTheOnly()
+/// Whether nobody chose a session, typed where one is, or types the code of the one that is shown.
+bool JoinDialog::isLeftToItself() const
 {
-    if (m_sessions.rowCount() != 1 || !m_address->text().isEmpty() || !m_port->text().isEmpty())
+    const bool isOffered =
+        m_address->text() == m_offered.address && m_port->text() == m_offered.port;
+    return isOffered && !m_wasChosen && !m_entrance.isTrying()
+           && (m_address->text().isEmpty() || m_code->text().isEmpty());
+}
+
+void JoinDialog::chooseByItself()
+{
+    const std::optional<int> known = m_sessions.knownRow();
+    if (!isLeftToItself() || (!known && m_sessions.rowCount() != 1))
         return;
-    m_list->setCurrentIndex(m_sessions.index(0));
-    if (m_list->hasFocus() || !focusWidget()) // and nobody types already
+    m_choosesByItself = true;
+    m_list->setCurrentIndex(m_sessions.index(known.value_or(0)));
+    m_choosesByItself = false;
+    focusWhatIsMissing(known.has_value());
+}
+
+/// Unless somebody types already.
+void JoinDialog::focusWhatIsMissing(bool isKnown)
+{
+    const QWidget* at = focusWidget();
+    const bool isTyping =
+        at && at != m_list && at != m_join && (at != m_code || !m_code->text().isEmpty());
+    if (isTyping)
+        return;
+    if (isKnown && m_join->isEnabled())
+        m_join->setFocus();
+    else
         (m_name->text().isEmpty() ? m_name : m_code)->setFocus();
 }
 

@@ -15,10 +15,11 @@ class QPushButton;
 namespace carina
 {
 
-/// Asks a person which session to join, with which code, name and role. A join link pasted into the
-/// address field fills in the fields that it contains. Missing fields are named, and Join is
-/// enabled once none is missing. The dialog is accepted when the host admits the person; after a
-/// refusal the wrong field gets the focus and all input is kept.
+/// Asks a person which session to join, with which code, name and role. The session that they were
+/// in last is chosen as soon as it is found, or else the only one, unless they chose. A join link
+/// pasted into the address field fills in the fields that it contains. Missing fields are named,
+/// and Join is enabled once none is missing. The dialog is accepted when the host admits the
+/// person; after a refusal the wrong field gets the focus and all input is kept.
 class JoinDialog : public QDialog
 {
     Q_OBJECT
@@ -39,7 +40,9 @@ private:
     [[nodiscard]] QLineEdit* field(const char* name, const QString& label, const QString& text);
     void layOut();
     void choose(const QModelIndex& session);
-    void chooseTheOnly();
+    void chooseByItself();
+    [[nodiscard]] bool isLeftToItself() const;
+    void focusWhatIsMissing(bool isKnown);
     void showMore(bool shown);
     void readLink();
     void follow();
@@ -63,6 +66,9 @@ private:
     QWidget* m_typed;    ///< parent of all input fields above
     QLabel* m_missing;
     QPushButton* m_join;
+    JoinForm m_offered;             ///< whose place nobody typed
+    bool m_choosesByItself = false; ///< at present
+    bool m_wasChosen = false;       ///< a person took a session from the list
 };
 
 } // namespace carina

@@ -28,6 +28,7 @@ namespace
 
 constexpr int kNoticeInterval_ms = 200;
 constexpr int kNoticeMargin = 4; // pixels
+constexpr int kMostPassed = 16;  // stops of Tab outside of the window
 
 } // namespace
 
@@ -358,6 +359,18 @@ void TraineeWindow::resizeEvent(QResizeEvent* event)
 {
     QMainWindow::resizeEvent(event);
     refreshNotice();
+}
+
+bool TraineeWindow::focusNextPrevChild(bool next)
+{
+    for (int passed = 0; passed < kMostPassed; ++passed) {
+        if (!QMainWindow::focusNextPrevChild(next))
+            return false;
+        const QWidget* at = focusWidget();
+        if (!at || rect().intersects(QRect{at->mapTo(this, QPoint{}), at->size()}))
+            break;
+    }
+    return true;
 }
 
 /// Where one eye sees it whole.

@@ -68,6 +68,8 @@ public:
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
+    /// Passes by what lies outside of the window, as the tabs of panels that are shut do.
+    bool focusNextPrevChild(bool next) override;
 
 Q_SIGNALS:
     /// A person wants to connect a tracker, or another one.

@@ -389,7 +389,8 @@ WayIn wayIn(const Target& target, Role role)
 
 bool actsBesideOthers(const AttackKind& kind)
 {
-    return !kind.isAllOthers && !kind.spoils && kind.strategy == StrategyKind::SessionClock;
+    return !kind.isAllOthers && !kind.spoils && !kind.needsRoom
+           && kind.strategy == StrategyKind::SessionClock;
 }
 
 std::span<const AttackKind> attackKinds()
@@ -525,8 +526,8 @@ std::span<const AttackKind> attackKinds()
                    .mostFacts = kComings + kOwn,
                    .factsPerS = kOwnPerS},
         AttackKind{.name = "together",
-                   .what = "nineteen attackers at once, in all of these ways but \"messages\" and "
-                           "\"new-codes\", which would hinder the others",
+                   .what = "nineteen attackers at once, in all of these ways but \"messages\", "
+                           "\"new-codes\" and \"gallery\", which would hinder the others",
                    .begin = begin<Together>,
                    // All trainees share the budget of one address.
                    .mostFacts = double(kAttackersAtOnce) * kComings + kSharing + 2.0 * kInstructing
@@ -547,7 +548,8 @@ std::span<const AttackKind> attackKinds()
                     "than a station may have",
             .begin = beginGallery,
             .mostFacts = kComings + kGalleryNames * (2.0 + kGalleryObjects),
-            .leastPerS = 2.0}};
+            .leastPerS = 2.0,
+            .needsRoom = true}};
     return kKinds;
 }
 

@@ -59,10 +59,11 @@ struct AttackKind {
     StrategyKind strategy = StrategyKind::SessionClock; ///< of the session meanwhile
     std::optional<Role> spoils{}; ///< role whose code is void by it, so that nobody new comes in
     bool isAllOthers = false;     ///< all that can act at the same time
+    bool needsRoom = false;       ///< for so many names that the others would not all come in
 };
 
 /// How many can: not one that wants another strategy, nor one that voids the code by which others
-/// come in.
+/// come in, nor one that needs their room.
 inline constexpr std::size_t kAttackersAtOnce = 19;
 [[nodiscard]] bool actsBesideOthers(const AttackKind& kind);
 

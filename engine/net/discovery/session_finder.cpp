@@ -22,11 +22,20 @@ SessionFinder::SessionFinder(std::function<void()> onChange, std::uint16_t port)
     ask();
 }
 
+void SessionFinder::lookFor(const SessionKey& session)
+{
+    m_known = session;
+    ask();
+}
+
 void SessionFinder::ask()
 {
-    const auto question = encodeQuestion({.nonce = m_nonce});
+    std::vector<std::vector<std::byte>> questions{encodeQuestion({.nonce = m_nonce})};
+    if (m_known != SessionKey{})
+        questions.push_back(encodeQuestion({m_nonce, m_known}));
     for (const QHostAddress& address : broadcastAddresses())
-        m_socket.writeDatagram(viewOf(question), address, m_port);
+        for (const auto& question : questions)
+            m_socket.writeDatagram(viewOf(question), address, m_port);
     if (m_found.forget(monotonicNow()))
         m_onChange();
 }

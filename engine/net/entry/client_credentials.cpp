@@ -14,6 +14,32 @@ ClientCredentials::ClientCredentials(Role role, std::optional<JoinCode> code, To
 {
 }
 
+void ClientCredentials::setPlace(const std::string& address, std::uint16_t port)
+{
+    m_visit = {{}, address, port};
+    const auto last = m_tokens.lastVisit();
+    if (last && last->address == address && last->port == port)
+        m_before = last->sessionId;
+}
+
+/// Which session a program that is started again is to look for. Where that cannot be written, it
+/// waits at the place that it is given.
+void ClientCredentials::keepVisit()
+{
+    if (m_visit.address.empty() || m_visit.sessionId == m_session)
+        return;
+    m_visit.sessionId = m_session;
+    static_cast<void>(m_tokens.keepVisit(m_visit));
+}
+
+std::string ClientCredentials::sought() const
+{
+    const std::string& session = m_session.empty() ? m_before : m_session;
+    const bool hasOne =
+        !session.empty() && session != m_tokenTurnedDown && m_tokens.find(session).has_value();
+    return hasOne ? session : std::string{};
+}
+
 std::optional<KeyOffer> ClientCredentials::offerFor(const std::string& hint)
 {
     if (!isSessionId(hint) || !mayTry() || (!m_session.empty() && hint != m_session))
@@ -34,7 +60,7 @@ std::optional<KeyOffer> ClientCredentials::offerAgain() { return offerFor(m_sess
 
 std::optional<KeyOffer> ClientCredentials::offerToFound(const std::string& hint) const
 {
-    if (hint != m_session || !mayTry() || !hasToken())
+    if (hint.empty() || hint != sought() || !mayTry())
         return std::nullopt;
     const auto token = m_tokens.find(hint);
     return KeyOffer{{{m_role, token->participant}, hint}, token->key};
@@ -63,6 +89,8 @@ void ClientCredentials::accepted(const KeyOffer& offer)
 {
     m_rejections = 0;
     m_session = offer.identity.sessionId;
+    if (offer.identity.who.participant)
+        keepVisit();
 }
 
 void ClientCredentials::keepToken(const TokenFolder::Token& token)
@@ -70,6 +98,7 @@ void ClientCredentials::keepToken(const TokenFolder::Token& token)
     // One that cannot be written is known until this program ends.
     static_cast<void>(m_tokens.keep(m_session, token));
     m_tokenTurnedDown.clear();
+    keepVisit();
 }
 
 bool ClientCredentials::hasToken() const

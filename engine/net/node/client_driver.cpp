@@ -58,6 +58,7 @@ ClientDriver::ClientDriver(const JoinSettings& settings, NodeBoard& board, Local
                                                              settings.participantName}),
              QRandomGenerator::system()->generate(), now, settings.station}
 {
+    m_credentials.setPlace(settings.address, settings.port);
     show(now);
 }
 

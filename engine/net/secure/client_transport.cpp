@@ -65,6 +65,8 @@ void ClientTransport::serveTries(TransportListener& listener, LocalTime now)
     for (auto& path : m_opening) {
         path->serve([](auto, auto) {});
         m_roundTrip = path->roundTrip().value_or(m_roundTrip);
+        if (path->roundTrip() && m_credentials.session().empty())
+            m_lastAlive = now; // somebody is there: whose session it is shows in the handshake
         if (path->state() == ClientPath::State::Encrypted)
             return take(std::move(path), listener, now);
     }
@@ -83,7 +85,7 @@ void ClientTransport::serveSearch(TransportListener& listener, LocalTime now)
     }
     if (!m_search)
         m_search = std::make_unique<SessionSearch>(
-            sessionKey(m_credentials.session()), [this] { tellNews(); }, m_discoveryPort);
+            sessionKey(m_credentials.sought()), [this] { tellNews(); }, m_discoveryPort);
     for (auto& path : m_found) {
         path->serve([](auto, auto) {});
         if (path->state() == ClientPath::State::Encrypted) {
@@ -100,7 +102,7 @@ void ClientTransport::serveSearch(TransportListener& listener, LocalTime now)
 bool ClientTransport::needsSearch(LocalTime now) const
 {
     return needsPath(now) && now >= m_lastAlive + kSearchAfter && m_credentials.mayTry()
-           && !m_credentials.session().empty() && m_credentials.hasToken();
+           && !m_credentials.sought().empty();
 }
 
 void ClientTransport::tryFound(LocalTime now)

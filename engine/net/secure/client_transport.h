@@ -19,9 +19,10 @@ namespace carina
 ///
 /// A host that comes back at another address or port is searched for as well: a client that was in
 /// a session asks the networks for it when the session is silent for kSearchAfter, and tries the
-/// places that answer beside the one it knows, three at a time and each for kFoundTry. The first
-/// that proves to have the client's token is the host from then on; what others say has no effect
-/// (HostPlace::Found).
+/// places that answer beside the one it knows, three at a time and each for kFoundTry. So does one
+/// whose program was started again, while nobody answers at the place that it was given
+/// (ClientCredentials::sought). The first that proves to have the client's token is the host from
+/// then on; what others say has no effect (HostPlace::Found).
 class ClientTransport : public SecureTransport
 {
 public:
@@ -74,7 +75,7 @@ private:
     std::vector<std::unique_ptr<ClientPath>> m_found; ///< tries at places that were found
     std::unique_ptr<SessionSearch> m_search;
     std::uint16_t m_discoveryPort;
-    LocalTime m_lastAlive; ///< when the last path was heard
+    LocalTime m_lastAlive; ///< when the last path was heard, or the host before there was one
     OnMoved m_onMoved;
     LocalTime m_nextTry;
     Duration m_roundTrip{};

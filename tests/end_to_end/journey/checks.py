@@ -57,12 +57,17 @@ def contains(outer, inner):
 def walk(view, hands):
     """The controls that Tab goes through, until it comes back to the first."""
     nodes = [node for node in view.controls() if "focusable" in node.states]
-    first = at = view.press_and_see("Tab", hands, nodes, view.focused(nodes))
+    if len(nodes) == 1:  # as in a trainee's window: there is nowhere else to go
+        hands.key("Tab")
+        return nodes, nodes if view.soon(lambda: view.focused(nodes)) else []
+    last = view.focused(nodes)
+    first = at = view.press_and_see("Tab", hands, nodes, last)
     stops, lost = [], 0
     while len(stops) < MOST_TABS and lost < MOST_LOST:
         lost = lost + 1 if at is None else 0
         stops += [] if at is None else [at]
-        at = view.press_and_see("Tab", hands, nodes, at)
+        last = at or last  # where Tab does not lead on from, nothing moves
+        at = view.press_and_see("Tab", hands, nodes, last)
         if at is not None and at is first:
             break
     return nodes, stops

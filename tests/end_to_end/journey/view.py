@@ -31,14 +31,26 @@ class View:
 
     def all(self):
         """All that is in sight: panels behind others lie outside of the screen."""
+        return [node for node in self.tree().all()
+                if "showing" in node.states and self._is_on_screen(node)]
+
+    def _is_on_screen(self, node):
         width, height = self.computer.screen.size
+        return (node.box[0] < width and node.box[1] < height
+                and node.box[0] + node.box[2] > 0 and node.box[1] + node.box[3] > 0)
+
+    def reachable(self):
+        """All that is in sight, or comes there when its panel is scrolled."""
         return [node for node in self.tree().all() if "showing" in node.states
-                and node.box[0] < width and node.box[1] < height
-                and node.box[0] + node.box[2] > 0 and node.box[1] + node.box[3] > 0]
+                and (self._is_on_screen(node) or self._is_scrolled_away(node))]
+
+    def _is_scrolled_away(self, node):
+        pane = next((above for above in node.ancestors() if above.role == "frame"), None)
+        return node.role != "frame" and pane is not None and self._is_on_screen(pane)
 
     def find(self, **wanted):
         """The first that is shown and is alike; a name may be a function that tells."""
-        return next((node for node in self.all() if is_like(node, **wanted)), None)
+        return next((node for node in self.reachable() if is_like(node, **wanted)), None)
 
     def wait(self, what, limit_s=ANSWERS_S, **wanted):
         return wait_for(f"{self.computer.name} shows {what}",
@@ -76,7 +88,7 @@ class View:
 
     def beside(self, label, role):
         """The control of this role to the right of a label."""
-        nodes = self.all()
+        nodes = self.reachable()
         words = next(node for node in nodes if is_like(node, role="label", name=label))
         return next(node for node in nodes if node.role == role and node.box[0] > words.box[0]
                     and abs(node.middle[1] - words.middle[1]) < node.box[3] / 2)

@@ -101,6 +101,19 @@ private Q_SLOTS:
         QCOMPARE(console.node.proposed, before);
     }
 
+    void givingIsAChangeThatIsTakenBack()
+    {
+        Console console;
+        ChangeHistory history;
+        console.model.setHistory(history);
+        console.asks(kTom);
+        console.model.act(console.model.all().front());
+        QCOMPARE(history.texts(), QStringList{QStringLiteral("Adult → given to Tom")});
+        history.undo();
+        QVERIFY(console.node.state()->objects().at(kPatient).owner == FakeSessionNode::kInstructor);
+        QVERIFY(history.isEmpty());
+    }
+
     void doesNotOfferWhatIsBeingGiven()
     {
         Console console;

@@ -330,13 +330,19 @@ void TestLifting::theHistoryTakesBackStepsOfAllObjects()
     seat.move();
     QCOMPARE(history.texts(), (QStringList{QStringLiteral("Lungs: moved along x"),
                                            QStringLiteral("Airway: moved along x"),
-                                           QStringLiteral("Lungs: moved along x")}));
+                                           QStringLiteral("Airway → lifted out"),
+                                           QStringLiteral("Lungs: moved along x"),
+                                           QStringLiteral("Lungs → lifted out")}));
     history.undo();
     QVERIFY(seat.isAt(kLungs, 0.1) && seat.isAt(kAirway, 0.1));
     history.undo(); // not the one that is chosen
     QVERIFY(seat.isAt(kLungs, 0.1) && seat.isAt(kAirway, 0.0));
     history.undo();
+    QVERIFY(seat.ownerOf(kAirway) == kNobody);
+    history.undo();
     QVERIFY(seat.isAt(kLungs, 0.0));
+    history.undo();
+    QVERIFY(seat.ownerOf(kLungs) == kNobody);
     QVERIFY(history.isEmpty());
 }
 
@@ -370,7 +376,9 @@ void TestLifting::theHistoryForgetsWhatAnotherHad()
     seat.move();
     seat.pass(kLungs, kTom);
     QCoreApplication::sendPostedEvents();
-    QCOMPARE(history.texts(), QStringList{QStringLiteral("Airway: moved along x")});
+    QCOMPARE(history.texts(), (QStringList{QStringLiteral("Lungs → lifted out"), // says why not
+                                           QStringLiteral("Airway: moved along x"),
+                                           QStringLiteral("Airway → lifted out")}));
 }
 
 void TestLifting::theHistoryForgetsWhatIsOfAnotherStation()

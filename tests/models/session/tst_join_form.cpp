@@ -1,3 +1,4 @@
+#include "engine/net/entry/session_identity.h"
 #include "engine/net/entry/token_folder.h"
 #include "models/errors/error_text.h"
 #include "models/session/join_form.h"
@@ -249,13 +250,46 @@ private Q_SLOTS:
         QCOMPARE(missingIn(form), QString{});
     }
 
-    void nameOfTheLastTimeIsKept()
+    void personOfTheLastTimeIsKept()
     {
         const QTemporaryDir folder;
         const std::filesystem::path tokens{folder.path().toStdString()};
-        QCOMPARE(lastName(tokens), QString{});
-        keepLastName(tokens, QStringLiteral(" Änne Müller "));
-        QCOMPARE(lastName(tokens), QStringLiteral("Änne Müller"));
+        QCOMPARE(withLastPerson({}, tokens).name, QString{});
+        keepLastTime(tokens, {.name = QStringLiteral(" Änne Müller "),
+                              .role = Role::Observer,
+                              .certificate = QStringLiteral("carina.example")});
+        const JoinForm form = withLastPerson({}, tokens);
+        QCOMPARE(form.name, QStringLiteral("Änne Müller"));
+        QVERIFY(form.role == Role::Observer);
+        QCOMPARE(form.certificate, QStringLiteral("carina.example"));
+        const JoinForm ben = withLastPerson({.name = QStringLiteral("Ben")}, tokens);
+        QCOMPARE(ben.name, QStringLiteral("Ben"));
+        QVERIFY(ben.role == Role::Trainee && ben.certificate.isEmpty());
+    }
+
+    /// Where a token says that the person may come into it again.
+    void sessionOfTheLastTimeIsKnown()
+    {
+        const QTemporaryDir folder;
+        const std::filesystem::path tokens{folder.path().toStdString()};
+        const std::string session(32, 'a');
+        const JoinForm anna{.name = QStringLiteral("Anna")};
+        TokenFolder kept{tokens, Role::Trainee, "Anna"};
+        QVERIFY(kept.keepVisit({session, "192.0.2.7", 45000}));
+        QVERIFY(!lastSession(anna, tokens));
+        QCOMPARE(withLastPlace(anna, tokens).address, QString{});
+        QVERIFY(kept.keep(session, {}));
+        QVERIFY(lastSession(anna, tokens) == sessionKey(session));
+        const JoinForm form = withLastPlace(anna, tokens);
+        QCOMPARE(form.address, QStringLiteral("192.0.2.7"));
+        QCOMPARE(form.port, QStringLiteral("45000"));
+        QVERIFY(form.isPlaceOfLastTime);
+        QVERIFY(!whatIsMissing(form, tokens));
+        const JoinForm told = withLastPlace(
+            {.address = QStringLiteral("192.0.2.8"), .name = QStringLiteral("Anna")}, tokens);
+        QCOMPARE(told.address, QStringLiteral("192.0.2.8"));
+        QVERIFY(!told.isPlaceOfLastTime);
+        QVERIFY(!lastSession({.name = QStringLiteral("Ben")}, tokens));
     }
 };
 

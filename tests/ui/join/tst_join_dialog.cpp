@@ -1,4 +1,6 @@
 #include "engine/net/discovery/session_beacon.h"
+#include "engine/net/entry/session_identity.h"
+#include "engine/net/entry/token_folder.h"
 #include "models/errors/error_text.h"
 #include "tests/engine/net/node/free_port.h"
 #include "tests/models/fake_session_node.h"
@@ -12,6 +14,7 @@
 #include <QLineEdit>
 #include <QListView>
 #include <QPushButton>
+#include <QTemporaryDir>
 
 namespace carina::join_dialog_test
 {
@@ -21,6 +24,31 @@ namespace
 
 const QString kLink =
     QStringLiteral("carina:join?address=192.0.2.7&port=45000&role=observer&code=7K3QM-XW2PD");
+
+/// What is kept of one who was in a session before.
+struct LastTime {
+    LastTime()
+    {
+        TokenFolder kept{tokens(), Role::Trainee, "Anna"};
+        QVERIFY(kept.keep(session, {}));
+        QVERIFY(kept.keepVisit({session, "192.0.2.7", 45001}));
+        keepLastTime(tokens(), {.name = QStringLiteral("Anna")});
+    }
+    [[nodiscard]] std::filesystem::path tokens() const { return folder.path().toStdString(); }
+    [[nodiscard]] JoinSettings settings() const
+    {
+        JoinSettings known;
+        known.tokens = tokens();
+        return known;
+    }
+    [[nodiscard]] JoinForm form() const
+    {
+        return withLastPlace(withLastPerson({}, tokens()), tokens());
+    }
+
+    QTemporaryDir folder;
+    std::string session = std::string(32, 'a');
+};
 
 } // namespace
 
@@ -105,6 +133,62 @@ private Q_SLOTS:
                                   kSoonMs);
         QCOMPARE(find<QLineEdit>(dialog, "address").text(), QStringLiteral("127.0.0.1"));
         QCOMPARE(dialog.focusWidget()->objectName(), QStringLiteral("code"));
+    }
+
+    /// As it is while the console is away: where it was, and a press of Join.
+    void sessionOfTheLastTimeIsFilledIn()
+    {
+        FoundSessionsModel sessions{freePort()};
+        const LastTime last;
+        Entrance entrance{last.settings(), join()};
+        JoinDialog dialog{sessions, entrance, last.form()};
+        QCOMPARE(dialog.form().address, QStringLiteral("192.0.2.7"));
+        QVERIFY(find<QPushButton>(dialog, "join").isEnabled());
+        dialog.accept();
+        QCOMPARE(m_tries, 1);
+    }
+
+    /// Whatever else is found, and although it is joined by link.
+    void sessionOfTheLastTimeIsChosenOnceItIsFound()
+    {
+        const std::uint16_t port = freePort();
+        const LastTime last;
+        FoundSessionsModel sessions{port};
+        sessions.lookFor(*lastSession(last.form(), last.tokens()));
+        Entrance entrance{last.settings(), join()};
+        JoinDialog dialog{sessions, entrance, last.form()};
+        dialog.show();
+        const auto another = SessionBeacon::open(ward(), false, port);
+        QTRY_COMPARE_WITH_TIMEOUT(dialog.form().port, QStringLiteral("45000"), kSoonMs);
+        const auto known = SessionBeacon::open({sessionKey(last.session), "Ward 4", 45004}, false,
+                                               port, Announced::ToThoseWhoKnowIt);
+        QVERIFY(another && known);
+        QTRY_COMPARE_WITH_TIMEOUT(dialog.form().port, QStringLiteral("45004"), kSoonMs);
+        QCOMPARE(dialog.form().address, QStringLiteral("127.0.0.1"));
+        QCOMPARE(dialog.focusWidget()->objectName(), QStringLiteral("join"));
+        QVERIFY(sessions.index(*sessions.knownRow())
+                    .data()
+                    .toString()
+                    .contains(QStringLiteral("you were here last")));
+    }
+
+    /// Who types the code of another one is not led away from it.
+    void sessionOfTheLastTimeComesTooLate()
+    {
+        const std::uint16_t port = freePort();
+        const LastTime last;
+        FoundSessionsModel sessions{port};
+        sessions.lookFor(*lastSession(last.form(), last.tokens()));
+        Entrance entrance{last.settings(), join()};
+        JoinDialog dialog{sessions, entrance, last.form()};
+        dialog.show();
+        const auto another = SessionBeacon::open(ward(), false, port);
+        QTRY_COMPARE_WITH_TIMEOUT(dialog.form().port, QStringLiteral("45000"), kSoonMs);
+        find<QLineEdit>(dialog, "code").setText(QStringLiteral("7K3QM-XW2PD"));
+        const auto known = SessionBeacon::open({sessionKey(last.session), "Ward 4", 45004}, false,
+                                               port, Announced::ToThoseWhoKnowIt);
+        QTRY_COMPARE_WITH_TIMEOUT(sessions.rowCount(), 2, kSoonMs);
+        QCOMPARE(dialog.form().port, QStringLiteral("45000"));
     }
 
     void tabGoesFromAboveToBelow()

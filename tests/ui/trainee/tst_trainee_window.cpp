@@ -5,6 +5,7 @@
 
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTabBar>
 
 namespace carina::trainee_window_test
 {
@@ -85,6 +86,20 @@ private Q_SLOTS:
             return shown.window.notice().contains(QStringLiteral("Connecting to the instructor"));
         }));
         QVERIFY(!shown.another().isVisible());
+    }
+
+    /// Which lie tabbed outside of the window.
+    void tabPassesByPanelsThatAreShut()
+    {
+        Shown shown;
+        shown.node.decide(fact::PhaseChanged{SessionPhase::Ended});
+        shown.node.advance(std::chrono::seconds{1});
+        QVERIFY(soon([&] { return shown.another().isVisible(); }));
+        for (const Qt::Key key : {Qt::Key_Tab, Qt::Key_Backtab}) {
+            shown.another().setFocus();
+            QTest::keyClick(&shown.another(), key);
+            QVERIFY(!qobject_cast<QTabBar*>(shown.window.focusWidget()));
+        }
     }
 
     void keepsAHeadsetsPictureFree()

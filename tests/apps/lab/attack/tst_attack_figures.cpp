@@ -139,7 +139,7 @@ private Q_SLOTS:
     {
         QCOMPARE(std::size_t(std::ranges::count_if(attackKinds(), actsBesideOthers)),
                  kAttackersAtOnce);
-        for (const char* name : {"together", "messages", "new-codes"})
+        for (const char* name : {"together", "messages", "new-codes", "gallery"})
             QVERIFY2(!actsBesideOthers(kindOf(name)), name);
     }
 

@@ -82,6 +82,21 @@ private Q_SLOTS:
         QVERIFY(!asker.hasPendingDatagrams());
     }
 
+    /// As who was in one finds it, beside those that everybody does.
+    void finderFindsTheHiddenSessionThatItKnows()
+    {
+        const std::uint16_t port = freePort();
+        const auto hidden =
+            SessionBeacon::open(noticeOf(1, "Hidden"), false, port, Announced::ToThoseWhoKnowIt);
+        const auto shown = SessionBeacon::open(noticeOf(2, "Shown"), false, port);
+        QVERIFY(hidden && shown);
+        SessionFinder finder{[] {}, port};
+        QTRY_COMPARE_WITH_TIMEOUT(namesIn(finder), std::set<std::string>{"Shown"}, kSoonMs);
+        finder.lookFor(noticeOf(1).session);
+        QTRY_COMPARE_WITH_TIMEOUT(namesIn(finder), (std::set<std::string>{"Hidden", "Shown"}),
+                                  kSoonMs);
+    }
+
     void floodOfQuestionsGetsFewAnswers()
     {
         const std::uint16_t port = freePort();

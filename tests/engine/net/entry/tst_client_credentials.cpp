@@ -1,6 +1,8 @@
 #include "engine/net/entry/client_credentials.h"
 #include "tests/support/test_class.h"
 
+#include <QTemporaryDir>
+
 namespace carina::client_credentials_test
 {
 namespace
@@ -11,8 +13,9 @@ const std::string kOther = "ffeeddccbbaa99887766554433221100";
 constexpr int kSoonMs = 2000;
 
 struct Person {
-    explicit Person(std::optional<JoinCode> code = JoinCode::random())
-        : credentials{Role::Trainee, std::move(code), TokenFolder{{}, Role::Trainee, "Anna"},
+    explicit Person(std::optional<JoinCode> code = JoinCode::random(),
+                    const std::filesystem::path& tokens = {})
+        : credentials{Role::Trainee, std::move(code), TokenFolder{tokens, Role::Trainee, "Anna"},
                       [this](const JoinCode&, const SessionKey& session) -> Result<AccessKey> {
                           ++derivations;
                           if (noMemory)
@@ -138,6 +141,55 @@ private Q_SLOTS:
         QVERIFY(anna.credentials.offerToFound(kSession));
         QVERIFY(!anna.credentials.offerToFound(kOther));
         QCOMPARE(anna.derivations.load(), 0);
+    }
+
+    /// Her program is started again, and given the same place.
+    void sessionOfTheLastTimeIsSought()
+    {
+        const QTemporaryDir folder;
+        const std::filesystem::path tokens{folder.path().toStdString()};
+        {
+            Person anna{JoinCode::random(), tokens};
+            anna.credentials.setPlace("192.0.2.7", 45000);
+            QCOMPARE(anna.credentials.sought(), std::string{});
+            anna.credentials.accepted({{{Role::Trainee, std::nullopt}, kSession}, {}});
+            QCOMPARE(anna.credentials.sought(), std::string{}); // nothing proves who its host is
+            anna.credentials.keepToken({ParticipantId{4}, randomKey()});
+            QCOMPARE(anna.credentials.sought(), kSession);
+        }
+        Person again{std::nullopt, tokens};
+        again.credentials.setPlace("192.0.2.7", 45000);
+        QCOMPARE(again.credentials.session(), std::string{});
+        QCOMPARE(again.credentials.sought(), kSession);
+        const auto offer = again.credentials.offerToFound(kSession);
+        QVERIFY(offer);
+        QCOMPARE(toText(offer->identity), "trainee:" + kSession + ":4");
+        QVERIFY(!again.credentials.offerToFound(kOther));
+        again.credentials.accepted(*offer);
+        QCOMPARE(again.credentials.session(), kSession);
+    }
+
+    /// Where that is may be another session, whose console is not there yet.
+    void nothingIsSoughtForAnotherPlace_data()
+    {
+        QTest::addColumn<QByteArray>("address");
+        QTest::addColumn<int>("port");
+        QTest::newRow("another port") << QByteArray{"192.0.2.7"} << 45001;
+        QTest::newRow("another address") << QByteArray{"192.0.2.8"} << 45000;
+    }
+    void nothingIsSoughtForAnotherPlace()
+    {
+        QFETCH(const QByteArray, address);
+        QFETCH(const int, port);
+        const QTemporaryDir folder;
+        const std::filesystem::path tokens{folder.path().toStdString()};
+        TokenFolder kept{tokens, Role::Trainee, "Anna"};
+        QVERIFY(kept.keep(kSession, {}) && kept.keepVisit({kSession, "192.0.2.7", 45000}));
+        Person anna{std::nullopt, tokens};
+        anna.credentials.setPlace(address.toStdString(), std::uint16_t(port));
+        QCOMPARE(anna.credentials.sought(), std::string{});
+        QVERIFY(!anna.credentials.offerToFound(kSession));
+        QVERIFY(anna.credentials.offerFor(kSession)); // if it is there
     }
 
     /// Another session at the address of the one that this program is in.

@@ -69,6 +69,56 @@ private Q_SLOTS:
         QVERIFY(!TokenFolder({}, Role::Trainee, "Anna").hasAny());
     }
 
+    void knowsTheLastSessionOfARoleAndAName()
+    {
+        const QTemporaryDir folder;
+        const std::filesystem::path tokens =
+            folder.filePath(QStringLiteral("tokens")).toStdString();
+        const TokenFolder::Visit visit{kSession, "2001:db8::1", 45001};
+        TokenFolder anna{tokens, Role::Trainee, "Anna"};
+        QVERIFY(!anna.lastVisit());
+        QVERIFY(anna.keepVisit(visit));
+        QVERIFY(!anna.lastVisit()); // there is no way back into it
+        QVERIFY(!anna.hasAny());
+        QVERIFY(anna.keep(kSession, {}));
+        const TokenFolder again{tokens, Role::Trainee, "Anna"};
+        QVERIFY(again.lastVisit() == visit);
+        QVERIFY(!TokenFolder(tokens, Role::Observer, "Anna").lastVisit());
+        QVERIFY(!TokenFolder(tokens, Role::Trainee, "Ben").lastVisit());
+        const std::string other(32, '0');
+        QVERIFY(anna.keep(other, {}));
+        QVERIFY(anna.keepVisit({other, "127.0.0.1", 1}));
+        QVERIFY(again.lastVisit() == (TokenFolder::Visit{other, "127.0.0.1", 1}));
+        TokenFolder homeless{{}, Role::Trainee, "Anna"};
+        QVERIFY(homeless.keepVisit(visit) && !homeless.lastVisit());
+    }
+
+    void damagedVisitsAreNone_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        const QByteArray session{kSession};
+        QTest::newRow("nothing") << QByteArray{};
+        QTest::newRow("no place") << session;
+        QTest::newRow("no port") << session + " 127.0.0.1";
+        QTest::newRow("a word as port") << session + " 127.0.0.1 port";
+        QTest::newRow("too large a port") << session + " 127.0.0.1 65536";
+        QTest::newRow("more behind the port") << session + " 127.0.0.1 1x";
+        QTest::newRow("no session") << QByteArray{"Ward 127.0.0.1 1"};
+    }
+    void damagedVisitsAreNone()
+    {
+        QFETCH(const QByteArray, text);
+        const QTemporaryDir folder;
+        TokenFolder anna{folder.path().toStdString(), Role::Trainee, "Anna"};
+        QVERIFY(anna.keep(kSession, {}));
+        QVERIFY(anna.keepVisit({kSession, "127.0.0.1", 1}));
+        const QStringList files =
+            QDir{folder.path()}.entryList({QStringLiteral("*.visit")}, QDir::Files);
+        QCOMPARE(files.size(), 1);
+        QVERIFY(writeWholeFile(folder.filePath(files[0]).toStdString(), text.toStdString()));
+        QVERIFY(!anna.lastVisit());
+    }
+
     void damagedTokensAreNone_data()
     {
         QTest::addColumn<QByteArray>("text");

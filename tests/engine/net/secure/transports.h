@@ -79,8 +79,9 @@ struct TestHost {
 struct TestClient {
     TestClient(std::uint16_t port, const AccessKey& key, Role role = Role::Trainee,
                std::optional<ExpectedCertificate> expected = {},
-               std::uint16_t discoveryPort = kDiscoveryPort)
-        : credentials{role, JoinCode::random(), TokenFolder{{}, role, "Anna"},
+               std::uint16_t discoveryPort = kDiscoveryPort,
+               const std::filesystem::path& tokens = {})
+        : credentials{role, JoinCode::random(), TokenFolder{tokens, role, "Anna"},
                       [key](const JoinCode&, const SessionKey&) { return Result<AccessKey>{key}; }},
           transport{kLoopback,           port,         credentials, monotonicNow(),
                     std::move(expected), discoveryPort}

@@ -4,6 +4,8 @@
 #include "tests/engine/net/secure/transports.h"
 #include "tests/support/test_class.h"
 
+#include <QTemporaryDir>
+
 namespace carina::found_host_test
 {
 namespace
@@ -47,6 +49,32 @@ struct LeftAlone {
     TestClient client{host->port(), host->keys.at(Role::Trainee), Role::Trainee, {}, discoveryPort};
 };
 
+/// The program of one who was in the session before, in a folder with her tokens.
+struct StartedAgain {
+    StartedAgain()
+    {
+        TokenFolder kept{tokens(), Role::Trainee, "Anna"};
+        static_cast<void>(kept.keep(kSession, {kAnna, token}));
+    }
+    [[nodiscard]] std::filesystem::path tokens() const { return folder.path().toStdString(); }
+    /// Started with the place that was told the last time, too.
+    [[nodiscard]] std::unique_ptr<TestClient> client(std::uint16_t port) const
+    {
+        const std::string address = kLoopback.toString().toStdString();
+        const TokenFolder kept{tokens(), Role::Trainee, "Anna"};
+        static_cast<void>(kept.keepVisit({kSession, address, port}));
+        auto made = std::make_unique<TestClient>(port, AccessKey{}, Role::Trainee,
+                                                 std::optional<ExpectedCertificate>{},
+                                                 discoveryPort, tokens());
+        made->credentials.setPlace(address, port);
+        return made;
+    }
+
+    QTemporaryDir folder;
+    std::uint16_t discoveryPort = freePort();
+    AccessKey token = randomKey();
+};
+
 } // namespace
 
 class TestFoundHost : public QObject
@@ -71,6 +99,41 @@ private Q_SLOTS:
         QVERIFY(again->heard.paths.begin()->second.participant == kAnna);
         anna.client.send("here again");
         QTRY_COMPARE_WITH_TIMEOUT(again->heard.received.size(), std::size_t{1}, kHandshakeMs);
+    }
+
+    /// Her program is started again while the host is away, by the same words as before.
+    void hostIsFoundByAProgramThatIsStartedAgain()
+    {
+        const StartedAgain anna;
+        const std::uint16_t known = freePort(); // where nobody is any more
+        TestHost host;
+        host.tokens = {{kAnna, anna.token}};
+        const auto beacon = announce(host.port(), anna.discoveryPort);
+        QVERIFY(beacon);
+        const auto client = anna.client(known);
+        const LocalTime begin = monotonicNow();
+        QTRY_COMPARE_WITH_TIMEOUT(client->heard.paths.size(), std::size_t{1}, kFoundMs);
+        QVERIFY(monotonicNow() - begin < kFoundWithin);
+        QVERIFY(host.heard.paths.begin()->second.participant == kAnna);
+        QCOMPARE(client->credentials.session(), kSession);
+    }
+
+    /// Somebody is where she was told to go, however long that takes: nobody else is asked.
+    void whoAnswersAtThePlaceThatWasToldIsNotPassedBy()
+    {
+        const StartedAgain anna;
+        TestHost slow;
+        slow.transport->admit(kSession, [&slow](const PskIdentity&) {
+            ++slow.asked;
+            return HostTransport::KeyAnswer{HostTransport::KeyAnswer::State::NotYet, {}};
+        });
+        TestHost elsewhere;
+        elsewhere.tokens = {{kAnna, anna.token}};
+        const auto beacon = announce(elsewhere.port(), anna.discoveryPort);
+        const auto client = anna.client(slow.port());
+        QVERIFY(!QTest::qWaitFor([&] { return elsewhere.asked > 0; },
+                                 2 * int(ClientTransport::kSearchAfter / 1ms)));
+        QVERIFY(slow.asked > 0);
     }
 
     /// Anybody can answer in the name of a session: with keys of their own they are nobody, with

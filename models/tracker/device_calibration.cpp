@@ -4,6 +4,8 @@
 #include "models/errors/error_text.h"
 #include "models/station/tool_status.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>

@@ -28,14 +28,15 @@ QString wizardsSite()
 
 } // namespace
 
-Console::Console(const QCommandLineParser& parser, ConsoleOptions options)
+Console::Console(const QCommandLineParser& parser, ConsoleOptions options, ConsoleTracker tracker)
     : m_parser{parser},
       m_options{std::move(options)},
       m_plan{.name = consoleWords("Routine intubation"),
              .patient = program::patientOption(parser),
              .folder = program::anatomyOption(parser),
              .site = m_options.site.isEmpty() ? wizardsSite() : m_options.site,
-             .reach = m_options.reach}
+             .reach = m_options.reach},
+      m_tracker{std::move(tracker)}
 {
 }
 
@@ -145,8 +146,8 @@ Result<void> Console::open(HostedSession hosted, const std::optional<program::Ch
                         : program::patientForStart(presentPatient(*hosted.node), m_parser);
     if (!patient)
         return tl::unexpected(patient.error());
-    auto session =
-        ConsoleSession::open(std::move(hosted), *patient, laid.has_value(), m_options, m_parser);
+    auto session = ConsoleSession::open(std::move(hosted), *patient, laid.has_value(), m_options,
+                                        m_tracker, m_parser);
     if (!session)
         return tl::unexpected(session.error());
     m_session = *std::move(session);
@@ -175,6 +176,7 @@ void Console::showEnd()
     connect(
         m_end.get(), &EndPage::anotherWanted, this,
         [this] {
+            m_session->finish();
             m_session.reset(); // gives its port back
             showStart();
             m_end.reset();
@@ -189,6 +191,7 @@ void Console::showEnd()
 /// The session is closed once there is another window, and is listed once it is closed.
 void Console::goToStart()
 {
+    m_session->finish();
     showStart();
     m_session.reset();
     m_stored->read();

@@ -18,7 +18,7 @@ class Console : public QObject
 
 public:
     /// @pre the parser outlives this.
-    Console(const QCommandLineParser& parser, ConsoleOptions options);
+    Console(const QCommandLineParser& parser, ConsoleOptions options, ConsoleTracker tracker);
     ~Console() override;
 
     /// Begins with the start page, or at once with the session of the options.
@@ -49,6 +49,7 @@ private:
     std::unique_ptr<StoredSessionsModel> m_stored;
     std::unique_ptr<PlannedPatient> m_patient;
     std::unique_ptr<StartPage> m_start;
+    ConsoleTracker m_tracker;
     std::unique_ptr<ConsoleSession> m_session;
     std::unique_ptr<EndPage> m_end;
     std::unique_ptr<program::ControlScript> m_script;

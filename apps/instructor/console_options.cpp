@@ -4,6 +4,8 @@
 #include "apps/program/journal.h"
 #include "apps/program/openigtlink_option.h"
 #include "apps/program/patient_option.h"
+#include "apps/program/site_option.h"
+#include "apps/program/tracker_option.h"
 #include "engine/anatomy/patient/patient_name.h"
 #include "engine/sync/strategies/strategy.h"
 
@@ -28,7 +30,6 @@ const QString kByLink = QStringLiteral("by-link");
 const QString kCodes = QStringLiteral("codes");
 const QString kStart = QStringLiteral("start");
 const QString kStartPage = QStringLiteral("start-page");
-const QString kConsoleSite = QStringLiteral("site");
 
 QString optionWords(const char* text) { return QApplication::translate("Instructor", text); }
 
@@ -53,11 +54,6 @@ void addBeginning(QCommandLineParser& parser)
                       QStringLiteral("DIR"),
                       QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)});
     parser.addOption({kStart, optionWords("Start a session that is ready to start.")});
-    parser.addOption(
-        {kConsoleSite,
-         optionWords("The start page says how far the registration in this file of "
-                     "carina-registration can be relied on. Without it the wizard's own."),
-         QStringLiteral("FILE")});
 }
 
 void addReach(QCommandLineParser& parser)
@@ -134,7 +130,7 @@ Result<void> readStrategy(const QCommandLineParser& parser, ConsoleOptions& opti
 bool isBare(const QCommandLineParser& parser)
 {
     const QStringList silent{kDataFolder, QStringLiteral("size"), QStringLiteral("script"),
-                             kConsoleSite};
+                             QStringLiteral("site")};
     return std::ranges::all_of(parser.optionNames(),
                                [&](const QString& name) { return silent.contains(name); });
 }
@@ -159,6 +155,14 @@ void addConsoleOptions(QCommandLineParser& parser)
                                   "patient as for --patient after a colon, such as \"Room 5: "
                                   "adult\". May be given several times."),
                       QStringLiteral("NAME")});
+    program::addSiteOption(
+        parser, optionWords("The start page says how far this registration can be relied on, or "
+                            "without the option that of the wizard's own file."));
+    program::addTrackerOption(
+        parser, optionWords("The instructor's own tools are tracked by it, drawn here and seen by "
+                            "everybody at the station that is shown. All but the simulated one "
+                            "need --site. Without it this program has no tracker, until it is "
+                            "given one."));
     program::addOpenIgtLinkOption(parser);
     program::addPatientOptions(parser);
     program::addMeasureOptions(parser);
@@ -173,7 +177,7 @@ Result<ConsoleOptions> consoleOptions(const QCommandLineParser& parser)
     ConsoleOptions options{.measure = *measure,
                            .folder = parser.value(kDataFolder),
                            .codes = parser.value(kCodes),
-                           .site = parser.value(kConsoleSite),
+                           .site = program::siteOption(parser),
                            .isNew = parser.isSet(kNew),
                            .starts = parser.isSet(kStart),
                            .asksFirst = parser.isSet(kStartPage) || isBare(parser)};

@@ -2,10 +2,13 @@
 
 #include "apps/program/entry_option.h"
 #include "apps/program/openigtlink_option.h"
+#include "apps/program/site_blade.h"
 #include "engine/session/station_rules.h"
 #include "models/session/session_summary.h"
 #include "ui/start/leave_question.h"
+#include "ui/tracker/recording_end.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace carina
@@ -15,11 +18,24 @@ namespace
 
 constexpr int kEndInterval_ms = 100;
 
+bool isMoving(const SessionNode& node)
+{
+    const auto pending = node.pending();
+    return std::ranges::any_of(pending, [](const FactBody& body) {
+        return std::holds_alternative<fact::ParticipantMoved>(body);
+    });
+}
+
 } // namespace
 
 ConsoleSession::ConsoleSession(HostedSession hosted, const program::ChosenPatient& patient,
-                               const QString& folder)
-    : m_hosted{std::move(hosted)},
+                               const QString& folder, ConsoleTracker& tracker)
+    : m_tracker{tracker},
+      m_hosted{std::move(hosted)},
+      m_tools{*m_hosted.node,
+              {.tracker = tracker.choice},
+              [&tracker](const PatientModel& of) { return tracker.change.placeOf(of); }},
+      m_recording{[node = m_hosted.node.get()] { return node->now(); }},
       m_session{*m_hosted.node},
       m_stations{m_session},
       m_breathing{m_session, m_stations.shown()},
@@ -34,7 +50,7 @@ ConsoleSession::ConsoleSession(HostedSession hosted, const program::ChosenPatien
       m_trace{m_session, m_stations.shown()},
       m_attention{m_session},
       m_checkpoints{*m_hosted.node},
-      m_shown{*m_hosted.node, m_stations.shown(), patient.model, m_lesson.poses()},
+      m_shown{*m_hosted.node, m_stations.shown(), patient.model, m_lesson.poses(), m_tools},
       m_kept{folder},
       m_window{{m_session, m_breathing, m_respiration, m_trace, m_participants, m_conduct, m_people,
                 m_network, m_actions, m_stations, m_lesson, m_shown.patient(), m_attention},
@@ -43,8 +59,7 @@ ConsoleSession::ConsoleSession(HostedSession hosted, const program::ChosenPatien
 {
     m_attention.setPatient(m_shown.patient());
     m_window.setReach(m_hosted.reach);
-    m_shown.onShown(
-        [this](const PatientModel& another, StationView& view) { m_window.show(another, view); });
+    offerTracker();
     m_window.onClose([this] { return mayClose(); });
     QObject::connect(&m_stations, &StationsModel::shownChanged, &m_window,
                      [this](StationId now) { setStation(now); });
@@ -54,9 +69,36 @@ ConsoleSession::ConsoleSession(HostedSession hosted, const program::ChosenPatien
     });
 }
 
+ConsoleSession::~ConsoleSession() { m_tracker.choice = m_tools.tracker(); }
+
+void ConsoleSession::finish() { finishRecording(m_recording); }
+
+void ConsoleSession::offerTracker()
+{
+    const auto followTools = [this] {
+        m_window.stationScene().showBlade(program::bladeOf(m_tools));
+        m_tools.recordBy(m_recording);
+        comeWithTools();
+    };
+    if (&m_shown.drawn() != m_shown.patient().patient().get())
+        m_window.show(m_shown.drawn(), m_shown.view()); // with the tube of the site
+    followTools();
+    m_shown.onShown(
+        [this](const PatientModel& another, StationView& view) { m_window.show(another, view); });
+    m_tools.onReplaced(followTools);
+    m_attention.setTracker([this] { return m_tools.trackerSight(); });
+    m_window.offerTracker([this] { return m_tools.tracker() || m_tools.fault(); });
+    m_tracker.change.watch(m_window, m_tools);
+    QObject::connect(&m_window, &InstructorWindow::trackerWanted, &m_window,
+                     [this] { m_tracker.change.ask(m_window, m_tools); });
+    QObject::connect(&m_window, &InstructorWindow::trackerUnwanted, &m_window,
+                     [this] { m_tracker.change.take(m_window, m_tools); });
+}
+
 Result<std::unique_ptr<ConsoleSession>>
 ConsoleSession::open(HostedSession hosted, const program::ChosenPatient& patient, bool isAskedFor,
-                     const ConsoleOptions& options, const QCommandLineParser& parser)
+                     const ConsoleOptions& options, ConsoleTracker& tracker,
+                     const QCommandLineParser& parser)
 {
     introduceFirst(*hosted.node, patient, isAskedFor);
     if (!options.codes.isEmpty())
@@ -64,7 +106,7 @@ ConsoleSession::open(HostedSession hosted, const program::ChosenPatient& patient
             !written)
             return tl::unexpected(written.error());
     std::unique_ptr<ConsoleSession> session{
-        new ConsoleSession{std::move(hosted), patient, options.folder}};
+        new ConsoleSession{std::move(hosted), patient, options.folder, tracker}};
     session->show(options.measure.size);
     if (const auto followed = session->follow(parser); !followed)
         return tl::unexpected(followed.error());
@@ -90,12 +132,13 @@ Result<void> ConsoleSession::follow(const QCommandLineParser& parser)
         return tl::unexpected(journal.error());
     m_journal = *std::move(journal);
     auto giver = program::openIgtLinkOption(parser, m_window, [this] {
-        return OfferGiver::Shown{m_shown.view(), *m_shown.patient().patient()};
+        return OfferGiver::Shown{m_shown.view(), m_shown.drawn()};
     });
     if (!giver)
         return tl::unexpected(giver.error());
     m_giver = *std::move(giver);
-    return {};
+    const QString record = std::exchange(m_tracker.record, {});
+    return record.isEmpty() ? Result<void>{} : m_recording.begin(record);
 }
 
 void ConsoleSession::setStation(StationId station)
@@ -109,6 +152,16 @@ void ConsoleSession::setStation(StationId station)
     m_shown.setStation(station);
     if (m_journal)
         m_journal->setStation(station);
+    comeWithTools();
+}
+
+/// Tools are shared where their owner is: who demonstrates with them does it at the station that is
+/// shown.
+void ConsoleSession::comeWithTools()
+{
+    const StationId shown = m_stations.shown();
+    if (m_tools.tracker() && !hasEnded() && ownStation(node()) != shown && !isMoving(node()))
+        m_stations.move(node().self(), shown);
 }
 
 void ConsoleSession::openStations(const std::vector<WantedStation>& wanted)

@@ -3,6 +3,7 @@
 #include "apps/instructor/session_host.h"
 #include "apps/instructor/shown_station.h"
 #include "apps/program/journal.h"
+#include "apps/program/tracker_change.h"
 #include "models/openigtlink/offer_giver.h"
 #include "models/respiration/checkpoint_keeper.h"
 #include "ui/instructor/instructor_window.h"
@@ -12,17 +13,30 @@
 namespace carina
 {
 
+/// What a console has of a tracker of its own, whichever session it is in.
+struct ConsoleTracker {
+    program::TrackerChange change; ///< and the site
+    std::optional<TrackerChoice> choice{};
+    QString record{}; ///< file that its poses are to be recorded in; empty once that was begun
+};
+
 /// One session of the console, from when it is hosted until nobody needs it any more: its models
 /// and its window.
 class ConsoleSession
 {
 public:
     /// @param isAskedFor whether the patient is to be laid also where another one lies
-    /// @param parser outlives the session
-    /// @returns the errors of journalFromOptions, openIgtLinkOption and writing the codes.
+    /// @param tracker the one of the session at its end is that of the next one
+    /// @pre tracker and parser outlive the session.
+    /// @returns the errors of journalFromOptions, openIgtLinkOption, PoseRecording::begin and
+    ///          writing the codes.
     [[nodiscard]] static Result<std::unique_ptr<ConsoleSession>>
     open(HostedSession hosted, const program::ChosenPatient& patient, bool isAskedFor,
-         const ConsoleOptions& options, const QCommandLineParser& parser);
+         const ConsoleOptions& options, ConsoleTracker& tracker, const QCommandLineParser& parser);
+    ~ConsoleSession();
+
+    /// Ends what is recorded, before the session is closed, while a person can look on.
+    void finish();
 
     [[nodiscard]] InstructorWindow& window() { return m_window; }
     [[nodiscard]] SessionNode& node() { return *m_hosted.node; }
@@ -38,16 +52,21 @@ public:
 
 private:
     ConsoleSession(HostedSession hosted, const program::ChosenPatient& patient,
-                   const QString& folder);
+                   const QString& folder, ConsoleTracker& tracker);
+    void offerTracker();
     void show(const QSize& size);
     [[nodiscard]] Result<void> follow(const QCommandLineParser& parser);
     void setStation(StationId station);
+    void comeWithTools();
     void openStations(const std::vector<WantedStation>& wanted);
     [[nodiscard]] bool mayClose();
     [[nodiscard]] bool hasEnded() const;
     void look();
 
+    ConsoleTracker& m_tracker;
     HostedSession m_hosted;
+    SharedTools m_tools;
+    PoseRecording m_recording;
     SessionModel m_session;
     StationsModel m_stations;
     BreathingModel m_breathing;

@@ -1,9 +1,15 @@
 #include "apps/instructor/console.h"
 #include "apps/instructor/scripted_console.h"
 #include "apps/program/measurement.h"
+#include "apps/program/site_option.h"
+#include "apps/program/tracker_option.h"
+#include "apps/program/tracker_question.h"
+#include "engine/io/site/site_file.h"
 
 #include <QDir>
 #include <QTimer>
+
+#include <utility>
 
 namespace carina
 {
@@ -24,6 +30,27 @@ int measure(ConsoleSession& session, const program::MeasureOptions& options)
     return QApplication::exec();
 }
 
+/// The tracker that `--tracker` names; without it none, whatever the site names, by which readiness
+/// is then judged alone.
+Result<ConsoleTracker> trackerFrom(const QCommandLineParser& parser)
+{
+    program::TrackerChange::Beginning beginning{.site = program::siteOption(parser),
+                                                .isOfSite = program::namesSiteDevices(parser),
+                                                .conversation =
+                                                    program::recordDeviceOption(parser)};
+    if (program::namesTracker(parser)) {
+        auto chosen = program::readSessionTracker(parser);
+        if (!chosen)
+            return tl::unexpected(chosen.error());
+        beginning.tracker = *std::move(chosen);
+        if (!beginning.site.isEmpty())
+            if (const auto site = readSiteFile(beginning.site.toStdString()); !site)
+                return tl::unexpected(site.error());
+    }
+    return ConsoleTracker{program::TrackerChange{beginning}, beginning.tracker,
+                          program::recordOption(parser)};
+}
+
 Result<int> run(const QCommandLineParser& parser)
 {
     const auto options = consoleOptions(parser);
@@ -31,11 +58,18 @@ Result<int> run(const QCommandLineParser& parser)
         return tl::unexpected(options.error());
     if (const auto drawn = program::checkGraphics(); !drawn)
         return tl::unexpected(drawn.error());
-    Console console{parser, *options};
+    auto tracker = trackerFrom(parser);
+    if (!tracker)
+        return tl::unexpected(tracker.error());
+    Console console{parser, *options, *std::move(tracker)};
     if (const auto begun = console.begin(); !begun)
         return tl::unexpected(begun.error());
-    return options->measure.folder.isEmpty() ? QApplication::exec()
-                                             : measure(*console.session(), options->measure);
+    const int status = options->measure.folder.isEmpty()
+                           ? QApplication::exec()
+                           : measure(*console.session(), options->measure);
+    if (console.session() != nullptr)
+        console.session()->finish();
+    return status;
 }
 
 } // namespace

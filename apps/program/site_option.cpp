@@ -15,15 +15,15 @@ const QString kSiteFile = QStringLiteral("site");
 
 } // namespace
 
-void addSiteOption(QCommandLineParser& parser)
+void addSiteOption(QCommandLineParser& parser, const QString& more)
 {
-    parser.addOption(
-        {kSiteFile,
-         QCoreApplication::translate(
-             "Program",
-             "Align the patient with the manikin by the registration in this file of "
-             "carina-registration; without it the simulated manikin is registered without error."),
-         QStringLiteral("FILE")});
+    QString meaning = QCoreApplication::translate(
+        "Program",
+        "Align the patient with the manikin by the registration in this file of "
+        "carina-registration; without it the simulated manikin is registered without error.");
+    if (!more.isEmpty())
+        meaning += QLatin1Char{' '} + more;
+    parser.addOption({kSiteFile, meaning, QStringLiteral("FILE")});
 }
 
 QString siteOption(const QCommandLineParser& parser) { return parser.value(kSiteFile); }

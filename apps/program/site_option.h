@@ -11,7 +11,8 @@ namespace carina::program
 {
 
 /// Adds `--site FILE`.
-void addSiteOption(QCommandLineParser& parser);
+/// @param more that the program does with it, as sentences
+void addSiteOption(QCommandLineParser& parser, const QString& more = {});
 
 /// The file that `--site` names; empty without it.
 [[nodiscard]] QString siteOption(const QCommandLineParser& parser);

@@ -10,11 +10,14 @@ namespace
 const QString kTracker = QStringLiteral("tracker");
 const QString kRecord = QStringLiteral("record");
 const QString kRecordDevice = QStringLiteral("record-device");
+const QString kOfSite = QStringLiteral("site");
 
 Result<std::optional<TrackerChoice>> chosenTracker(const QCommandLineParser& parser,
                                                    const QString& site, const Progress& goesOn)
 {
-    if (parser.isSet(kTracker))
+    if (namesSiteDevices(parser) && site.isEmpty())
+        return fail(Errc::WrongOption, "--tracker site: it needs --site, which names the devices");
+    if (parser.isSet(kTracker) && !namesSiteDevices(parser))
         return trackerNamed(parser.value(kTracker), goesOn).map([](TrackerChoice choice) {
             return std::optional{std::move(choice)};
         });
@@ -32,10 +35,11 @@ void addTrackerOption(QCommandLineParser& parser, const QString& without)
         "Track with the device that this file describes, a Polaris, a server of "
         "OpenIGTLink or a camera with its tools (docs/tracking.md), or a device set of PLUS "
         "(.xml); with a simulated tracker, of which rate=HZ, hidden=TOOL, partly=TOOL and "
-        "dropouts=PERCENT can be chosen (simulated:rate=30,hidden=tube); or with a "
-        "recording (of Carina, Plus, 3D Slicer or a device), played once or looped.");
+        "dropouts=PERCENT can be chosen (simulated:rate=30,hidden=tube); with a "
+        "recording (of Carina, Plus, 3D Slicer or a device), played once or looped; or with the "
+        "devices that the site names.");
     parser.addOption({kTracker, meaning + QLatin1Char{' '} + without,
-                      QStringLiteral("FILE|simulated[:OPTIONS]|recorded:FILE|looped:FILE")});
+                      QStringLiteral("FILE|simulated[:OPTIONS]|recorded:FILE|looped:FILE|site")});
     parser.addOption(
         {kRecord,
          QCoreApplication::translate("TrackerOption",
@@ -53,6 +57,11 @@ void addTrackerOption(QCommandLineParser& parser, const QString& without)
 }
 
 bool namesTracker(const QCommandLineParser& parser) { return parser.isSet(kTracker); }
+
+bool namesSiteDevices(const QCommandLineParser& parser)
+{
+    return parser.value(kTracker) == kOfSite;
+}
 
 QString recordOption(const QCommandLineParser& parser) { return parser.value(kRecord); }
 

@@ -1,5 +1,6 @@
 #include "apps/program/tracker_question.h"
 
+#include "apps/program/site_option.h"
 #include "apps/program/tracker_option.h"
 #include "models/tracker/background_work.h"
 #include "models/tracker/kept_trackers.h"
@@ -50,6 +51,15 @@ Result<std::optional<TrackerChoice>> readTrackerOption(const QCommandLineParser&
     reading.start([&](const Progress& goesOn) { read = trackerOption(parser, site, goesOn); });
     until.exec();
     return *std::move(read);
+}
+
+Result<std::optional<TrackerChoice>> readSessionTracker(const QCommandLineParser& parser)
+{
+    auto chosen = readTrackerOption(parser, siteOption(parser));
+    if (chosen && *chosen && !(*chosen)->isSimulated() && siteOption(parser).isEmpty())
+        return fail(Errc::WrongOption,
+                    "--tracker: it needs --site, which says where the patient lies");
+    return chosen;
 }
 
 } // namespace carina::program

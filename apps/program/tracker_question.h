@@ -33,4 +33,9 @@ using HoldTracker = std::function<void(bool holds)>;
 [[nodiscard]] Result<std::optional<TrackerChoice>>
 readTrackerOption(const QCommandLineParser& parser, const QString& site);
 
+/// The same for a program in a session, at the site of `--site`.
+/// @returns also WrongOption where a tracker that is not simulated is named without a site.
+[[nodiscard]] Result<std::optional<TrackerChoice>>
+readSessionTracker(const QCommandLineParser& parser);
+
 } // namespace carina::program

@@ -273,7 +273,8 @@ Result<int> show(const QCommandLineParser& parser, const program::ChosenPatient&
         return fail(lock.error() == QLockFile::LockFailedError ? Errc::SiteInUse
                                                                : Errc::FileUnwritable,
                     siteFile);
-    const bool isOfSite = tracker && !program::namesTracker(parser);
+    const bool isOfSite =
+        tracker && (!program::namesTracker(parser) || program::namesSiteDevices(parser));
     if (!tracker) {
         auto chosen = chosenTracker(parser);
         if (!chosen)

@@ -6,17 +6,17 @@
 #include "apps/program/openigtlink_option.h"
 #include "apps/program/patient_option.h"
 #include "apps/program/program.h"
+#include "apps/program/site_blade.h"
 #include "apps/program/site_option.h"
+#include "apps/program/tracker_change.h"
 #include "apps/program/tracker_option.h"
 #include "apps/program/tracker_question.h"
-#include "apps/trainee/tracker_change.h"
 #include "apps/trainee/trainee_station.h"
 #include "engine/io/anatomy_set/anatomy_cache.h"
 #include "models/patient/shared_patient.h"
 #include "models/station/own_station.h"
 #include "ui/tracker/recording_end.h"
 #include "ui/trainee/trainee_window.h"
-#include "widgets/scene/figures/figure_shapes.h"
 #include "widgets/scene/view/scene_view.h"
 
 #include <QApplication>
@@ -109,14 +109,14 @@ int showUntilClosed(TraineeWindow& window, const QCommandLineParser& parser,
     window.show();
     program::Measurement measurement{window, window.stationScene()};
     const auto compare = [&] {
-        if (station.truth())
-            measurement.compareWith(station.truth());
+        if (station.tools().truth())
+            measurement.compareWith(station.tools().truth());
     };
     compare();
     QTimer end;
     end.setSingleShot(true);
     bool isLaid = false;
-    station.onLaid([&] {
+    station.onShown([&] {
         measurement.startAfresh();
         compare();
         if (!std::exchange(isLaid, true))
@@ -137,22 +137,9 @@ int showUntilClosed(TraineeWindow& window, const QCommandLineParser& parser,
 }
 
 /// What a person may choose of how the tracker's poses are treated; nothing without a tracker.
-TreatmentChoice treatmentOf(TraineeStation& station)
+TreatmentChoice treatmentOf(SharedTools& tools)
 {
-    return {station.treatment(),
-            [&station](const PoseTreatment& chosen) { station.treat(chosen); }};
-}
-
-/// The blade of the laryngoscope as it was touched; null where it was not.
-FigureShapes::Mesh bladeOf(const TraineeStation& station)
-{
-    const auto blade = station.blade();
-    if (!blade)
-        return nullptr;
-    return std::make_shared<const TriangleMesh>(bladeMesh({.reach = -blade->p_L_tip.z(),
-                                                           .rise = blade->p_L_tip.y(),
-                                                           .sag = blade->sag().si,
-                                                           .width = blade->heelWidth.si}));
+    return {tools.treatment(), [&tools](const PoseTreatment& chosen) { tools.treat(chosen); }};
 }
 
 /// @param asks whether a person may be asked for the rest
@@ -195,21 +182,11 @@ Result<program::Entered> enter(const program::KnownEntry& entry,
     return program::Entered{*std::move(node), entry.settings.role};
 }
 
-/// The tracker that is asked for; for one that is not simulated with a site.
-Result<std::optional<TrackerChoice>> trackerFor(const QCommandLineParser& parser)
-{
-    auto chosen = program::readTrackerOption(parser, program::siteOption(parser));
-    if (chosen && *chosen && !(*chosen)->isSimulated() && program::siteOption(parser).isEmpty())
-        return fail(Errc::WrongOption,
-                    "--tracker: it needs --site, which says where the patient lies");
-    return chosen;
-}
-
 /// The tracker of a trainee; none for an observer.
-Result<TraineeStation::Hardware> hardware(const QCommandLineParser& parser, Role role,
-                                          std::optional<TrackerChoice> chosen)
+Result<SharedTools::Hardware> hardware(const QCommandLineParser& parser, Role role,
+                                       std::optional<TrackerChoice> chosen)
 {
-    TraineeStation::Hardware hardware;
+    SharedTools::Hardware hardware;
     if (role == Role::Trainee)
         hardware.tracker = std::move(chosen);
     if (!parser.isSet(kManikinBreathes))
@@ -224,20 +201,12 @@ Result<TraineeStation::Hardware> hardware(const QCommandLineParser& parser, Role
     return hardware;
 }
 
-/// Records what the present tracker sees, in a recording that is under way or later.
-void followTracker(PoseRecording& recording, const TraineeStation& station)
-{
-    auto tracking = station.tracking();
-    auto tools = tracking ? tracking->tracker().tools() : std::vector<TrackedTool>{};
-    recording.follow(std::move(tools), std::move(tracking));
-}
-
 /// What a trainee's program is and sees by its options, whichever session it is in.
 struct Outfit {
     program::MeasureOptions measure;
     ViewOutput output = ViewOutput::Screen;
-    SharedPatientModel patient; ///< shown until the session's is there
-    TrackerChange change;       ///< and the site
+    SharedPatientModel patient;    ///< shown until the session's is there
+    program::TrackerChange change; ///< and the site
     std::optional<TrackerChoice> tracker;
     HeadsetView headset;
 };
@@ -250,11 +219,14 @@ Result<Outfit> outfitFrom(const QCommandLineParser& parser, const program::Measu
     const auto patient = program::choosePatient(parser);
     if (!patient)
         return tl::unexpected(patient.error());
-    auto tracker = trackerFor(parser);
+    auto tracker = program::readSessionTracker(parser);
     if (!tracker)
         return tl::unexpected(tracker.error());
-    TrackerChange change{program::siteOption(parser), *tracker,
-                         program::recordDeviceOption(parser)};
+    program::TrackerChange change{
+        {.site = program::siteOption(parser),
+         .tracker = *tracker,
+         .isOfSite = !program::namesTracker(parser) || program::namesSiteDevices(parser),
+         .conversation = program::recordDeviceOption(parser)}};
     const auto site = change.placeOf(*patient->model);
     if (!site)
         return tl::unexpected(site.error());
@@ -288,15 +260,16 @@ struct Left {
 Result<Left> takePart(const QCommandLineParser& parser, Outfit& outfit, program::Entered entered,
                       ShownWindow& shown)
 {
-    TrackerChange& change = outfit.change;
-    auto tools = hardware(parser, entered.role, outfit.tracker);
-    if (!tools)
-        return tl::unexpected(tools.error());
-    TraineeStation station{std::move(entered.node), *std::move(tools),
+    program::TrackerChange& change = outfit.change;
+    auto wanted = hardware(parser, entered.role, outfit.tracker);
+    if (!wanted)
+        return tl::unexpected(wanted.error());
+    TraineeStation station{std::move(entered.node), *std::move(wanted),
                            [&change](const PatientModel& of) { return change.placeOf(of); }};
+    SharedTools& tools = station.tools();
     PoseRecording recording{[node = &station.node()] { return node->now(); }};
-    station.onLaid([&] { followTracker(recording, station); });
-    if (const auto laid = station.lay(outfit.patient); !laid)
+    station.onShown([&] { tools.recordBy(recording); });
+    if (const auto laid = tools.lay(outfit.patient); !laid)
         return tl::unexpected(laid.error());
 
     SessionModel session{station.node()};
@@ -312,27 +285,28 @@ Result<Left> takePart(const QCommandLineParser& parser, Outfit& outfit, program:
                          station.view(),
                          outfit.headset,
                          outfit.output,
-                         station.chinProbe(),
+                         tools.chinProbe(),
                          actions,
                          people,
-                         [&station] { return station.standing(); },
-                         {.sight = [&station] { return station.trackerSight(); },
+                         [&tools] { return tools.standing(); },
+                         {.sight = [&tools] { return tools.trackerSight(); },
                           .recording = &recording,
 
                           .canBeGiven = entered.role == Role::Trainee,
-                          .treatment = treatmentOf(station)}};
+                          .treatment = treatmentOf(tools)}};
     const auto show = [&] {
-        window.show(station.patient(), station.view(), station.chinProbe());
-        window.stationScene().showBlade(bladeOf(station));
+        window.show(station.patient(), station.view(), tools.chinProbe());
+        window.stationScene().showBlade(program::bladeOf(tools));
     };
     show(); // with the tools of the site
-    sessionPatient.follow(
-        [&](const SharedPatientModel& another) { return station.lay(another, show); });
-    change.watch(window, station, show);
+    station.onShown(show);
+    sessionPatient.follow([&](const SharedPatientModel& another) { return tools.lay(another); });
+    if (entered.role == Role::Trainee)
+        change.watch(window, tools);
     QObject::connect(&window, &TraineeWindow::trackerWanted, &window,
-                     [&] { change.ask(window, station, show); });
+                     [&] { change.ask(window, tools); });
     QObject::connect(&window, &TraineeWindow::trackerUnwanted, &window,
-                     [&] { change.take(window, station, show); });
+                     [&] { change.take(window, tools); });
     Left left;
     QObject::connect(&window, &TraineeWindow::anotherWanted, &window, [&] {
         left.wantsAnother = true;
@@ -363,7 +337,7 @@ Result<Left> takePart(const QCommandLineParser& parser, Outfit& outfit, program:
     left.status = showUntilClosed(window, parser, outfit.measure, station);
     finishRecording(recording);
     if (entered.role == Role::Trainee)
-        outfit.tracker = station.tracker();
+        outfit.tracker = tools.tracker();
     return left;
 }
 

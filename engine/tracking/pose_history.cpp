@@ -78,7 +78,10 @@ PoseDeviation deviationOf(const RigidTransform& shown, const RigidTransform& X_F
 void PoseHistory::placeDevice(const DevicePlace& place)
 {
     const std::scoped_lock lock{m_mutex};
+    if (m_place == place)
+        return;
     m_place = place;
+    forget(); // from one place to the other nothing has moved
 }
 
 std::optional<RigidTransform> PoseHistory::deviceFrame() const
@@ -213,6 +216,11 @@ std::uint64_t PoseHistory::end() const
 void PoseHistory::clear()
 {
     const std::scoped_lock lock{m_mutex};
+    forget();
+}
+
+void PoseHistory::forget()
+{
     m_entries.clear();
     m_predictor = {};
     m_smoothing = {};

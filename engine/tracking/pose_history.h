@@ -25,6 +25,12 @@ struct PoseTreatment {
 struct DevicePlace {
     RigidTransform X_FD{};
     Duration late{}; ///< it stamps the same moment so much later
+
+    friend bool operator==(const DevicePlace& a, const DevicePlace& b)
+    {
+        return a.late == b.late && a.X_FD.translation() == b.X_FD.translation()
+               && a.X_FD.rotation().coeffs() == b.X_FD.rotation().coeffs();
+    }
 };
 
 /// The recent poses of one object O in one frame F. All functions are thread-safe: a device or
@@ -75,6 +81,7 @@ public:
     [[nodiscard]] std::optional<PoseSample> shownAt(SessionTime t) const;
 
     /// What is pushed from now on are poses X_DO of a device D, with its stamps; stored is X_FO.
+    /// Samples that were stored while it was placed otherwise are removed.
     void placeDevice(const DevicePlace& place);
     /// X_FD of the device; nothing where it was not placed, and measures in F itself.
     [[nodiscard]] std::optional<RigidTransform> deviceFrame() const;
@@ -113,6 +120,7 @@ private:
     static SessionTime timeOf(const Entry& entry) { return entry.sample.time; }
 
     // With the mutex locked.
+    void forget();
     [[nodiscard]] Entry estimated(const PoseSample& sample);
     [[nodiscard]] PoseSample measured(std::size_t index, const PoseTreatment& treatment) const;
     [[nodiscard]] std::optional<PoseSample> treated(SessionTime t,

@@ -5,7 +5,6 @@
 #include "models/patient/session_patient.h"
 #include "models/respiration/respiration_words.h"
 #include "models/site/standing_words.h"
-#include "models/station/tool_status.h"
 
 #include <QStringList>
 #include <QTimer>
@@ -92,6 +91,12 @@ void AttentionModel::setPatient(SessionPatient& patient)
     look();
 }
 
+void AttentionModel::setTracker(OwnTracker tracker)
+{
+    m_tracker = std::move(tracker);
+    look();
+}
+
 void AttentionModel::look()
 {
     Reports all = current();
@@ -109,8 +114,11 @@ AttentionModel::Reports AttentionModel::current()
     addRefusal(all);
     addRequests(*state, all);
     addPatient(all);
+    const auto sight = m_tracker ? m_tracker() : std::nullopt;
+    if (sight)
+        addTracker(*state, *sight, all);
     if (now) {
-        addPeople(*state, *now, all);
+        addPeople(*state, *now, sight.has_value(), all);
         addBreathing(*state, *now, all);
     }
     std::ranges::stable_sort(all, {}, urgency);
@@ -169,7 +177,9 @@ bool AttentionModel::hasWrongClock(ParticipantId participant) const
     return path != paths->end() && path->external && path->external->isRefused;
 }
 
-void AttentionModel::addPeople(const SessionState& state, SessionTime now, Reports& all)
+/// @param hasTracker this program
+void AttentionModel::addPeople(const SessionState& state, SessionTime now, bool hasTracker,
+                               Reports& all)
 {
     const auto add = [&](const Participant& who, Concern concern, const QString& text) {
         all.push_back({.concern = concern,
@@ -185,19 +195,20 @@ void AttentionModel::addPeople(const SessionState& state, SessionTime now, Repor
                 tr("Two programs had the token of %1: ask them, and remove the one that is not "
                    "theirs")
                     .arg(name));
-        if (!who.present || id == m_session.node().self())
+        if (!who.present)
             continue;
-        if (isAway(id)) {
+        const bool isSelf = id == m_session.node().self();
+        if (!isSelf && isAway(id)) {
             add(who, Concern::Away, tr("%1 is away: their program is not heard of").arg(name));
             continue;
         }
-        if (!who.muted) // of who is, nothing is taken
+        if (!isSelf && !who.muted) // of who is, nothing is taken
             addUnseen(state, who, now, all);
-        if (who.registration)
+        if (who.registration && (!isSelf || hasTracker))
             if (const QString doubt = standingNotice(*who.registration); !doubt.isEmpty())
                 add(who, Concern::Registration,
                     tr("%1: %2", "a participant; what is wrong").arg(name, doubt));
-        if (hasWrongClock(id))
+        if (!isSelf && hasWrongClock(id))
             add(who, Concern::Clock,
                 tr("The system clock of %1's computer or of this one is wrong and is not used: "
                    "check the time service (NTP or PTP)")
@@ -245,6 +256,32 @@ void AttentionModel::addPatient(Reports& all) const
                        .action = tr("Try again")});
 }
 
+/// Of the tools that were seen once, those that have not been seen for long enough to be told.
+void AttentionModel::addTracker(const SessionState& state, const TrackerSight& sight,
+                                Reports& all) const
+{
+    const ParticipantId self = m_session.node().self();
+    if (!sight.trouble.isEmpty()) {
+        all.push_back({.concern = Concern::Tracker,
+                       .text = sight.trouble.simplified(),
+                       .action = tr("Connect"),
+                       .participant = self});
+        return; // for which no tool is seen
+    }
+    QStringList tools;
+    for (const ToolStatus& tool : sight.tools)
+        if (!tool.isVisible && tool.age_s && *tool.age_s >= toSeconds(kUnseenTold))
+            tools += tool.name.toLower();
+    if (tools.isEmpty())
+        return;
+    all.push_back({.concern = Concern::Unseen,
+                   .text = tr("Out of the view of your tracker: %1", "tools")
+                               .arg(tools.join(QStringLiteral(", "))),
+                   .action = tr("Show"),
+                   .station = state.stationOf(self),
+                   .participant = self});
+}
+
 void AttentionModel::addBreathing(const SessionState& state, SessionTime now, Reports& all)
 {
     if (!m_developmentsAt || now < *m_developmentsAt
@@ -288,6 +325,7 @@ void AttentionModel::act(const Attention& attention)
     case Concern::TwoPrograms:
     case Concern::Away:
     case Concern::Unseen:
+    case Concern::Tracker:
     case Concern::Registration:
     case Concern::Clock:
     case Concern::BreathingStops:

@@ -2,9 +2,12 @@
 
 #include "models/attention/developments.h"
 #include "models/objects/object_hand_over.h"
+#include "models/session/session_model.h"
+#include "models/station/tool_status.h"
 
 #include <QString>
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <vector>
@@ -21,6 +24,7 @@ enum class Concern : std::uint8_t {
     Asked,          ///< somebody asks for an object
     Away,           ///< a participant's program is not heard of
     Unseen,         ///< a tool of a participant is not seen by their tracker
+    Tracker,        ///< that of this program does not track
     NoPatient,      ///< the session's patient is not on this computer
     Registration,   ///< cannot be relied on
     Clock,          ///< a clock that NTP or PTP disciplines contradicts the path
@@ -60,6 +64,10 @@ public:
 
     /// Tells from now on also what keeps this patient away. @pre it outlives this.
     void setPatient(SessionPatient& patient);
+    /// How the tracker of this program sees its tools now; std::nullopt while it has none.
+    using OwnTracker = std::function<std::optional<TrackerSight>()>;
+    /// Tells from now on also what keeps this program's tracker, or a tool of it, from tracking.
+    void setTracker(OwnTracker tracker);
 
     /// Adds what is given to who asks for it to a history from now on.
     void setHistory(ChangeHistory& history) { m_handOver.setHistory(history); }
@@ -85,10 +93,11 @@ private:
     void addRefusal(Reports& all);
     [[nodiscard]] bool isBeingGiven(ObjectId object) const;
     void addRequests(const SessionState& state, Reports& all) const;
-    void addPeople(const SessionState& state, SessionTime now, Reports& all);
+    void addPeople(const SessionState& state, SessionTime now, bool hasTracker, Reports& all);
     void addUnseen(const SessionState& state, const Participant& who, SessionTime now,
                    Reports& all);
     void addPatient(Reports& all) const;
+    void addTracker(const SessionState& state, const TrackerSight& sight, Reports& all) const;
     void addBreathing(const SessionState& state, SessionTime now, Reports& all);
     [[nodiscard]] bool isAway(ParticipantId participant) const;
     [[nodiscard]] bool hasWrongClock(ParticipantId participant) const;
@@ -98,6 +107,7 @@ private:
     SessionModel& m_session;
     ObjectHandOver m_handOver;
     SessionPatient* m_patient = nullptr;
+    OwnTracker m_tracker; ///< may be empty
     DevelopmentWatch m_developments;
     std::vector<Development> m_developing;
     std::optional<SessionTime> m_developmentsAt;

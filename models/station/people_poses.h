@@ -19,6 +19,9 @@ struct ObjectPoses {
     std::function<std::optional<SessionTime>(ObjectKind)> newest = [](ObjectKind) {
         return std::nullopt;
     };
+    /// Whether own hands and the own stylus are drawn, for a person who looks at a screen. In a
+    /// headset they are where they are seen anyway.
+    bool handsAreDrawn = false;
 };
 
 /// An object that a person at a station shares: a head, a hand, a stylus, a

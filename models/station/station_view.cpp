@@ -6,49 +6,6 @@
 
 namespace carina
 {
-namespace
-{
-
-/// The tracker's tool; nothing for what is not tracked, and for the stylus, whose tip is what is
-/// shared of it: no program draws its own.
-std::optional<ToolRole> toolOf(ObjectKind kind)
-{
-    switch (kind) {
-    case ObjectKind::Head:
-        return ToolRole::Head;
-    case ObjectKind::Jaw:
-        return ToolRole::Jaw;
-    case ObjectKind::Tube:
-        return ToolRole::Tube;
-    case ObjectKind::Hand:
-        return ToolRole::Hand;
-    case ObjectKind::Laryngoscope:
-        return ToolRole::Laryngoscope;
-    case ObjectKind::Stylus:
-    case ObjectKind::Patient:
-    case ObjectKind::OrganGroup:
-    case ObjectKind::SpareTube:
-    case ObjectKind::View:
-    case ObjectKind::Pointer:
-        break;
-    }
-    return std::nullopt;
-}
-
-} // namespace
-
-ObjectPoses posesOf(const StationTracking& tracking)
-{
-    return {.at = [&tracking](ObjectKind kind, SessionTime t) -> std::optional<PoseSample> {
-                const auto tool = toolOf(kind);
-                return tool ? tracking.shownAt(*tool, t) : std::nullopt;
-            },
-            .newest = [&tracking](ObjectKind kind) -> std::optional<SessionTime> {
-                const auto tool = toolOf(kind);
-                const auto sample = tool ? tracking.newest(*tool) : std::nullopt;
-                return sample ? std::optional{sample->time} : std::nullopt;
-            }};
-}
 
 bool isAway(const StationMoment& moment)
 {
@@ -94,6 +51,7 @@ void StationView::addPeople(StationMoment& moment, const SessionState& state) co
     const SessionTime t = moment.time;
     moment.worker = state.atWork(m_station);
     moment.people = peoplePoses(m_node, m_station, m_own, t);
+    moment.ownHandsAreDrawn = m_own.handsAreDrawn;
     moment.head = m_own.at(ObjectKind::Head, t);
     if (moment.worker == kNobody || moment.worker == m_node.self()) {
         moment.tube = m_own.at(ObjectKind::Tube, t);

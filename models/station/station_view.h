@@ -3,7 +3,6 @@
 #include "engine/lungs/mechanics/lung_pair.h"
 #include "engine/net/node/session_node.h"
 #include "engine/session/respiration/respiration_follower.h"
-#include "engine/session/station_tracking.h"
 #include "models/station/lifted_objects.h"
 #include "models/station/people_poses.h"
 
@@ -11,10 +10,6 @@
 
 namespace carina
 {
-
-/// The objects of the local tracker as they are to be drawn. @pre `tracking` outlives what is
-/// returned.
-[[nodiscard]] ObjectPoses posesOf(const StationTracking& tracking);
 
 /// The state of everything that moves at a station, at one session time.
 struct StationMoment {
@@ -29,6 +24,7 @@ struct StationMoment {
     std::optional<PoseSample> head;       ///< X_AH of this program's participant
     ParticipantId worker = kNobody;       ///< who is at work
     std::vector<PersonPose> people;       ///< what all who are there share, this program's included
+    bool ownHandsAreDrawn = false;        ///< and the own stylus: see ObjectPoses
     std::optional<ShownLesson> lesson;    ///< shown to this program's participant
     std::optional<PoseSample> lessonView; ///< X_AD of who shows it, while that is known
     std::optional<ShownObject> patient;   ///< X_AV; empty before any action on the patient

@@ -69,6 +69,12 @@ QDataStream& operator<<(QDataStream& stream, const MarkedBody& body)
     return stream;
 }
 
+void writeDefinition(QDataStream& stream, const NdiToolDefinition& definition)
+{
+    stream.writeRawData(reinterpret_cast<const char*>(definition.bytes().data()),
+                        int(definition.bytes().size()));
+}
+
 /// What the poses of a device's tools rest on; empty where none of it is known.
 QByteArray groundsOf(const TrackerDescription& described)
 {
@@ -83,8 +89,7 @@ QByteArray groundsOf(const TrackerDescription& described)
             if (isKnown)
                 stream << int(role);
             if (isKnown && tool.definition)
-                stream.writeRawData(reinterpret_cast<const char*>(tool.definition->bytes().data()),
-                                    int(tool.definition->bytes().size()));
+                writeDefinition(stream, *tool.definition);
             if (isKnown && tool.body)
                 stream << *tool.body;
         }
@@ -219,6 +224,48 @@ QString trackerIdentity(const TrackerChoice& choice)
     const QByteArray digest = QCryptographicHash::hash(grounds, QCryptographicHash::Sha256);
     return QStringLiteral("%1 (%2)").arg(nameOf(*device),
                                          QString::fromLatin1(digest.toHex().first(kDigits)));
+}
+
+std::vector<PlacedDescription> devicesOf(const TrackerChoice& choice)
+{
+    if (const auto* set = std::get_if<DeviceSet>(&choice.device))
+        return set->devices;
+    const auto* described = std::get_if<TrackerDescription>(&choice.device);
+    return described ? std::vector{PlacedDescription{*described, {}}}
+                     : std::vector<PlacedDescription>{};
+}
+
+QByteArray contentOf(const TrackerDescription& described)
+{
+    QByteArray content;
+    QDataStream stream{&content, QIODevice::WriteOnly};
+    stream << int(described.kind) << QByteArray::fromStdString(described.address)
+           << int(described.poses) << described.fastestRate << int(described.igtlPoses)
+           << described.rate_hz << described.isLooped << described.camera;
+    for (const DescribedTool& tool : described.tools) {
+        stream << int(tool.role) << QByteArray::fromStdString(tool.name)
+               << QByteArray::fromStdString(tool.device) << tool.definition.has_value()
+               << int(tool.body ? tool.body->markers.size() : 0);
+        if (tool.definition)
+            writeDefinition(stream, *tool.definition);
+        if (tool.body)
+            stream << *tool.body;
+    }
+    return content;
+}
+
+bool areSameDevices(const std::optional<TrackerChoice>& a, const std::optional<TrackerChoice>& b)
+{
+    if (!a || !b)
+        return a.has_value() == b.has_value();
+    const auto all = devicesOf(*a);
+    const auto others = devicesOf(*b);
+    return !all.empty()
+           && std::ranges::equal(
+               all, others, [](const PlacedDescription& one, const PlacedDescription& other) {
+                   return one.place == other.place
+                          && contentOf(one.described) == contentOf(other.described);
+               });
 }
 
 KnownVolume usualVolume(const TrackerChoice& choice)

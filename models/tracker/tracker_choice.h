@@ -6,10 +6,13 @@
 #include "engine/tracking/simulated/simulated_tracker.h"
 #include "models/tracker/known_volume.h"
 
+#include <QByteArray>
 #include <QString>
 
 #include <memory>
+#include <optional>
 #include <variant>
+#include <vector>
 
 namespace carina
 {
@@ -75,6 +78,18 @@ struct TrackerChoice {
 /// number for what the poses rest on besides the device, where that is known: the calibration of a
 /// camera, and the markers of the tools that a site is registered and calibrated with.
 [[nodiscard]] QString trackerIdentity(const TrackerChoice& choice);
+
+/// The devices that track together, the first in its own frame; none of a simulated tracker, and of
+/// a recording.
+[[nodiscard]] std::vector<PlacedDescription> devicesOf(const TrackerChoice& choice);
+
+/// All that a description says of a device and its tools, as bytes: two devices with the same are
+/// one.
+[[nodiscard]] QByteArray contentOf(const TrackerDescription& described);
+
+/// Whether both are the same devices in the same places, or both are none.
+[[nodiscard]] bool areSameDevices(const std::optional<TrackerChoice>& a,
+                                  const std::optional<TrackerChoice>& b);
 
 /// The volume in which such a tracker usually sees; of several devices that of the first.
 [[nodiscard]] KnownVolume usualVolume(const TrackerChoice& choice);

@@ -110,6 +110,12 @@ public:
     std::map<ParticipantId, double> frequencies;
     std::optional<HostDoor> hostDoor;
     int proposed = 0; ///< how many proposals came
+    struct Published {
+        ObjectKind kind;
+        std::string name;
+        PoseSource newest;
+    };
+    std::vector<Published> published; ///< what this program shares
 
     // SessionNode.
 
@@ -152,7 +158,10 @@ public:
             bodies.push_back(proposal.body);
         return bodies;
     }
-    void publish(ObjectKind, std::string, PoseSource) override {}
+    void publish(ObjectKind kind, std::string name, PoseSource newest) override
+    {
+        published.push_back({kind, std::move(name), std::move(newest)});
+    }
     [[nodiscard]] std::shared_ptr<const RemoteObject> object(ObjectId id) const override
     {
         const auto poses = m_poses.find(id);

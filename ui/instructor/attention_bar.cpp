@@ -30,7 +30,7 @@ QString entryOf(const Attention& attention)
 QStringList actionWords()
 {
     return {AttentionModel::tr("Give"), AttentionModel::tr("Show"), AttentionModel::tr("Dismiss"),
-            AttentionModel::tr("Try again")};
+            AttentionModel::tr("Try again"), AttentionModel::tr("Connect")};
 }
 
 } // namespace

@@ -85,6 +85,7 @@ void InstructorWindow::fillPanels()
     m_ui->waveforms->setTrace(m_models.trace);
     m_ui->participants->setModel(m_models.participants, m_models.conduct, m_models.stations,
                                  m_models.people);
+    m_ui->participants->setOwnHead([this] { return stationScene().moment().head; });
     m_ui->network->setModel(m_models.network);
     m_ui->actions->setModel(m_models.actions);
     m_models.actions.object().setGroups(m_models.patient.patient()->groups());
@@ -189,13 +190,31 @@ void InstructorWindow::offerWindows()
     addActions({full, m_projectorShown});
 }
 
+void InstructorWindow::offerTracker(std::function<bool()> hasTracker)
+{
+    m_hasTracker = std::move(hasTracker);
+    QMenu& menu = m_docks->menu();
+    menu.addSeparator();
+    QAction* give = menu.addAction(tr("Connect a trac&ker…"));
+    give->setObjectName(QStringLiteral("connectTracker"));
+    give->setToolTip(tr("Tools of the instructor are tracked, and seen by everybody at the station "
+                        "that is shown"));
+    m_withoutTracker = menu.addAction(tr("&Go on without the tracker"));
+    m_withoutTracker->setObjectName(QStringLiteral("withoutTracker"));
+    // Queued: a dialog opens, and whoever pressed is not to wait for its end.
+    connect(give, &QAction::triggered, this, &InstructorWindow::trackerWanted,
+            Qt::QueuedConnection);
+    connect(m_withoutTracker, &QAction::triggered, this, &InstructorWindow::trackerUnwanted);
+    refresh();
+}
+
 void InstructorWindow::toggleFullScreen() { setWindowState(windowState() ^ Qt::WindowFullScreen); }
 
 void InstructorWindow::showProjector(bool shown)
 {
     if (!shown)
         return m_projector.reset();
-    m_projector = std::make_unique<ProjectorWindow>(stationScene(), *m_models.patient.patient(),
+    m_projector = std::make_unique<ProjectorWindow>(stationScene(), stationScene().patient(),
                                                     m_ui->pane->view(), *this);
     connect(
         m_projector.get(), &ProjectorWindow::closed, m_projectorShown,
@@ -278,7 +297,8 @@ void InstructorWindow::addMenuButton()
     auto* panels = new QToolButton;
     panels->setObjectName(QStringLiteral("panels"));
     panels->setText(tr("&Panels"));
-    panels->setToolTip(tr("Bring a panel, lay all as at first, full screen, second window"));
+    panels->setToolTip(
+        tr("Bring a panel, lay all as at first, full screen, second window, tracker"));
     panels->setFocusPolicy(Qt::TabFocus);
     panels->setPopupMode(QToolButton::InstantPopup);
     panels->setMenu(&m_docks->menu());
@@ -293,6 +313,11 @@ void InstructorWindow::showPlaceOf(const Attention& attention)
         m_models.stations.show(attention.station);
         PanelDocks::bring(attention.concern == Concern::Developing ? *m_ui->conditionDock
                                                                    : *m_ui->breathingDock);
+        return;
+    }
+    if (attention.concern == Concern::Tracker) {
+        // Not from within the press of a button: a dialog opens.
+        QMetaObject::invokeMethod(this, &InstructorWindow::trackerWanted, Qt::QueuedConnection);
         return;
     }
     if (attention.concern == Concern::Clock) {
@@ -312,6 +337,8 @@ void InstructorWindow::refresh()
         m_ui->waveformDock->raise(); // the patient begins to breathe
     m_ui->breathing->setEnabled(phase != SessionPhase::Ended);
     m_control->refresh();
+    if (m_withoutTracker)
+        m_withoutTracker->setEnabled(m_hasTracker());
     refreshInvitation();
     refreshStatus();
 }

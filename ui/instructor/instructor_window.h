@@ -76,6 +76,9 @@ public:
 
     /// Who can come into the session, as the invitation tells it.
     void setReach(SessionReach reach);
+    /// Offers in the menu of the panels to connect a tracker, and to go on without it while there
+    /// is one. To be called once.
+    void offerTracker(std::function<bool()> hasTracker);
     /// Asked before the window is closed; while it says no, the window stays.
     void onClose(std::function<bool()> mayClose) { m_mayClose = std::move(mayClose); }
 
@@ -84,6 +87,12 @@ protected:
     bool focusNextPrevChild(bool next) override;
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
+
+Q_SIGNALS:
+    /// A person wants to connect a tracker, or another one.
+    void trackerWanted();
+    /// A person wants to go on without the tracker.
+    void trackerUnwanted();
 
 private:
     void fillPanels();
@@ -112,6 +121,8 @@ private:
     std::unique_ptr<SessionControl> m_control;
     StatusLine* m_status;
     QAction* m_projectorShown = nullptr;
+    QAction* m_withoutTracker = nullptr; ///< null where no tracker is offered
+    std::function<bool()> m_hasTracker;
     std::unique_ptr<ProjectorWindow> m_projector;
     SessionPhase m_shownPhase = SessionPhase::Prepared;
     bool m_isLaidOut = false;

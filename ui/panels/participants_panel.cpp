@@ -61,8 +61,11 @@ void ParticipantsPanel::setModel(ParticipantsModel& participants, ConductModel& 
         if (const auto id = chosen())
             m_people->giveWork(*id);
     });
-    m_ui->place->setMenu(
-        new PlaceMenu{people, [this] { return chosen(); }, [] { return std::nullopt; }, {}, this});
+    m_ui->place->setMenu(new PlaceMenu{people,
+                                       [this] { return chosen(); },
+                                       [this] { return m_ownHead ? m_ownHead() : std::nullopt; },
+                                       {},
+                                       this});
     connect(&people, &PeopleModel::changed, this, &ParticipantsPanel::refreshPerson);
     refresh();
 }

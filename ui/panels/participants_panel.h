@@ -8,6 +8,7 @@
 #include <QMenu>
 #include <QWidget>
 
+#include <functional>
 #include <memory>
 
 namespace Ui
@@ -33,6 +34,13 @@ public:
     void setModel(ParticipantsModel& participants, ConductModel& conduct, StationsModel& stations,
                   PeopleModel& people);
 
+    /// Where the head of this program's participant is, X_AH, from now on, so that others can see
+    /// it at another side of the patient. Without it, it is taken to be at the patient's head.
+    void setOwnHead(std::function<std::optional<PoseSample>()> head)
+    {
+        m_ownHead = std::move(head);
+    }
+
     /// Chooses a participant in the table; nothing where there is no such one.
     void choose(ParticipantId participant);
 
@@ -56,6 +64,7 @@ private:
     StationsModel* m_stations = nullptr;
     QMenu m_moves; ///< a station each
     PeopleModel* m_people = nullptr;
+    std::function<std::optional<PoseSample>()> m_ownHead; ///< may be empty
 };
 
 } // namespace carina

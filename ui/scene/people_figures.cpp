@@ -31,9 +31,10 @@ bool isDrawn(const PersonPose& person, const StationMoment& moment)
 {
     switch (person.kind) {
     case ObjectKind::Head:
+        return !person.isOwn;
     case ObjectKind::Hand:
     case ObjectKind::Stylus:
-        return !person.isOwn;
+        return !person.isOwn || moment.ownHandsAreDrawn;
     case ObjectKind::Laryngoscope:
     case ObjectKind::Pointer:
         return true;

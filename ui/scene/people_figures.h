@@ -25,7 +25,8 @@ struct DrawnPerson {
 };
 
 /// What is drawn of the people at a moment: heads, hands and styluses of others, and all tubes and
-/// laryngoscopes. The own head, and own hands, are never drawn.
+/// laryngoscopes. The own head is never drawn; own hands and the own stylus are for who looks at a
+/// screen (StationMoment::ownHandsAreDrawn).
 [[nodiscard]] std::vector<DrawnPerson> drawnPeople(const StationMoment& moment);
 
 /// Their figures; tubes are that of the patient.

@@ -9,19 +9,21 @@ namespace carina
 
 /// A device of several that track together, and how it stands to the first.
 struct PlacedTracker {
-    std::unique_ptr<Tracker> tracker;
+    /// Shared with the set that goes on with it where other devices of a site are replaced.
+    std::shared_ptr<Tracker> tracker;
     DevicePlace place{}; ///< X_TD, and how late it stamps
 };
 
 /// Several devices as one tracker: its tools are those of all, in the order of the devices, with
 /// their poses in the frame T of the first and their stamps on its clock. Each device delivers on
 /// its own thread, and goes on where another has trouble.
+///
+/// A device may be running already, and runs on when the set ends while somebody else has it, too.
 class TrackerSet : public Tracker
 {
 public:
-    /// @pre no device is started; the place of the first says nothing.
+    /// @pre the first was never placed to another device; its place here says nothing.
     explicit TrackerSet(std::vector<PlacedTracker> devices);
-    ~TrackerSet() override { stop(); }
 
     /// @returns the error of the first device that does not start; none runs then.
     [[nodiscard]] Result<void> start() override;
@@ -38,7 +40,7 @@ private:
         std::size_t tool = 0; ///< of that device
     };
 
-    std::vector<std::unique_ptr<Tracker>> m_devices;
+    std::vector<std::shared_ptr<Tracker>> m_devices;
     std::vector<TrackedTool> m_tools;
     std::vector<Place> m_places; ///< one for each of m_tools
 };

@@ -89,6 +89,12 @@ private Q_SLOTS:
         const auto other =
             named({QStringLiteral("--tracker"), QStringLiteral("simulated")}, nullptr, site);
         QVERIFY(other && *other && (*other)->isSimulated());
+        const auto same =
+            named({QStringLiteral("--tracker"), QStringLiteral("site")}, nullptr, site);
+        QVERIFY(same && areSameDevices(*same, *choice));
+        const auto nowhere = named({QStringLiteral("--tracker"), QStringLiteral("site")});
+        QVERIFY(!nowhere);
+        QCOMPARE(nowhere.error().code, Errc::WrongOption);
     }
 
     void takesNoneWhereTheSiteNamesNone()

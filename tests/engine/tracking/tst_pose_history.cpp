@@ -51,6 +51,23 @@ private Q_SLOTS:
         QVERIFY(history.at(at(10ms)));
     }
 
+    /// Where its device stood elsewhere the object was elsewhere, too: nothing has moved in
+    /// between.
+    void forgetsWhatItStoredOnceItsDeviceIsPlacedAnew()
+    {
+        PoseHistory history{kLimits};
+        const DevicePlace place{RigidTransform::translation({1.0, 0.0, 0.0}), 5ms};
+        history.placeDevice(place);
+        history.push(sampleAt(10ms, {0.0, 0.0, 0.0}));
+        history.placeDevice(place); // as it is
+        QVERIFY(history.newest().has_value());
+        history.placeDevice({RigidTransform::translation({2.0, 0.0, 0.0}), 5ms});
+        QVERIFY(!history.newest());
+        history.push(sampleAt(20ms, {0.0, 0.0, 0.0}));
+        QVERIFY(near(history.newest()->X_FO.translation(), {2.0, 0.0, 0.0}));
+        QVERIFY(!history.newest()->motion);
+    }
+
     void givesTheSampleOfItsTimeUnchanged()
     {
         PoseHistory history{kLimits};

@@ -165,6 +165,55 @@ private Q_SLOTS:
         QCOMPARE(console.texts(), QStringList{});
     }
 
+    /// And nothing of tools meanwhile: none is seen.
+    void saysWhatKeepsTheOwnTrackerFromTracking()
+    {
+        Console console;
+        std::optional<TrackerSight> sight;
+        console.model.setTracker([&] { return sight; });
+        QCOMPARE(console.texts(), QStringList{});
+        sight = TrackerSight{.trouble = QStringLiteral("/dev/ttyUSB0:\nthere is no such port"),
+                             .tools = {{.name = QStringLiteral("Tube"), .age_s = 60.0}}};
+        console.look();
+        QCOMPARE(console.texts(),
+                 QStringList{QStringLiteral("/dev/ttyUSB0: there is no such port")});
+        QCOMPARE(console.actions(), QStringList{QStringLiteral("Connect")});
+        const QSignalSpy shown{&console.model, &AttentionModel::showWanted};
+        console.model.act(console.model.all().front());
+        QCOMPARE(shown.size(), 1);
+        sight.reset();
+        console.look();
+        QCOMPARE(console.texts(), QStringList{});
+    }
+
+    void saysWhichOwnToolIsOutOfViewOnceItStaysSo()
+    {
+        Console console;
+        const double told = toSeconds(AttentionModel::kUnseenTold);
+        TrackerSight sight{
+            .tools = {{.name = QStringLiteral("Tube"), .age_s = 0.5 * told},
+                      {.name = QStringLiteral("Headset"), .age_s = told},
+                      {.name = QStringLiteral("Stylus")}, // never seen
+                      {.name = QStringLiteral("Hand probe"), .isVisible = true, .age_s = told}}};
+        console.model.setTracker([&] { return std::optional{sight}; });
+        QCOMPARE(console.texts(),
+                 QStringList{QStringLiteral("Out of the view of your tracker: headset")});
+        QVERIFY(console.model.all().front().participant == FakeSessionNode::kInstructor);
+    }
+
+    /// Without a tracker it says nothing of what was stated with one.
+    void saysWhetherTheOwnRegistrationCanBeReliedOn()
+    {
+        Console console;
+        console.node.decide(fact::RegistrationStated{{RegistrationState::Missing, {}, {}}},
+                            FakeSessionNode::kInstructor);
+        console.look();
+        QCOMPARE(console.texts(), QStringList{});
+        console.model.setTracker([] { return std::optional{TrackerSight{}}; });
+        QCOMPARE(console.texts().size(), 1);
+        QVERIFY(console.texts().front().startsWith(QStringLiteral("Ina: ")));
+    }
+
     void saysWhatDevelops()
     {
         Console console;

@@ -11,6 +11,7 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QMenu>
+#include <QSignalSpy>
 #include <QStatusBar>
 #include <QTabBar>
 #include <QTableView>
@@ -299,6 +300,33 @@ private Q_SLOTS:
         matter.station = FakeSessionNode::kStation;
         Q_EMIT shown.attention.showWanted(matter);
         QVERIFY(shown.dock("conditionDock").isEnabled()); // in front
+    }
+
+    void offersATrackerInTheMenuOfThePanels()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        QVERIFY(shown.window.findChild<QAction*>(QStringLiteral("connectTracker")) == nullptr);
+        bool hasTracker = false;
+        shown.window.offerTracker([&] { return hasTracker; });
+        const QSignalSpy wanted{&shown.window, &InstructorWindow::trackerWanted};
+        const QSignalSpy unwanted{&shown.window, &InstructorWindow::trackerUnwanted};
+        QVERIFY(!shown.action("withoutTracker").isEnabled());
+        shown.action("connectTracker").trigger();
+        QVERIFY(soon([&] { return wanted.size() == 1; }));
+        hasTracker = true;
+        QVERIFY(soon([&] { return shown.action("withoutTracker").isEnabled(); }));
+        shown.action("withoutTracker").trigger();
+        QCOMPARE(unwanted.size(), 1);
+        std::set<QString> keys; // of the menu's entries, each once
+        for (const QAction* action : shown.find<QToolButton>("panels").menu()->actions())
+            if (!action->isSeparator())
+                QVERIFY2(keys.insert(QKeySequence::mnemonic(action->text()).toString()).second,
+                         qPrintable(action->text()));
+        Attention matter;
+        matter.concern = Concern::Tracker;
+        Q_EMIT shown.attention.showWanted(matter);
+        QVERIFY(soon([&] { return wanted.size() == 2; }));
     }
 
     void hasASecondWindowWithTheSamePicture()

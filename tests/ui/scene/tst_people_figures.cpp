@@ -62,6 +62,14 @@ private Q_SLOTS:
         QCOMPARE(bodies(crowd()), (std::set<std::uint16_t>{5, 6, 7, 8, 11, 12, 13, 15}));
     }
 
+    /// Who looks at a screen does not see their own hands before the patient.
+    void drawsOwnHandsAndStylusOnAScreen()
+    {
+        StationMoment moment = crowd();
+        moment.ownHandsAreDrawn = true;
+        QCOMPARE(bodies(moment), (std::set<std::uint16_t>{2, 3, 5, 6, 7, 8, 11, 12, 13, 15}));
+    }
+
     void doesNotDrawWhatIsLost()
     {
         StationMoment moment = crowd();

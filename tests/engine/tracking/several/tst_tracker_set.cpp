@@ -143,6 +143,27 @@ private Q_SLOTS:
         QVERIFY(!two.first->isStarted);
     }
 
+    /// Of which the next set goes on with one, in another place.
+    void endsWithoutStoppingWhatAnotherSetHas()
+    {
+        const auto first = std::make_shared<FedTracker>(std::vector<std::string>{"chin"});
+        const auto second = std::make_shared<FedTracker>(std::vector<std::string>{"head"});
+        std::optional<TrackerSet> before{std::in_place,
+                                         std::vector<PlacedTracker>{{first, {}}, {second, kPlace}}};
+        QVERIFY(before->start());
+        const auto seen = [&second](Duration t) {
+            second->tools()[0].history->push({.time = SessionTime{t}});
+            return second->tools()[0].history->newest()->X_FO.translation().x();
+        };
+        QCOMPARE(seen(1s), 1.0);
+        const TrackerSet after{std::vector<PlacedTracker>{
+            {first, {}}, {second, {RigidTransform::translation({3.0, 0.0, 0.0}), {}}}}};
+        before.reset();
+        QVERIFY(first->isStarted && second->isStarted);
+        QVERIFY(!second->tools()[0].history->newest()); // in its former place
+        QCOMPARE(seen(2s), 3.0);
+    }
+
     /// Markers face a device, wherever the frame is in which the pose is told.
     void predictsTheErrorFromWhereTheDeviceStands()
     {

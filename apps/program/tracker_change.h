@@ -1,0 +1,57 @@
+#pragma once
+
+#include "models/station/shared_tools.h"
+
+#include <QPointer>
+#include <QWidget>
+
+namespace carina::program
+{
+
+/// The tracker and the site of a program, which a person may choose while it runs, and which change
+/// where the wizard writes the site anew.
+class TrackerChange
+{
+public:
+    /// What a program begins with.
+    struct Beginning {
+        QString site{}; ///< its file; empty: none
+        std::optional<TrackerChoice> tracker{};
+        /// Whether the tracker is made of the devices that the site names, whichever those are.
+        bool isOfSite = false;
+        std::string conversation{}; ///< of a tracker that is chosen (TrackerChoice)
+    };
+
+    explicit TrackerChange(const Beginning& beginning);
+
+    /// The site as of now, for a patient.
+    [[nodiscard]] Result<SharedTools::Place> placeOf(const PatientModel& patient) const;
+
+    /// Asks for a tracker, and for the file of a site where there is none and the tracker needs
+    /// one, and tracks with it. What goes wrong is shown; the tracker before is used on then.
+    void ask(QWidget& window, SharedTools& tools);
+    /// Goes on without a tracker.
+    void take(QWidget& window, SharedTools& tools);
+
+    /// Takes over the site as it is now, and whenever it is written anew until `context` is
+    /// destroyed; also one that is chosen later. Devices of the site that were changed are
+    /// replaced, those that were calibrated anew are put in their new places, and the others go on.
+    /// @pre both outlive `context`; not called before its end.
+    void watch(QObject& context, SharedTools& tools);
+
+private:
+    void watchNow();
+    void takeSite(SharedTools& tools);
+    [[nodiscard]] bool takeDevices(SharedTools& tools);
+    /// @returns whether it tracks with it now; else the window said why not.
+    bool give(QWidget& window, SharedTools& tools, std::optional<TrackerChoice> tracker);
+
+    QString m_site;
+    QString m_identity; ///< of the tracker
+    bool m_isOfSite;
+    std::string m_conversation;
+    QPointer<QObject> m_context; ///< of watch()
+    std::function<void()> m_written;
+};
+
+} // namespace carina::program

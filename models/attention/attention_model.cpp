@@ -56,6 +56,8 @@ QString toolWord(ObjectKind kind)
     case ObjectKind::Patient:
     case ObjectKind::OrganGroup:
     case ObjectKind::SpareTube:
+    case ObjectKind::View:
+    case ObjectKind::Pointer:
         break;
     }
     return {};

@@ -44,10 +44,11 @@ QString faultOfOwner(const SessionState& state, const SharedObject& object, Part
     return {};
 }
 
-/// What the host would say to it at present.
-QString refusalOf(const SessionState& state, const SharedObject& object, ParticipantId owner)
+/// What the host would say at present if `author` gave the object to another owner.
+QString refusalOf(const SessionState& state, ParticipantId author, const SharedObject& object,
+                  ParticipantId owner)
 {
-    const auto may = checkHandOver(state, {object.id, owner, object.epoch});
+    const auto may = checkHandOver(state, author, {object.id, owner, object.epoch});
     if (may)
         return {};
     if (may.error().code == Errc::NotPermitted)
@@ -114,7 +115,7 @@ void ObjectHandOver::takeBack(ObjectId id, ParticipantId from, ParticipantId to)
     if (why.isEmpty())
         why = faultOfOwner(*state, object, from);
     if (why.isEmpty() && !isUnderWay)
-        why = refusalOf(*state, object, from);
+        why = refusalOf(*state, m_node.self(), object, from);
     if (why.isEmpty())
         m_node.propose(object.station, fact::ObjectHandedOver{id, from, object.epoch});
     else if (m_history)

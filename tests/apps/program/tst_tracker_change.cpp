@@ -33,25 +33,27 @@ const SharedPatientModel& patient()
 /// along x; the patient lies at the first.
 QByteArray siteText(const char* second, double x_mm)
 {
-    return R"({"schema": "carina.site/3", "step": "overview", "devices": [
-    {"file": "chin.json"}, {"file": ")"
-           + QByteArray{second} + R"(", "frame": {"X_TD_mm": [[1, 0, 0, )"
-           + QByteArray::number(x_mm) + R"(],
+    // moc does not read a raw string that ends within quotes.
+    return QByteArray{R"({"schema": "carina.site/3", "step": "overview", "devices": [
+    {"file": "chin.json"}, {"file": "SECOND", "frame": {"X_TD_mm": [[1, 0, 0, X_MM],
      [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]], "late_ms": 0, "rms_mm": 0.4, "rms_deg": 0.1,
      "pairs": 400, "calibrated_at": "2026-11-01T10:00:00Z"}}],
  "catalogue": {"name": "three", "landmarks": [{"name": "a", "p_AQ_mm": [0, 0, 1]},
   {"name": "b", "p_AQ_mm": [0, 1, 0]}, {"name": "c", "p_AQ_mm": [1, 0, 0]}]},
  "registration": {"X_AM_mm": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]],
   "X_AT_mm": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]],
-  "rms_mm": 0.1, "residuals_mm": [{"name": "a", "mm": 0.1}]}})";
+  "rms_mm": 0.1, "residuals_mm": [{"name": "a", "mm": 0.1}]}})"}
+        .replace("SECOND", second)
+        .replace("X_MM", QByteArray::number(x_mm));
 }
 
 QByteArray description(const SendingDevice& device, const char* role)
 {
-    const QByteArray name = QByteArray::fromStdString(device.name);
-    return R"({"schema": "carina.tracker/1", "kind": "openigtlink", "address": ")"
-           + QByteArray::fromStdString(device.address()) + R"(", "tools": [{"name": ")" + name
-           + R"(", "role": ")" + role + R"(", "device": ")" + name + R"("}]})";
+    return QByteArray{R"({"schema": "carina.tracker/1", "kind": "openigtlink",
+ "address": "ADDRESS", "tools": [{"name": "NAME", "role": "ROLE", "device": "NAME"}]})"}
+        .replace("ADDRESS", QByteArray::fromStdString(device.address()))
+        .replace("NAME", QByteArray::fromStdString(device.name))
+        .replace("ROLE", role);
 }
 
 /// A program that runs at a site of two devices, and the wizard that writes its file.

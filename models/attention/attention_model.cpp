@@ -5,6 +5,7 @@
 #include "models/patient/session_patient.h"
 #include "models/respiration/respiration_words.h"
 #include "models/site/standing_words.h"
+#include "models/station/object_tool.h"
 
 #include <QStringList>
 #include <QTimer>
@@ -39,28 +40,11 @@ QString atStation(const SessionState& state, StationId id, const QString& text)
         .arg(QString::fromStdString(found->second.name), text);
 }
 
+/// Of a tool that is missed when it is out of view: a stylus may lie anywhere.
 QString toolWord(ObjectKind kind)
 {
-    switch (kind) {
-    case ObjectKind::Head:
-        return toolRoleName(ToolRole::Head);
-    case ObjectKind::Jaw:
-        return toolRoleName(ToolRole::Jaw);
-    case ObjectKind::Tube:
-        return toolRoleName(ToolRole::Tube);
-    case ObjectKind::Hand:
-        return toolRoleName(ToolRole::Hand);
-    case ObjectKind::Laryngoscope:
-        return toolRoleName(ToolRole::Laryngoscope);
-    case ObjectKind::Stylus:
-    case ObjectKind::Patient:
-    case ObjectKind::OrganGroup:
-    case ObjectKind::SpareTube:
-    case ObjectKind::View:
-    case ObjectKind::Pointer:
-        break;
-    }
-    return {};
+    const auto tool = trackedBy(kind);
+    return tool && *tool != ToolRole::Stylus ? toolRoleName(*tool) : QString{};
 }
 
 auto urgency(const Attention& each)

@@ -97,9 +97,13 @@ std::vector<Development> DevelopmentWatch::at(const SessionState& state, Session
 
 void DevelopmentWatch::follow(Patient& patient, const Station& station, SessionTime t)
 {
-    if (!station.respiration.runsAt(t))
+    const bool isKnown = std::ranges::none_of(
+        patient.courses, [](const Course& course) { return course.points.empty(); });
+    if (!station.respiration.runsAt(t) && isKnown)
         return;
     const RespiratoryFold& fold = patient.breathing.at(station.respiration, t).fold();
+    if (!fold.hasBegun())
+        return;
     const double breathed = double(fold.state().steps) * kRespiratoryStep;
     for (Course& course : patient.courses)
         add(course, {breathed, shareOf(course.condition, fold)});

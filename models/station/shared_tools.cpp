@@ -5,6 +5,7 @@
 #include "engine/session/simulated_station.h"
 #include "engine/tracking/reframed.h"
 #include "models/errors/error_text.h"
+#include "models/station/object_tool.h"
 
 #include <utility>
 
@@ -56,32 +57,6 @@ std::unique_ptr<RegistrationGuard> guardOver(const StationTracking& tracking,
     if (!place || !place->setup || !place->setup->guard)
         return nullptr;
     return std::make_unique<RegistrationGuard>(tracking, *place->setup->guard);
-}
-
-/// The tracker's tool; nothing for what is not tracked.
-std::optional<ToolRole> toolOf(ObjectKind kind)
-{
-    switch (kind) {
-    case ObjectKind::Head:
-        return ToolRole::Head;
-    case ObjectKind::Jaw:
-        return ToolRole::Jaw;
-    case ObjectKind::Tube:
-        return ToolRole::Tube;
-    case ObjectKind::Hand:
-        return ToolRole::Hand;
-    case ObjectKind::Laryngoscope:
-        return ToolRole::Laryngoscope;
-    case ObjectKind::Stylus:
-        return ToolRole::Stylus;
-    case ObjectKind::Patient:
-    case ObjectKind::OrganGroup:
-    case ObjectKind::SpareTube:
-    case ObjectKind::View:
-    case ObjectKind::Pointer:
-        break;
-    }
-    return std::nullopt;
 }
 
 } // namespace
@@ -352,11 +327,11 @@ ObjectPoses SharedTools::poses() const
 ObjectPoses SharedTools::posesOnScreen() const
 {
     return {.at = [this](ObjectKind kind, SessionTime t) -> std::optional<PoseSample> {
-                const auto tool = toolOf(kind);
+                const auto tool = trackedBy(kind);
                 return tool ? shownAt(*tool, t) : std::nullopt;
             },
             .newest = [this](ObjectKind kind) -> std::optional<SessionTime> {
-                const auto tool = toolOf(kind);
+                const auto tool = trackedBy(kind);
                 const auto sample =
                     tool && m_laid->tracking ? m_laid->tracking->newest(*tool) : std::nullopt;
                 return sample ? std::optional{sample->time} : std::nullopt;

@@ -85,6 +85,28 @@ private Q_SLOTS:
         QCOMPARE(ward.after(3).size(), std::size_t{1});
     }
 
+    /// As of a console that resumes a session in a pause.
+    void announcesInAPauseWhatItHasNotFollowed()
+    {
+        Ward ward{{kTension}};
+        const auto before = ward.after(12);
+        ward.node.decide(fact::PhaseChanged{SessionPhase::Paused});
+        static_cast<void>(ward.after(2));
+        ward.watch = {};
+        const auto resumed = ward.after(1);
+        QCOMPARE(resumed.size(), std::size_t{1});
+        QVERIFY(std::abs(resumed[0].share - before[0].share) < 0.05);
+    }
+
+    void saysNothingBeforeTheSessionRuns()
+    {
+        FakeSessionNode node;
+        node.decide(fact::LungConditionsSet{{kTension}});
+        node.advance(seconds{1});
+        DevelopmentWatch watch;
+        QVERIFY(watch.at(*node.state(), *node.now()).empty());
+    }
+
     void beginsAnewWithAnotherLung()
     {
         Ward ward{{kTension}};

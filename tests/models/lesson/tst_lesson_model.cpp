@@ -135,17 +135,17 @@ private Q_SLOTS:
     void pointsOnlyWhileItIsOn()
     {
         Desk desk;
-        const auto pointer = [&] {
-            return desk.model.poses().at(ObjectKind::Pointer, *desk.node.now());
+        const auto pointer = [](const Desk& shown) {
+            return shown.model.poses().at(ObjectKind::Pointer, *shown.node.now());
         };
         desk.model.pointWith(kSomewhere);
-        QVERIFY(!pointer());
+        QVERIFY(!pointer(desk));
         desk.model.setOn(true);
         desk.model.pointWith(kSomewhere);
-        QVERIFY(pointer() && pointer()->X_FO.translation() == kSomewhere.translation());
+        QVERIFY(pointer(desk) && pointer(desk)->X_FO.translation() == kSomewhere.translation());
         QVERIFY(desk.model.text().endsWith(QStringLiteral("pointer")));
         desk.model.setOn(false);
-        QVERIFY(!pointer());
+        QVERIFY(!pointer(desk));
     }
 
     void saysWhatIsShown()

@@ -1,7 +1,5 @@
 #include "engine/net/entry/hello_limiter.h"
 
-#include <algorithm>
-
 namespace carina
 {
 namespace
@@ -11,8 +9,11 @@ namespace
 constexpr Duration kForgetInterval = std::chrono::milliseconds{100};
 /// Of what all have together, who sends without end is left this part.
 constexpr int kPartOfTurns = 2;
-/// Turns that sources may have at one moment, small beside the half that is kept for who is new.
-constexpr int kTurnsAtOnce = 16;
+constexpr BurstRate kPlentyOfAll{HelloLimiter::kRateOfAll.burst / kPartOfTurns,
+                                 HelloLimiter::kRateOfAll.interval};
+/// The turns of all: few at one moment beside the half that is kept for who is new.
+constexpr BurstRate kTurns{.burst = 16,
+                           .interval = HelloLimiter::kRateOfAll.interval * kPartOfTurns};
 
 } // namespace
 
@@ -21,26 +22,25 @@ bool HelloLimiter::admits(const SourcePrefix& source, LocalTime now)
     forgetQuietSources(now);
     const auto known = m_sources.find(source);
     const bool isNew = known == m_sources.end();
-    const LocalTime next = (isNew ? now : std::max(known->second.fullAgain, now)) + kInterval;
-    const LocalTime nextOfAll = std::max(m_allFullAgain, now) + kIntervalOfAll;
-    if (next > now + kBurst * kInterval || nextOfAll > now + kBurstOfAll * kIntervalOfAll)
+    const auto next = kRate.withOneMore(isNew ? now : known->second.fullAgain, now);
+    const auto nextOfAll = kRateOfAll.withOneMore(m_allFullAgain, now);
+    if (!next || !nextOfAll)
         return false;
-    const bool isScarce = nextOfAll > now + kBurstOfAll / kPartOfTurns * kIntervalOfAll;
+    const bool isScarce = !kPlentyOfAll.withOneMore(m_allFullAgain, now);
     if (isScarce && !isNew && !hasTurn(known->second, now))
         return false;
-    m_sources.insert_or_assign(source, Source{next, now});
-    m_allFullAgain = nextOfAll;
+    m_sources.insert_or_assign(source, Source{*next, now});
+    m_allFullAgain = *nextOfAll;
     return true;
 }
 
 bool HelloLimiter::hasTurn(const Source& source, LocalTime now)
 {
-    constexpr Duration kTurn = kPartOfTurns * kIntervalOfAll;
-    const LocalTime next = std::max(m_turnsFullAgain, now) + kTurn;
     const auto others = static_cast<Duration::rep>(m_sources.size());
-    if (now < source.last + others * kTurn || next > now + kTurnsAtOnce * kTurn)
+    const auto next = kTurns.withOneMore(m_turnsFullAgain, now);
+    if (now < source.last + others * kTurns.interval || !next)
         return false;
-    m_turnsFullAgain = next;
+    m_turnsFullAgain = *next;
     return true;
 }
 

@@ -17,10 +17,8 @@ namespace carina
 class HelloLimiter
 {
 public:
-    static constexpr int kBurst = SourceLimiter::kBurst;
-    static constexpr Duration kInterval = SourceLimiter::kInterval;
-    static constexpr int kBurstOfAll = 256;
-    static constexpr Duration kIntervalOfAll = std::chrono::milliseconds{5};
+    static constexpr BurstRate kRate = SourceLimiter::kRate;
+    static constexpr BurstRate kRateOfAll{256, std::chrono::milliseconds{5}};
     /// How long a source is known as one that has turns: 1000 have one in this time.
     static constexpr Duration kRemembered = std::chrono::seconds{10};
 
@@ -29,7 +27,7 @@ public:
 
 private:
     struct Source {
-        LocalTime fullAgain; ///< as below
+        LocalTime fullAgain; ///< by kRate
         LocalTime last;      ///< that was admitted
     };
 
@@ -37,10 +35,8 @@ private:
     /// Whether one that is known may have one more, where all want more than there is; counts it.
     [[nodiscard]] bool hasTurn(const Source& source, LocalTime now);
 
-    // When the full burst is available again (token bucket); a burst of intervals before, nothing
-    // is.
     std::map<SourcePrefix, Source> m_sources;
-    LocalTime m_allFullAgain = LocalTime::min();
+    LocalTime m_allFullAgain = LocalTime::min(); // by kRateOfAll
     LocalTime m_turnsFullAgain = LocalTime::min();
     LocalTime m_nextForget = LocalTime::min();
 };

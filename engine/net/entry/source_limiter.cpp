@@ -1,7 +1,5 @@
 #include "engine/net/entry/source_limiter.h"
 
-#include <algorithm>
-
 namespace carina
 {
 
@@ -12,11 +10,9 @@ bool SourceLimiter::admits(const SourcePrefix& source, LocalTime now)
     const bool isOther = m_fullAgain.size() >= kMostSources && !m_fullAgain.contains(source);
     LocalTime& fullAgain =
         isOther ? m_othersFullAgain : m_fullAgain.try_emplace(source, now).first->second;
-    const LocalTime next = std::max(fullAgain, now) + kInterval;
-    if (next > now + kBurst * kInterval)
-        return false;
-    fullAgain = next;
-    return true;
+    const auto next = kRate.withOneMore(fullAgain, now);
+    fullAgain = next.value_or(fullAgain);
+    return next.has_value();
 }
 
 void SourceLimiter::forgetQuietSources(LocalTime now)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/core/session_time.h"
+#include "engine/net/entry/burst_rate.h"
 
 #include <array>
 #include <cstdint>
@@ -18,8 +18,7 @@ using SourcePrefix = std::array<std::uint8_t, 16>;
 class SourceLimiter
 {
 public:
-    static constexpr int kBurst = 128;
-    static constexpr Duration kInterval = std::chrono::milliseconds{20};
+    static constexpr BurstRate kRate{128, std::chrono::milliseconds{20}};
     /// Most sources stored; all others share one limit.
     static constexpr std::size_t kMostSources = 1024;
 
@@ -29,9 +28,8 @@ public:
 private:
     void forgetQuietSources(LocalTime now);
 
-    // When the full burst is available again (token bucket); kBurst intervals before, nothing is.
-    std::map<SourcePrefix, LocalTime> m_fullAgain;
-    LocalTime m_othersFullAgain{};
+    std::map<SourcePrefix, LocalTime> m_fullAgain; // by kRate
+    LocalTime m_othersFullAgain = LocalTime::min();
 };
 
 } // namespace carina

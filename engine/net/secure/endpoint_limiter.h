@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/core/session_time.h"
+#include "engine/net/entry/burst_rate.h"
 #include "engine/net/secure/endpoint.h"
 
 #include <map>
@@ -14,8 +14,7 @@ namespace carina
 class EndpointLimiter
 {
 public:
-    static constexpr int kBurst = 8;
-    static constexpr Duration kInterval = std::chrono::milliseconds{500};
+    static constexpr BurstRate kRate{8, std::chrono::milliseconds{500}};
 
     /// Whether one more is within the limit.
     [[nodiscard]] bool hasRoom(const Endpoint& from, LocalTime now) const;
@@ -23,7 +22,7 @@ public:
     void count(const Endpoint& from, LocalTime now);
 
 private:
-    std::map<Endpoint, LocalTime> m_fullAgain; // when the full burst is available again
+    std::map<Endpoint, LocalTime> m_fullAgain; // by kRate
     LocalTime m_nextForget = LocalTime::min();
 };
 

@@ -114,9 +114,9 @@ private Q_SLOTS:
         int answers = 0;
         while (readRaw(flood))
             ++answers;
-        const auto refilled = (monotonicNow() - begin) / SourceLimiter::kInterval;
+        const auto refilled = (monotonicNow() - begin) / SourceLimiter::kRate.interval;
         QVERIFY(answers > 0);
-        QVERIFY(answers <= SourceLimiter::kBurst + refilled);
+        QVERIFY(answers <= SourceLimiter::kRate.burst + refilled);
     }
 };
 

@@ -61,8 +61,8 @@ private Q_SLOTS:
 
     void onePortTakesASmallPartOfItsAddress()
     {
-        QVERIFY(EndpointLimiter::kBurst * 16 <= HelloLimiter::kBurst);
-        QVERIFY(EndpointLimiter::kInterval >= 25 * HelloLimiter::kInterval);
+        QVERIFY(EndpointLimiter::kRate.burst * 16 <= HelloLimiter::kRate.burst);
+        QVERIFY(EndpointLimiter::kRate.interval >= 25 * HelloLimiter::kRate.interval);
     }
 };
 

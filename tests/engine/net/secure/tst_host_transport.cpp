@@ -191,7 +191,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(client.isIn() && !host.heard.paths.empty(), kHandshakeMs);
         // Had each been counted, this source could say hello again after 7 s only.
         QVERIFY(monotonicNow() - begin
-                < (500 - HelloLimiter::kBurst) * HelloLimiter::kInterval / 2);
+                < (500 - HelloLimiter::kRate.burst) * HelloLimiter::kRate.interval / 2);
     }
 
     /// As by somebody who saw it on its way, or who sits behind the same address.

@@ -20,8 +20,6 @@ namespace
 constexpr ParticipantId kSelf{0};
 /// Shortest interval of storing actions, so that rapid actions do not keep the disk busy.
 constexpr Duration kKeepInterval = std::chrono::milliseconds{100};
-/// Of showing when each peer was last heard; who comes or goes is shown at once.
-constexpr Duration kLinkInterval = std::chrono::milliseconds{50};
 constexpr Duration kWatchInterval = std::chrono::milliseconds{500};
 constexpr const char* kFirstStationName = "Station 1";
 
@@ -187,7 +185,7 @@ Result<FactNumber> HostDriver::decide(const Proposal& proposal, LocalTime now)
         return *number;
     return m_ledger.decided()
         .judge(proposal, m_core->sessionTime(now),
-               m_core->slowestPath() + m_storing + showsWithin())
+               m_core->slowestPath() + m_storing + HostView::showsWithin(m_ledger.stored().state()))
         .and_then([this](const Fact& fact) {
             return prepare(fact).map([&] {
                 m_ledger.enter(fact);
@@ -227,7 +225,7 @@ void HostDriver::stored(std::size_t count, LocalTime now)
         if (mayChangeOwners(fact.body))
             for (const auto& [id, object] : m_ledger.stored().state().objects())
                 share(object);
-        m_hasNewState = true;
+        m_hostView.changed();
     }
 }
 
@@ -275,7 +273,7 @@ void HostDriver::propose(StationId station, FactBody body, LocalTime now)
         m_refusal.reset();
     const auto fact = decide({ProposalId{hostRandom()}, kSelf, station, body}, now);
     if (fact && isAwaited)
-        m_awaited.emplace_back(*fact, std::move(body));
+        m_hostView.await(*fact, std::move(body));
     if (!fact && (isAwaited || fact.error().code == Errc::StoreFailed))
         m_refusal = fact.error();
 }
@@ -401,9 +399,8 @@ LocalTime HostDriver::nextWake() const
 {
     if (!m_tokensStored.empty())
         return LocalTime::min();
-    const LocalTime wake =
-        std::min({m_core->nextWake(), m_publications.nextTick(), m_returnsEnd, m_nextViews,
-                  m_paths.nextWake(), m_hasNewState ? m_nextState : LocalTime::max()});
+    const LocalTime wake = std::min({m_core->nextWake(), m_publications.nextTick(), m_returnsEnd,
+                                     m_nextViews, m_paths.nextWake(), m_hostView.nextWake()});
     if (m_writer->isBusy())
         return wake; // it wakes by its report
     if (m_ledger.unstored() > 0 || !m_tokens.empty())
@@ -443,57 +440,12 @@ std::vector<PathReport> HostDriver::measurePaths(LocalTime now) const
     return paths;
 }
 
-std::shared_ptr<const std::vector<NodeBoard::Link>> HostDriver::links(LocalTime now)
-{
-    if (now < m_nextLinks && m_shownLinks->size() == m_core->peers().size())
-        return m_shownLinks;
-    m_nextLinks = now + kLinkInterval;
-    std::vector<NodeBoard::Link> links;
-    for (const auto& [address, peer] : m_core->peers())
-        links.push_back(linkReport(peer.participant, LinkState::Connected, peer.link));
-    m_shownLinks = std::make_shared<std::vector<NodeBoard::Link>>(std::move(links));
-    return m_shownLinks;
-}
-
-/// What is in the session as it is shown waits no longer, nor what was given up.
-std::shared_ptr<const std::vector<FactBody>> HostDriver::pending()
-{
-    std::erase_if(m_awaited, [shown = m_shownState->lastApplied(),
-                              decided = m_ledger.decided().state().lastApplied()](const auto& own) {
-        return own.first <= shown || own.first > decided;
-    });
-    std::vector<FactBody> bodies;
-    for (const auto& [number, body] : m_awaited)
-        bodies.push_back(body);
-    if (bodies != *m_shownPending)
-        m_shownPending = std::make_shared<std::vector<FactBody>>(std::move(bodies));
-    return m_shownPending;
-}
-
-Duration HostDriver::showsWithin() const
-{
-    const std::uint64_t facts = m_ledger.stored().state().lastApplied().value;
-    const std::uint64_t more = facts - std::min(facts, kShownAtOnce);
-    return std::min(static_cast<Duration::rep>(more) * kShownLater, kShownLatest);
-}
-
 void HostDriver::show(LocalTime now)
 {
-    if (m_hasNewState && now >= m_nextState) {
-        m_shownState = std::make_shared<SessionState>(m_ledger.stored().state());
-        m_hasNewState = false;
-        m_nextState = now + showsWithin();
-    }
-    NodeBoard::View view;
+    NodeBoard::View view = m_hostView.at(now, m_ledger, *m_core);
     view.self = kSelf;
-    const Duration offset = m_core->sessionTime(now).time_since_epoch() - now.time_since_epoch();
-    view.clock = ClockMapping{now, offset};
-    view.clockReport = ClockReport{offset};
-    view.state = m_shownState;
     m_board.showActions(view, m_core->actions());
     view.drifts = m_views.drifts();
-    view.pending = pending();
-    view.links = links(now);
     m_board.showPaths(view, now, [&] { return measurePaths(now); });
     view.refusal = m_refusal ? m_refusal : m_storeFault ? m_storeFault : m_access->fault();
     if (m_board.show(std::move(view)))

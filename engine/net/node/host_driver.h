@@ -3,6 +3,7 @@
 #include "engine/io/fact_store/store_writer.h"
 #include "engine/net/node/external_clock.h"
 #include "engine/net/node/host_entry.h"
+#include "engine/net/node/host_view.h"
 #include "engine/net/node/node_board.h"
 #include "engine/net/node/node_driver.h"
 #include "engine/net/objects/publications.h"
@@ -21,13 +22,6 @@ public:
     static constexpr std::size_t kMostUnstored = 4096;
     /// By at most so much a slow disk puts off the effect of a change.
     static constexpr Duration kLongestStoring = std::chrono::seconds{2};
-    /// A session of so many facts is shown to the other threads as soon as there are new ones. Each
-    /// time it is copied, which takes the longer the more facts there are: for each one more it is
-    /// shown this much less often, so that copying takes up no more than a part of the time.
-    /// Changes take effect as much later, so that none does before it is shown (CheckpointKeeper).
-    static constexpr std::uint64_t kShownAtOnce = 10'000;
-    static constexpr Duration kShownLater = std::chrono::microseconds{1};
-    static constexpr Duration kShownLatest = std::chrono::milliseconds{50};
 
     /// Opens the session in the store, or creates one. @param board outlives the driver.
     [[nodiscard]] static Result<std::unique_ptr<HostDriver>> open(const HostSettings& settings,
@@ -64,7 +58,6 @@ private:
                                      LocalTime now);
     [[nodiscard]] Result<void> chooseStrategy(const HostSettings& settings, LocalTime now);
     void joinItself(const std::string& name, LocalTime now);
-    [[nodiscard]] std::shared_ptr<const std::vector<FactBody>> pending();
 
     [[nodiscard]] Result<FactNumber> decide(const Proposal& proposal, LocalTime now);
     [[nodiscard]] Result<void> decideForPeer(const ProposalRecord& proposal, LocalTime now);
@@ -103,10 +96,6 @@ private:
     [[nodiscard]] std::optional<RigidTransform> shownPose(ObjectId object, SessionTime t) const;
     void sendOwnStreams(LocalTime now);
     void show(LocalTime now);
-    /// How long a new fact may wait until it is shown.
-    [[nodiscard]] Duration showsWithin() const;
-    /// Those to the present peers, as shown last where that is not long ago.
-    [[nodiscard]] std::shared_ptr<const std::vector<NodeBoard::Link>> links(LocalTime now);
     [[nodiscard]] std::vector<PathReport> measurePaths(LocalTime now) const;
 
     FactLedger m_ledger;
@@ -141,15 +130,7 @@ private:
     LocalTime m_nextWatch{};
     std::optional<Error> m_storeFault; // what happened to the store, until the end
     std::optional<Error> m_refusal;
-    std::shared_ptr<const SessionState> m_shownState;
-    bool m_hasNewState = true; // not shown yet
-    LocalTime m_nextState = LocalTime::min();
-    std::shared_ptr<const std::vector<NodeBoard::Link>> m_shownLinks =
-        std::make_shared<std::vector<NodeBoard::Link>>();
-    LocalTime m_nextLinks = LocalTime::min();
-    std::vector<std::pair<FactNumber, FactBody>> m_awaited; // own facts that are not stored yet
-    std::shared_ptr<const std::vector<FactBody>> m_shownPending =
-        NodeBoard::none<std::vector<FactBody>>();
+    HostView m_hostView;
 };
 
 } // namespace carina

@@ -1,10 +1,8 @@
-#include "engine/net/devices/any_recording.h"
 #include "engine/session/facts/facts.h"
-#include "tests/end_to_end/program.h"
+#include "tests/end_to_end/tool_session.h"
 #include "tests/support/test_class.h"
 
 #include <QJsonArray>
-#include <QTemporaryDir>
 
 #include <algorithm>
 
@@ -20,15 +18,6 @@ constexpr double kPlace_mm = 0.5; ///< of a moving pose that is predicted: 17 ms
 /// From the first sample on, until its motion is known.
 constexpr double kBegin_s = 2.0;
 
-/// A place registered by a pure shift: the patient lies 10, 20, 30 mm from the tracker's origin.
-const QByteArray kSite = R"({"schema": "carina.site/2", "step": "overview",
- "catalogue": {"name": "three", "landmarks": [{"name": "a", "p_AQ_mm": [0, 0, 1]},
-  {"name": "b", "p_AQ_mm": [0, 1, 0]}, {"name": "c", "p_AQ_mm": [1, 0, 0]}]},
- "registration": {"X_AM_mm": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]],
-  "X_AT_mm": [[1, 0, 0, 10], [0, 1, 0, 20], [0, 0, 1, 30], [0, 0, 0, 1]],
-  "rms_mm": 0.1, "residuals_mm": [{"name": "a", "mm": 0.1}]}})";
-const Vec3 kShift_mm{10.0, 20.0, 30.0};
-
 /// Five minutes of a tube that moves along x: longer than the programs need to start.
 TrackerSequence movingTube()
 {
@@ -40,12 +29,6 @@ TrackerSequence movingTube()
              .X_FO =
                  RigidTransform::translation({1e-3 * kSpeed_mm_per_s * i / kRate, 0.0, -0.05})});
     return sequence;
-}
-
-bool write(const QString& path, const QByteArray& text)
-{
-    QFile file{path};
-    return file.open(QIODevice::WriteOnly) && file.write(text) == text.size();
 }
 
 /// Where a frame of a journal has a tube.
@@ -120,41 +103,25 @@ class TestConsoleTracker : public QObject
 private Q_SLOTS:
     void playsARecordingThatEverybodySees()
     {
-        const QTemporaryDir folder;
-        const auto inFolder = [&](const char* name) {
-            return folder.filePath(QLatin1String{name});
-        };
-        const QString codes = inFolder("codes");
-        QVERIFY(write(inFolder("site.json"), kSite));
-        QVERIFY(writeAnyRecording(inFolder("tube.csv").toStdString(), movingTube()));
-        Program instructor{
-            QStringLiteral(CARINA_INSTRUCTOR),
-            {QStringLiteral("--port"), portOfThisTest(), QStringLiteral("--data"), inFolder("host"),
-             QStringLiteral("--codes"), codes, QStringLiteral("--start"),
-             QStringLiteral("--tracker"), QStringLiteral("recorded:") + inFolder("tube.csv"),
-             QStringLiteral("--site"), inFolder("site.json"), QStringLiteral("--record"),
-             inFolder("seen.csv"), QStringLiteral("--script"), inFolder("script")},
-            inFolder("instructor.jsonl")};
+        ToolSession session;
+        QVERIFY(session.prepare(movingTube()));
+        Program instructor = session.instructor(
+            {QStringLiteral("--start"), QStringLiteral("--tracker"),
+             QStringLiteral("recorded:") + session.path("tools.csv"), QStringLiteral("--site"),
+             session.path("site.json"), QStringLiteral("--record"), session.path("seen.csv"),
+             QStringLiteral("--script"), session.path("script")});
         instructor.start();
         QTRY_VERIFY_WITH_TIMEOUT(!instructor.shown().isEmpty(), kPatience_ms);
-        const auto trainee = [&](const char* name, const QStringList& more) {
-            const QString own = QLatin1String{name};
-            return Program{QStringLiteral(CARINA_TRAINEE),
-                           QStringList{QStringLiteral("--port"), portOfThisTest(),
-                                       QStringLiteral("--as"), own, QStringLiteral("--code-file"),
-                                       codes, QStringLiteral("--data"), folder.filePath(own)}
-                               + more,
-                           folder.filePath(own + QStringLiteral(".jsonl"))};
-        };
-        Program tom = trainee("Tom", {QStringLiteral("--tracker"), QStringLiteral("simulated")});
-        Program tess = trainee("Tess", {});
+        Program tom =
+            session.trainee("Tom", {QStringLiteral("--tracker"), QStringLiteral("simulated")});
+        Program tess = session.trainee("Tess", {});
         tom.start();
         tess.start();
         QTRY_VERIFY_WITH_TIMEOUT(showsTubeOf(tess, kInstructor), kPatience_ms);
         // Beside it that of who is at work.
         QTRY_VERIFY_WITH_TIMEOUT(showsTubeOfAnother(tess, kInstructor), kPatience_ms);
 
-        const auto seen = readAnyRecording(inFolder("seen.csv").toStdString());
+        const auto seen = readAnyRecording(session.path("seen.csv").toStdString());
         QVERIFY2(seen.has_value(), seen ? "" : seen.error().detail.c_str());
         const PoseSample& first = seen->tools[0].samples.front();
         const double begin_s = toSeconds(first.time.time_since_epoch());
@@ -176,31 +143,20 @@ private Q_SLOTS:
         }
 
         // And no more once a person goes on without it, in the running console.
-        QFile script{inFolder("script")};
-        QVERIFY(script.open(QIODevice::Append));
-        const auto work = [&](const QByteArray& lines) {
-            script.write(lines);
-            script.flush();
-        };
-        work("press withoutTracker\n");
+        session.work("press withoutTracker\n");
         QTRY_VERIFY_WITH_TIMEOUT(!showsTubeOf(tess, kInstructor), kPatience_ms);
         QVERIFY(showsTubeOfAnother(tess, kInstructor));
-        work("press connectTracker\npress source2\ntype recording " + inFolder("tube.csv").toUtf8()
-             + "\npress looped\npress use\n");
+        session.useRecording();
         QTRY_VERIFY_WITH_TIMEOUT(showsTubeOf(tess, kInstructor), kPatience_ms);
         QTRY_VERIFY_WITH_TIMEOUT(showsTubeOf(instructor, kInstructor), kPatience_ms);
     }
 
     void refusesATrackerWithoutASite()
     {
-        const QTemporaryDir folder;
-        const QString recording = folder.filePath(QStringLiteral("tube.csv"));
-        QVERIFY(writeAnyRecording(recording.toStdString(), movingTube()));
-        Program instructor{QStringLiteral(CARINA_INSTRUCTOR),
-                           {QStringLiteral("--port"), portOfThisTest(), QStringLiteral("--data"),
-                            folder.filePath(QStringLiteral("host")), QStringLiteral("--tracker"),
-                            QStringLiteral("recorded:") + recording},
-                           folder.filePath(QStringLiteral("instructor.jsonl"))};
+        ToolSession session;
+        QVERIFY(session.prepare(movingTube()));
+        Program instructor = session.instructor(
+            {QStringLiteral("--tracker"), QStringLiteral("recorded:") + session.path("tools.csv")});
         instructor.start();
         QTRY_VERIFY_WITH_TIMEOUT(instructor.hasEnded(), kPatience_ms);
         QCOMPARE(instructor.exitCode(), 2);

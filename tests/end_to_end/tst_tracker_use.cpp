@@ -1,12 +1,8 @@
-#include "engine/net/devices/any_recording.h"
 #include "engine/session/facts/facts.h"
-#include "tests/end_to_end/program.h"
+#include "tests/end_to_end/tool_session.h"
 #include "tests/support/test_class.h"
 
 #include <QJsonArray>
-#include <QTemporaryDir>
-
-#include <algorithm>
 
 namespace carina::tracker_use_test
 {
@@ -15,14 +11,6 @@ namespace
 
 constexpr int kPatience_ms = 60'000;
 constexpr double kPlace_mm = 0.1; ///< of a shared pose, in steps of 10 micrometres, on its way
-
-/// A place registered by a pure shift: the patient lies 10, 20, 30 mm from the tracker's origin.
-const QByteArray kSite = R"({"schema": "carina.site/2", "step": "overview",
- "catalogue": {"name": "three", "landmarks": [{"name": "a", "p_AQ_mm": [0, 0, 1]},
-  {"name": "b", "p_AQ_mm": [0, 1, 0]}, {"name": "c", "p_AQ_mm": [1, 0, 0]}]},
- "registration": {"X_AM_mm": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]],
-  "X_AT_mm": [[1, 0, 0, 10], [0, 1, 0, 20], [0, 0, 1, 30], [0, 0, 0, 1]],
-  "rms_mm": 0.1, "residuals_mm": [{"name": "a", "mm": 0.1}]}})";
 
 /// Ten seconds of a tube, a laryngoscope and a hand at rest.
 TrackerSequence atRest()
@@ -38,12 +26,6 @@ TrackerSequence atRest()
                 {.time = SessionTime{fromSeconds(i / 60.0)},
                  .X_FO = RigidTransform::translation(places[tool])});
     return sequence;
-}
-
-bool write(const QString& path, const QByteArray& text)
-{
-    QFile file{path};
-    return file.open(QIODevice::WriteOnly) && file.write(text) == text.size();
 }
 
 /// Where the newest frames draw an object of this kind that another one owns.
@@ -75,46 +57,22 @@ class TestTrackerUse : public QObject
 private Q_SLOTS:
     void isGivenATrackerWhichOthersSeeAndRecordsIt()
     {
-        const QTemporaryDir folder;
-        const auto inFolder = [&](const char* name) {
-            return folder.filePath(QLatin1String{name});
-        };
-        const QString codes = inFolder("codes");
-        QVERIFY(write(inFolder("site.json"), kSite));
-        QVERIFY(writeAnyRecording(inFolder("tools.csv").toStdString(), atRest()));
-        Program instructor{QStringLiteral(CARINA_INSTRUCTOR),
-                           {QStringLiteral("--port"), portOfThisTest(), QStringLiteral("--data"),
-                            inFolder("host"), QStringLiteral("--codes"), codes,
-                            QStringLiteral("--start")},
-                           inFolder("instructor.jsonl")};
+        ToolSession session;
+        QVERIFY(session.prepare(atRest()));
+        Program instructor = session.instructor({QStringLiteral("--start")});
         instructor.start();
         QTRY_VERIFY_WITH_TIMEOUT(!instructor.shown().isEmpty(), kPatience_ms);
-        const auto trainee = [&](const char* name, const QStringList& more) {
-            const QString own = QLatin1String{name};
-            return Program{QStringLiteral(CARINA_TRAINEE),
-                           QStringList{QStringLiteral("--port"), portOfThisTest(),
-                                       QStringLiteral("--as"), own, QStringLiteral("--code-file"),
-                                       codes, QStringLiteral("--data"), folder.filePath(own)}
-                               + more,
-                           folder.filePath(own + QStringLiteral(".jsonl"))};
-        };
-        Program tom = trainee("Tom", {QStringLiteral("--site"), inFolder("site.json"),
-                                      QStringLiteral("--script"), inFolder("script"),
-                                      QStringLiteral("--record"), inFolder("poses.igs.mha")});
-        Program tess = trainee("Tess", {});
+        Program tom =
+            session.trainee("Tom", {QStringLiteral("--site"), session.path("site.json"),
+                                    QStringLiteral("--script"), session.path("script"),
+                                    QStringLiteral("--record"), session.path("poses.igs.mha")});
+        Program tess = session.trainee("Tess", {});
         tom.start();
         tess.start();
         QTRY_VERIFY_WITH_TIMEOUT(!tom.shown().isEmpty() && !tess.shown().isEmpty(), kPatience_ms);
         QVERIFY(!othersPlace_mm(tess, ObjectKind::Laryngoscope));
 
-        QFile script{inFolder("script")};
-        QVERIFY(script.open(QIODevice::Append));
-        const auto work = [&](const QByteArray& lines) {
-            script.write(lines);
-            script.flush();
-        };
-        work("press connectTracker\npress source2\ntype recording " + inFolder("tools.csv").toUtf8()
-             + "\npress looped\npress use\n");
+        session.useRecording();
         QTRY_VERIFY_WITH_TIMEOUT(
             isAt(othersPlace_mm(tess, ObjectKind::Laryngoscope), {10.0, 120.0, -20.0}),
             kPatience_ms);
@@ -127,11 +85,11 @@ private Q_SLOTS:
             isAt(othersPlace_mm(instructor, ObjectKind::Laryngoscope), {10.0, 120.0, -20.0}),
             kPatience_ms);
 
-        work("press withoutTracker\n");
+        session.work("press withoutTracker\n");
         QTRY_VERIFY_WITH_TIMEOUT(!othersPlace_mm(tess, ObjectKind::Laryngoscope), kPatience_ms);
 
         tom.kill(); // as kill -9 does
-        const auto recorded = readAnyRecording(inFolder("poses.igs.mha.csv").toStdString());
+        const auto recorded = readAnyRecording(session.path("poses.igs.mha.csv").toStdString());
         QVERIFY2(recorded.has_value(), recorded ? "" : recorded.error().detail.c_str());
         QCOMPARE(recorded->tools.size(), std::size_t{3});
         QCOMPARE(recorded->tools[1].role, ToolRole::Laryngoscope);

@@ -332,9 +332,4 @@ RespiratorySystem afflicted(const RespiratorySystem& healthy, LungConditions con
     return system;
 }
 
-RespiratorySystem afflicted(const RespiratorySystem& healthy, const LungCondition& condition)
-{
-    return withCondition(healthy, condition, compressionShare(healthy));
-}
-
 } // namespace carina

@@ -63,7 +63,7 @@ inline constexpr std::size_t kMostConditions = 6;
 /// that overlap, and a tube in one main bronchus at most.
 [[nodiscard]] bool canCoexist(const LungConditions& conditions);
 
-/// A healthy system, tube included, with a condition applied. Parameters as functions of the
+/// A healthy system, tube included, with conditions applied. Parameters as functions of the
 /// severity s are piecewise linear through the values of Pulse at 0.3, 0.6 and 0.9, where Pulse has
 /// them (docs/mechanics.md names each source):
 ///
@@ -98,14 +98,11 @@ inline constexpr std::size_t kMostConditions = 6;
 ///
 /// A condition of one lung changes strength, effort and I:E by half as much.
 ///
-/// @pre severity within 0..1; MainstemIntubation has one side.
-[[nodiscard]] RespiratorySystem afflicted(const RespiratorySystem& healthy,
-                                          const LungCondition& condition);
-
-/// The same with several conditions: COPD makes the lung larger first; then each changes what those
-/// before it in the order of the enumerators have left, right before left, so that the result does
-/// not depend on the order in which they were set.
-/// @pre canCoexist(conditions), and each as above.
+/// Of several conditions COPD makes the lung larger first; then each changes what those before it
+/// in the order of the enumerators have left, right before left, so that the result does not depend
+/// on the order in which they were set.
+///
+/// @pre canCoexist(conditions); severities within 0..1; MainstemIntubation has one side.
 [[nodiscard]] RespiratorySystem afflicted(const RespiratorySystem& healthy,
                                           LungConditions conditions);
 

@@ -22,9 +22,9 @@ ChestShape shapeOf(const RespiratorySystem& system, const ChestContent& content)
     return chestShape({}, system, content, chestMoment(system, content, {}, {}));
 }
 
-ChestShape shapeAtRest(const LungCondition& condition)
+ChestShape shapeAtRest(const LungConditions& conditions)
 {
-    const RespiratorySystem system = afflicted(healthySystem({}), condition);
+    const RespiratorySystem system = afflicted(healthySystem({}), conditions);
     return shapeOf(system, restingContent(system));
 }
 
@@ -72,7 +72,7 @@ void TestChestShape::makesRoomForWhatIsBreathedIn()
 /// 177 % of 2.31 L, 47.5 % of it on the left.
 void TestChestShape::makesRoomForEmphysema()
 {
-    const ChestShape shape = shapeAtRest({ConditionKind::Copd, 0.9, ConditionSide::Both});
+    const ChestShape shape = shapeAtRest({{ConditionKind::Copd, 0.9, ConditionSide::Both}});
     VERIFY_WITHIN(more_l(shape.lungs[1]), 0.475 * 0.77 * 2.31, 5e-4);
 }
 
@@ -80,7 +80,8 @@ void TestChestShape::makesRoomForEmphysema()
 void TestChestShape::followsTheWallWhereTheMediastinumGaveWay()
 {
     const RespiratorySystem system =
-        afflicted(healthySystem({}), {ConditionKind::SimplePneumothorax, 0.8, ConditionSide::Left});
+        afflicted(healthySystem({}),
+                  LungConditions{{ConditionKind::SimplePneumothorax, 0.8, ConditionSide::Left}});
     const ChestContent rest = restingContent(system);
     const ChestMoment moment = chestMoment(system, rest, {}, {});
     const ChestShape shape = chestShape({}, system, rest, moment);
@@ -96,7 +97,7 @@ void TestChestShape::followsTheWallWhereTheMediastinumGaveWay()
 void TestChestShape::standsOutBesideAPneumothorax()
 {
     const ChestShape shape =
-        shapeAtRest({ConditionKind::SimplePneumothorax, 0.8, ConditionSide::Left});
+        shapeAtRest({{ConditionKind::SimplePneumothorax, 0.8, ConditionSide::Left}});
     QVERIFY(more_l(shape.lungs[1]) > 0.0);
     QVERIFY(inLitres(shape.lungs[1].room - shape.lungs[1].gas) > 0.5);
     QVERIFY(shape.mediastinalShift.si < 0.0); // away from it, to the right
@@ -127,7 +128,7 @@ void TestChestShape::shiftsTowardsAnAtelectasis()
 {
     QVERIFY(
         inMillimetres(
-            shapeAtRest({ConditionKind::Atelectasis, 1.0, ConditionSide::Right}).mediastinalShift)
+            shapeAtRest({{ConditionKind::Atelectasis, 1.0, ConditionSide::Right}}).mediastinalShift)
         < -5.0);
 }
 

@@ -12,7 +12,9 @@ inline RespiratorySystem healthy() { return healthySystem({}); }
 inline RespiratorySystem with(ConditionKind kind, double severity,
                               ConditionSide side = ConditionSide::Both)
 {
-    return afflicted(healthy(), {kind, severity, side});
+    return afflicted(healthy(), kind == ConditionKind::Normal
+                                    ? LungConditions{}
+                                    : LungConditions{{kind, severity, side}});
 }
 
 } // namespace carina::test

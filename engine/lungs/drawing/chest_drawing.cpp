@@ -12,6 +12,9 @@ constexpr LungPose kDiaphragm{1.0, 0.0, kQuietBreath.gravity, 0.0};
 constexpr LungPose kRibs{0.0, 1.0, 0.0, 0.0};
 constexpr LungPose kCollapse{0.0, 0.0, 0.0, 1.0};
 constexpr double kUnseen_ml = 0.01;
+/// The collapse of a lung that trapped gas has made larger, and into which a mediastinum may still
+/// sink: one that is fuller would be pressed through the skin of its back.
+constexpr double kFullestLeant = -0.45;
 constexpr int kHalvings = 20;
 /// Upper limit of the ribs' amplitude for a diaphragm of 1, for surfaces of unusual shape.
 constexpr double kMostRibs = 2.0;
@@ -88,7 +91,8 @@ void moveAlongTheEdge(const DrawnLung& lung, double collapse, Volume volume, Pos
     const double amount = amountFor(cubic, volume, {0.0, 1.0});
     const double off_ml = inMillilitres(cubic.at(amount) - volume);
     posed.pose = from + amount * along;
-    posed.fits = std::abs(off_ml) < kUnseen_ml;
+    const bool isLeant = lung.shiftInto() > 0.0;
+    posed.fits = std::abs(off_ml) < kUnseen_ml && !(isLeant && posed.pose.collapse < kFullestLeant);
 }
 
 PosedLung poseOf(const DrawnLung& lung, double sag, const LungPose& breath, Volume room,

@@ -24,8 +24,9 @@ namespace carina
 ///
 /// Where all of this does not fit into the range in which the field keeps its orientation, the lung
 /// leaves chest wall and diaphragm, towards rest, as far as its volume requires; then the
-/// mediastinum moves back. A volume that is still out of reach is drawn as the nearest possible
-/// one.
+/// mediastinum moves back, as it does where it sinks into a lung that trapped gas has made so large
+/// that it would come through the skin. A volume that is still out of reach is drawn as the nearest
+/// possible one.
 [[nodiscard]] ChestPose drawnPose(const LungPair& lungs, const ChestShape& shape,
                                   std::size_t level);
 

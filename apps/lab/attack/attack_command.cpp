@@ -51,14 +51,14 @@ constexpr Key kLate{"late_look_ms",
                     "the longest time in it for which the observer's own thread did not run, where "
                     "the processor was busy: as much of the gap may not be the session's",
                     1};
-constexpr Key kDriftBefore{"drift_before_mm",
-                           "root mean square of how far the tube was shown there from where it "
-                           "was, before the attack",
-                           1};
-constexpr Key kDrift{"drift_mm",
-                     "the same during the attack; at most twice that before, of which at least 0.1 "
-                     "counts",
-                     1};
+constexpr Key kUsualDrift{
+    "usual_drift_mm",
+    "root mean square of how far the tube was shown there from where it was, "
+    "before anybody attacked, at the phases of its motion that the attack saw",
+    1};
+constexpr Key kDrift{
+    "drift_mm", "the same during the attack; at most twice the usual, of which at least 0.1 counts",
+    1};
 constexpr Key kJumps{"jumps",
                      "how often the tube was elsewhere from one sample to the next during the "
                      "attack, because the trainee laid another patient; the drift until the view "
@@ -148,7 +148,7 @@ QJsonObject objectOf(const AttackFigures& figures)
             {attack_key::kGap, inMilliseconds(figures.during.largestGap)},
             {attack_key::kMostGap, kMostGap_ms},
             {attack_key::kLate, inMilliseconds(figures.during.latest)},
-            {attack_key::kDriftBefore, figures.before.places.drift_mm()},
+            {attack_key::kUsualDrift, usualDriftOf_mm(figures)},
             {attack_key::kDrift, figures.during.places.drift_mm()},
             {attack_key::kJumps, figures.during.places.jumps()},
             {attack_key::kJoin, joinsOf(figures)},
@@ -244,7 +244,7 @@ Command attackCommand()
                            attack_key::kGap,
                            attack_key::kMostGap,
                            attack_key::kLate,
-                           attack_key::kDriftBefore,
+                           attack_key::kUsualDrift,
                            attack_key::kDrift,
                            attack_key::kJumps,
                            attack_key::kJoin,

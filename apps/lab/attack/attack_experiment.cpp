@@ -124,7 +124,8 @@ private:
         return deriveKeys()
             .and_then([this] { return layAnotherAndBack(); })
             .and_then([this] { return comeInGuests(); })
-            .map([this] { m_honest.emplace(*m_node, honestOnes()); });
+            .map([this] { m_honest.emplace(*m_node, honestOnes()); })
+            .map([this] { seeWhatIsUsual(); });
     }
 
     /// Of all roles, before anything is measured. The instructor stays.
@@ -173,6 +174,13 @@ private:
         return {};
     }
 
+    void seeWhatIsUsual()
+    {
+        static_cast<void>(m_witness->take());
+        workFor(ShownPlaces::kPeriod + ShownPlaces::kArrived, [] {});
+        m_usual = m_witness->take().places;
+    }
+
     [[nodiscard]] std::vector<ParticipantId> honestOnes() const
     {
         std::vector<ParticipantId> all{m_node->self(), m_instructor->self()};
@@ -218,7 +226,7 @@ private:
 
     AttackFigures attack(const AttackKind& kind)
     {
-        AttackFigures figures{.kind = &kind, .guests = m_settings.guests};
+        AttackFigures figures{.kind = &kind, .guests = m_settings.guests, .usual = m_usual};
         const std::int64_t factsBefore = facts();
         static_cast<void>(m_witness->take());
         const std::vector<double> memoryBefore = leastMemoryIn(m_settings.length);
@@ -297,6 +305,7 @@ private:
     std::unique_ptr<SessionNode> m_node;
     std::unique_ptr<SessionNode> m_instructor;
     std::unique_ptr<Witness> m_witness;
+    ShownPlaces m_usual;
     std::vector<std::unique_ptr<SessionNode>> m_guests;
     std::optional<HonestPeople> m_honest;
     int m_newcomers = 0;

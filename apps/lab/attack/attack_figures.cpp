@@ -10,7 +10,7 @@ namespace
 
 constexpr double kMostDriftRatio = 2.0;
 /// Of what is usual: the noise of a good optical tracker, below which nobody can tell a place from
-/// another. In a run that had less before, twice of this is as good as twice of nothing.
+/// another. In a run that has less, twice of this is as good as twice of nothing.
 constexpr double kLeastUsualDrift_mm = 0.1;
 constexpr double kMostJoin_s = 2.0;
 // By how much the memory of a program varies that draws and is not attacked: seen are 4.8 MB and
@@ -32,8 +32,7 @@ bool holdsDrift(const AttackFigures& figures)
     const ShownPlaces& during = figures.during.places;
     return during.places() > 0
            && during.drift_mm()
-                  <= kMostDriftRatio
-                         * std::max(kLeastUsualDrift_mm, figures.before.places.drift_mm());
+                  <= kMostDriftRatio * std::max(kLeastUsualDrift_mm, usualDriftOf_mm(figures));
 }
 
 bool holdsGap(const AttackFigures& figures)
@@ -60,6 +59,11 @@ bool holdsOwn(const AttackFigures& figures)
 }
 
 } // namespace
+
+double usualDriftOf_mm(const AttackFigures& figures)
+{
+    return figures.usual.driftAtPhasesOf_mm(figures.during.places);
+}
 
 double mostFactsOf(const AttackFigures& figures)
 {

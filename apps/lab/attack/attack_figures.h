@@ -18,8 +18,9 @@ struct AttackFigures {
     int guests = 0;        ///< who took part besides
     std::int64_t sent = 0; ///< as the attack counts
     bool isTakenForAnother = false;
-    Seen before{}; ///< in as much time before it as an attack lasts at least
-    Seen during{}; ///< in the time of the attack
+    ShownPlaces usual{}; ///< in a period of the trainee's motion, before anybody attacked
+    Seen before{};       ///< in as much time before it as an attack lasts at least
+    Seen during{};       ///< in the time of the attack
     /// How long a newcomer of each role took meanwhile; nothing: not within 10 s.
     std::map<Role, std::optional<Duration>> joined{};
     std::int64_t putOut = 0; ///< of those who only take part, how many were not present throughout
@@ -28,6 +29,9 @@ struct AttackFigures {
     std::int64_t facts = 0;           ///< by which the log is longer afterwards
     std::vector<double> memory_kb{};  ///< by which console and trainee hold more afterwards
 };
+
+/// The drift that is usual in a session at the phases of the motion that were seen in the attack.
+[[nodiscard]] double usualDriftOf_mm(const AttackFigures& figures);
 
 /// Facts that may come of it, and without how many it was no such attack.
 [[nodiscard]] double mostFactsOf(const AttackFigures& figures);

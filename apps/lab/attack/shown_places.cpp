@@ -30,14 +30,35 @@ void ShownPlaces::shown(SessionTime now, const Vec3& p_A, const Truth& truth)
         if (!was)
             continue;
         const double apart = inMillimetres(metres((*was - m_shown.front().p_A).norm()));
-        m_squares_mm2 += apart * apart;
-        ++m_places;
+        const Duration since = m_shown.front().time.time_since_epoch() % kPeriod;
+        Phase& phase = m_phases.at(std::size_t(since * std::ssize(m_phases) / kPeriod));
+        phase.squares_mm2 += apart * apart;
+        ++phase.places;
     }
 }
 
-double ShownPlaces::drift_mm() const
+double ShownPlaces::drift_mm() const { return driftAtPhasesOf_mm(*this); }
+
+double ShownPlaces::driftAtPhasesOf_mm(const ShownPlaces& other) const
 {
-    return m_places > 0 ? std::sqrt(m_squares_mm2 / double(m_places)) : 0.0;
+    double squares_mm2 = 0.0;
+    double places = 0.0;
+    for (std::size_t i = 0; i < m_phases.size(); ++i) {
+        if (m_phases[i].places == 0)
+            continue;
+        const auto as = double(other.m_phases[i].places);
+        squares_mm2 += as * m_phases[i].squares_mm2 / double(m_phases[i].places);
+        places += as;
+    }
+    return places > 0.0 ? std::sqrt(squares_mm2 / places) : 0.0;
+}
+
+std::int64_t ShownPlaces::places() const
+{
+    std::int64_t all = 0;
+    for (const Phase& phase : m_phases)
+        all += phase.places;
+    return all;
 }
 
 } // namespace carina::lab

@@ -5,6 +5,7 @@
 #include "engine/sync/streams/stream_view.h"
 #include "engine/tracking/pose_sample.h"
 
+#include <array>
 #include <deque>
 #include <functional>
 #include <optional>
@@ -20,6 +21,9 @@ namespace carina::lab
 /// A tube that is somewhere else from one sample to the next was not moved there by a hand: its
 /// owner has laid another patient, in whose frame it is. What was shown from the sample before
 /// until the view has blended over is left out.
+///
+/// The drift is larger while a tube moves than while it is held, and a simulated trainee's moves in
+/// a period: so what is seen in one time is compared with what is usual at the same phases.
 class ShownPlaces
 {
 public:
@@ -28,6 +32,7 @@ public:
     /// The view blends again from each sample to the next, a part of what is left each time.
     static constexpr Duration kBlended = 5 * StreamView::kBlend;
     static constexpr Duration kShownInterval = std::chrono::milliseconds{20};
+    static constexpr Duration kPeriod = std::chrono::seconds{20}; ///< of HandScript
     /// By then the samples around a time are there.
     static constexpr Duration kArrived = std::chrono::milliseconds{300};
 
@@ -41,8 +46,10 @@ public:
 
     /// Root mean square.
     [[nodiscard]] double drift_mm() const;
-    [[nodiscard]] std::int64_t places() const { return m_places; } ///< that were compared
-    [[nodiscard]] int jumps() const { return m_jumps; }            ///< to another patient
+    /// The same of as many places at each phase of the motion as `other` has, where both have any.
+    [[nodiscard]] double driftAtPhasesOf_mm(const ShownPlaces& other) const;
+    [[nodiscard]] std::int64_t places() const;          ///< that were compared
+    [[nodiscard]] int jumps() const { return m_jumps; } ///< to another patient
 
 private:
     struct Shown {
@@ -54,8 +61,11 @@ private:
     std::deque<Shown> m_shown; // not compared yet
     SessionTime m_nextShown = SessionTime::min();
     SessionTime m_blended = SessionTime::min(); // after the last jump
-    double m_squares_mm2 = 0.0;
-    std::int64_t m_places = 0;
+    struct Phase {
+        double squares_mm2 = 0.0;
+        std::int64_t places = 0;
+    };
+    std::array<Phase, 40> m_phases{}; // equal parts of the period
     int m_jumps = 0;
 };
 

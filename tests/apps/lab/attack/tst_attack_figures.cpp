@@ -40,7 +40,7 @@ AttackFigures heldAgainst(const AttackKind& kind)
 {
     AttackFigures figures{.kind = &kind, .length = 5s};
     figures.sent = static_cast<std::int64_t>(kind.leastSent);
-    figures.before.places = seenPlaces();
+    figures.usual = seenPlaces();
     figures.during.places = seenPlaces();
     for (const Role role : {Role::Trainee, Role::Observer, Role::Instructor})
         figures.joined[role] = 20ms;
@@ -102,25 +102,25 @@ private Q_SLOTS:
         }
     }
 
-    /// Twice what it was before the attack in the same run; as little as it was, 0.2 mm is enough.
-    void boundsTheDriftByTheOneBefore_data()
+    /// Twice what is usual in the same run; as little as it is, 0.2 mm is enough.
+    void boundsTheDriftByTheUsual_data()
     {
-        QTest::addColumn<double>("before_mm");
+        QTest::addColumn<double>("usual_mm");
         QTest::addColumn<double>("during_mm");
         QTest::addColumn<bool>("isHeld");
-        QTest::newRow("none before") << 0.0 << 0.19 << true;
-        QTest::newRow("none before, and some") << 0.0 << 0.21 << false;
+        QTest::newRow("none usual") << 0.0 << 0.19 << true;
+        QTest::newRow("none usual, and some") << 0.0 << 0.21 << false;
         QTest::newRow("twice") << 0.3 << 0.59 << true;
         QTest::newRow("more than twice") << 0.3 << 0.61 << false;
         QTest::newRow("of what once was the largest") << 0.15 << 0.6 << false;
     }
-    void boundsTheDriftByTheOneBefore()
+    void boundsTheDriftByTheUsual()
     {
-        QFETCH(const double, before_mm);
+        QFETCH(const double, usual_mm);
         QFETCH(const double, during_mm);
         QFETCH(const bool, isHeld);
         AttackFigures figures = heldAgainst(kindOf("crowd"));
-        figures.before.places = seenPlaces(before_mm);
+        figures.usual = seenPlaces(usual_mm);
         figures.during.places = seenPlaces(during_mm);
         QCOMPARE(holds(figures), isHeld);
     }

@@ -1,4 +1,5 @@
 #include "apps/lab/attack/shown_places.h"
+#include "engine/tracking/simulated/scripted_hands.h"
 #include "tests/support/test_class.h"
 
 #include <cmath>
@@ -104,6 +105,27 @@ private Q_SLOTS:
         const Tube tube{.jump = SessionTime{2s}, .jump_m = 0.4 * ShownPlaces::kFastestHand * 0.016};
         const ShownPlaces places = seen(tube, 0ms);
         QCOMPARE(places.jumps(), 0);
+    }
+
+    /// A tube that is held and moves in turn drifts only while it moves.
+    void comparesWithTheSamePhasesOfTheMotion()
+    {
+        QCOMPARE(ShownPlaces::kPeriod, HandScript{}.period);
+        constexpr double kMoving_mm = 0.4;
+        const auto seenIn = [](Duration begin, Duration end) {
+            ShownPlaces places;
+            for (SessionTime t{begin}; t < SessionTime{end}; t += ShownPlaces::kShownInterval) {
+                const bool moves = t.time_since_epoch() % ShownPlaces::kPeriod >= 10s;
+                places.shown(t, Vec3{moves ? 1e-3 * kMoving_mm : 0.0, 0.0, 0.0},
+                             [](SessionTime) { return std::optional<Vec3>{Vec3::Zero()}; });
+            }
+            return places;
+        };
+        const ShownPlaces usual = seenIn(0s, 21s);
+        QVERIFY(usual.driftAtPhasesOf_mm(seenIn(42s, 47s)) < kTolerance_mm);
+        const double moving_mm = usual.driftAtPhasesOf_mm(seenIn(52s, 57s));
+        QVERIFY(std::abs(moving_mm - kMoving_mm) < kTolerance_mm);
+        QCOMPARE(seenIn(0s, 5s).driftAtPhasesOf_mm(seenIn(52s, 57s)), 0.0);
     }
 
     void whatWasNotTrackedIsNotCompared()

@@ -115,7 +115,7 @@ std::vector<ReadyLine> readiness(const ReadinessQuestion& asked)
         asked.site.isEmpty() ? std::nullopt : std::optional{readSiteFile(asked.site.toStdString())};
     if (!site) {
         say(ReadyWords::tr("Tracker"),
-            ReadyWords::tr("○ no site: trainees use the simulated tracker, or their own"));
+            ReadyWords::tr("○ no site: who has no tracker of their own watches"));
         say(ReadyWords::tr("Registration"), ReadyWords::tr("○ none is needed without a site"));
     } else if (!*site) {
         say(ReadyWords::tr("Site"), ReadyWords::tr("▲ %1").arg(errorText(site->error())));

@@ -54,7 +54,7 @@ LungPose breathOf(const LungPair& lungs, Side side, double ribShare)
 }
 
 /// A lung in a pose, where its side of the chest stands, and whether the lung encloses what it
-/// should.
+/// should without being pressed through the skin.
 struct PosedLung {
     LungPose pose;
     LungPose wall;

@@ -1,6 +1,7 @@
 #include "apps/program/program.h"
 
 #include "apps/program/heap_pages.h"
+#include "engine/core/prompt_thread.h"
 #include "engine/io/files/whole_file.h"
 #include "models/errors/error_text.h"
 #include "models/text/shown_as_is.h"
@@ -116,6 +117,7 @@ int runProgram(const Program& program, int argc, char** argv)
         const QCoreApplication application{argc, argv};
         parser.process(application); // which ends here
     }
+    makeWayForPromptThreads();
     const auto application = makeApplication(argc, argv);
     prepareProgram(*application);
     const Result<int> status = checkedRun(program, parser);

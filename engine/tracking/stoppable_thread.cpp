@@ -1,5 +1,7 @@
 #include "engine/tracking/stoppable_thread.h"
 
+#include "engine/core/prompt_thread.h"
+
 #include <system_error>
 
 namespace carina
@@ -9,12 +11,15 @@ Result<void> StoppableThread::start()
 {
     if (m_thread.joinable())
         return {};
-    try {
-        m_thread = std::jthread{[this](const std::stop_token& stopping) { m_work(stopping); }};
-    } catch (const std::system_error& error) {
-        return fail(Errc::TrackerFailed, error.what());
-    }
-    return {};
+    Result<void> started;
+    startPromptly([&] {
+        try {
+            m_thread = std::jthread{[this](const std::stop_token& stopping) { m_work(stopping); }};
+        } catch (const std::system_error& error) {
+            started = fail(Errc::TrackerFailed, error.what());
+        }
+    });
+    return started;
 }
 
 void StoppableThread::stop()

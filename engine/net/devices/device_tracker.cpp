@@ -1,6 +1,7 @@
 #include "engine/net/devices/device_tracker.h"
 
 #include "engine/core/monotonic_clock.h"
+#include "engine/core/prompt_thread.h"
 #include "engine/net/devices/device_port.h"
 
 #include <QTimer>
@@ -184,7 +185,7 @@ Result<void> DeviceTracker::start()
         return {};
     m_line = std::make_unique<Line>(*this);
     m_line->moveToThread(&m_thread);
-    m_thread.start();
+    startPromptly([this] { m_thread.start(); });
     QMetaObject::invokeMethod(m_line.get(), [line = m_line.get()] { line->begin(); });
     return {};
 }

@@ -1,6 +1,7 @@
 #include "engine/net/node/threaded_node.h"
 
 #include "engine/core/monotonic_clock.h"
+#include "engine/core/prompt_thread.h"
 
 #include <algorithm>
 
@@ -11,7 +12,7 @@ Result<std::unique_ptr<SessionNode>> ThreadedNode::start(const MakeParts& makePa
 {
     std::unique_ptr<ThreadedNode> node{new ThreadedNode};
     node->m_thread.setObjectName(QStringLiteral("carina-node"));
-    node->m_thread.start();
+    startPromptly([&] { node->m_thread.start(); });
     node->m_loop = std::make_unique<NodeLoop>();
     node->m_loop->moveToThread(&node->m_thread);
     if (const auto opened = node->open(makeParts); !opened)

@@ -1,0 +1,73 @@
+#include "engine/core/prompt_thread.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+#include <sys/resource.h>
+
+namespace carina
+{
+namespace
+{
+
+/// A third of the share of a thread that was not lowered, where there is not enough for both.
+constexpr int kLess = 5;
+
+/// The thread that keeps the first priority. Never destroyed: others may start threads to the end.
+class Starter
+{
+public:
+    Starter()
+    {
+        std::thread{[this] { work(); }}.detach();
+    }
+
+    void run(const std::function<void()>& start)
+    {
+        const std::lock_guard oneAtATime{m_callers};
+        std::unique_lock lock{m_mutex};
+        m_start = &start;
+        m_changed.notify_all();
+        m_changed.wait(lock, [this] { return m_start == nullptr; });
+    }
+
+private:
+    void work()
+    {
+        std::unique_lock lock{m_mutex};
+        for (;;) {
+            m_changed.wait(lock, [this] { return m_start != nullptr; });
+            (*m_start)();
+            m_start = nullptr;
+            m_changed.notify_all();
+        }
+    }
+
+    std::mutex m_callers;
+    std::mutex m_mutex;
+    std::condition_variable m_changed;
+    const std::function<void()>* m_start = nullptr;
+};
+
+std::atomic<Starter*> starter = nullptr;
+
+} // namespace
+
+void makeWayForPromptThreads()
+{
+    starter = new Starter;
+    // Of this thread alone. Where that fails, all have the same priority.
+    static_cast<void>(setpriority(PRIO_PROCESS, 0, getpriority(PRIO_PROCESS, 0) + kLess));
+}
+
+void startPromptly(const std::function<void()>& start)
+{
+    if (Starter* const there = starter)
+        there->run(start);
+    else
+        start();
+}
+
+} // namespace carina

@@ -17,9 +17,7 @@ void ArrivalQueue::add(const Endpoint& from, RawDatagram datagram, bool isKnown)
     const bool isApart = isKnown || m_strangers < kMostStrangers || m_sources.contains(from);
     const Endpoint& place = isApart ? from : kOthers;
     if (m_size >= kMost)
-        dropOldest(std::ranges::max_element(m_sources, {}, [](const auto& entry) {
-                       return entry.second.waiting.size();
-                   })->second);
+        dropOldest(sourceToDropFor(place));
     const auto [entry, isNew] = m_sources.try_emplace(place);
     Source& source = entry->second;
     if (isNew) {
@@ -64,6 +62,17 @@ void ArrivalQueue::clear()
     m_turns.clear();
     m_strangers = 0;
     m_size = 0;
+}
+
+ArrivalQueue::Source& ArrivalQueue::sourceToDropFor(const Endpoint& place)
+{
+    // One that has its share already pays itself: so in a flood nobody is looked for.
+    if (const auto own = m_sources.find(place);
+        own != m_sources.end() && own->second.waiting.size() * m_sources.size() >= kMost)
+        return own->second;
+    return std::ranges::max_element(m_sources, {},
+                                    [](const auto& entry) { return entry.second.waiting.size(); })
+        ->second;
 }
 
 void ArrivalQueue::dropOldest(Source& source)

@@ -16,7 +16,8 @@ class ArrivalQueue
 public:
     /// Of one source; the oldest is dropped for a new one, as a full socket would drop it.
     static constexpr std::size_t kMostOfOne = 256;
-    /// Of all; the oldest of the source that has most is dropped for a new one.
+    /// Of all; for a new one the oldest is dropped of its own source where that has an equal share
+    /// of these already, and else of the one that has most.
     static constexpr std::size_t kMost = 4096;
     /// Sources without a path or a handshake that are told apart: a forged one costs nothing.
     static constexpr std::size_t kMostStrangers = 64;
@@ -34,6 +35,8 @@ private:
         bool isStranger = false;
     };
 
+    /// @pre it is full
+    [[nodiscard]] Source& sourceToDropFor(const Endpoint& place);
     void dropOldest(Source& source);
 
     std::map<Endpoint, Source> m_sources; // each has some waiting

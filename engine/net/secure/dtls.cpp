@@ -7,13 +7,14 @@
 #include <QSslConfiguration>
 #include <QSslPreSharedKeyAuthenticator>
 
+#include <array>
+
 namespace carina
 {
 namespace
 {
 
 constexpr quint16 kMtu = 1200;
-constexpr qint64 kLongestRaw = 1200;
 /// Failures to read after which the next datagrams wait for the next turn.
 constexpr int kMostFaults = 8;
 constexpr const char* kCertificateCiphers =
@@ -74,8 +75,8 @@ std::optional<RawDatagram> readRaw(QUdpSocket& socket)
     // before it was read from, and the datagram may have been taken already.
     for (int faults = 0; faults < kMostFaults;) {
         RawDatagram datagram;
-        datagram.bytes.resize(kLongestRaw + 1);
-        const qint64 size = socket.readDatagram(datagram.bytes.data(), datagram.bytes.size(),
+        std::array<char, kLongestRaw + 1> buffer;
+        const qint64 size = socket.readDatagram(buffer.data(), qint64(buffer.size()),
                                                 &datagram.from, &datagram.port);
         if (size < 0 && socket.error() == QAbstractSocket::TemporaryError)
             return std::nullopt; // nothing more is there
@@ -83,7 +84,7 @@ std::optional<RawDatagram> readRaw(QUdpSocket& socket)
             ++faults; // such as a port of a peer that nobody listens at
         if (size <= 0 || size > kLongestRaw)
             continue;
-        datagram.bytes.truncate(size);
+        datagram.bytes = QByteArray{buffer.data(), size}; // no longer: thousands may wait
         datagram.from = normalised(datagram.from);
         datagram.arrived = monotonicNow();
         return datagram;

@@ -29,6 +29,9 @@ void prepareDtls(QDtls& dtls, const ExpectedCertificate& expected);
 void answerPsk(QSslPreSharedKeyAuthenticator& question, const std::string& identity,
                const AccessKey& key);
 
+/// Bytes of a datagram that Carina sends, at most.
+inline constexpr qsizetype kLongestRaw = 1200;
+
 /// A datagram as received. Its source address is normalised.
 struct RawDatagram {
     QByteArray bytes;

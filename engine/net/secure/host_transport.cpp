@@ -10,6 +10,13 @@
 namespace carina
 {
 
+namespace
+{
+
+constexpr int kReceiveBuffer = 4 << 20; ///< bytes that are asked for
+
+} // namespace
+
 struct HostTransport::Association {
     PeerAddress address = 0;
     QByteArray hello; // that it began with
@@ -29,6 +36,8 @@ Result<std::unique_ptr<HostTransport>> HostTransport::bind(std::uint16_t port, b
     if (!socket.bind(open ? QHostAddress::Any : QHostAddress::LocalHost, port,
                      QAbstractSocket::DontShareAddress))
         return fail(Errc::AddressInUse, std::to_string(port));
+    // As much as the system gives.
+    socket.setSocketOption(QAbstractSocket::ReceiveBufferSizeSocketOption, kReceiveBuffer);
     return transport;
 }
 
@@ -45,6 +54,12 @@ void HostTransport::admit(const std::string& sessionId, KeyOf keyOf)
     m_hint = QByteArray::fromStdString(sessionId);
     m_keyOf = std::move(keyOf);
     QObject::connect(&m_socket, &QUdpSocket::readyRead, &m_socket, [this] { tellNews(); });
+    const auto onNews = [this] {
+        QMetaObject::invokeMethod(
+            &m_socket, [this] { tellNews(); }, Qt::QueuedConnection);
+    };
+    m_drain = std::make_unique<SocketDrain>(m_socket.socketDescriptor(), onNews);
+    m_drain->start();
 }
 
 void HostTransport::serve(TransportListener& listener, LocalTime now)
@@ -64,16 +79,24 @@ void HostTransport::serve(TransportListener& listener, LocalTime now)
 void HostTransport::read()
 {
     // All are read before the first is taken, for each counts as arrived when it was read.
+    if (m_drain)
+        for (RawDatagram& datagram : m_drain->take())
+            arrive(std::move(datagram));
     for (std::size_t i = 0; i < kReadPerTurn; ++i) {
         auto datagram = readRaw(m_socket);
         if (!datagram)
             return;
-        if (!firstRecord(octets(datagram->bytes)))
-            continue;
-        const Endpoint from = endpoint(datagram->from, datagram->port);
-        const bool isKnown = m_paths.contains(from) || m_handshakes.contains(from);
-        m_arrived.add(from, *std::move(datagram), isKnown);
+        arrive(*std::move(datagram));
     }
+}
+
+void HostTransport::arrive(RawDatagram datagram)
+{
+    if (!firstRecord(octets(datagram.bytes)))
+        return;
+    const Endpoint from = endpoint(datagram.from, datagram.port);
+    const bool isKnown = m_paths.contains(from) || m_handshakes.contains(from);
+    m_arrived.add(from, std::move(datagram), isKnown);
 }
 
 LocalTime HostTransport::nextWake() const
@@ -108,6 +131,7 @@ void HostTransport::close()
     m_paths.clear();
     m_handshakes.clear();
     m_arrived.clear();
+    m_drain.reset();
     m_socket.close();
 }
 

@@ -6,6 +6,7 @@
 #include "engine/net/secure/endpoint_limiter.h"
 #include "engine/net/secure/hello_cookies.h"
 #include "engine/net/secure/secure_transport.h"
+#include "engine/net/secure/socket_drain.h"
 
 #include <algorithm>
 #include <memory>
@@ -93,10 +94,12 @@ private:
                                 LocalTime now);
     void dropSilent(TransportListener& listener, LocalTime now);
     void read();
+    void arrive(RawDatagram datagram);
     /// Notes an association that may be silent for too long from a time on.
     void watch(LocalTime from) { m_nobodySilentBefore = std::min(m_nobodySilentBefore, from); }
 
     QUdpSocket m_socket;
+    std::unique_ptr<SocketDrain> m_drain; // of it; null before admit() and after close()
     HelloCookies m_cookies;
     QByteArray m_hint;
     std::optional<HostCertificate> m_certificate;

@@ -170,15 +170,17 @@ void SyncHost::advance(LocalTime now)
 
 void SyncHost::serve(LocalTime now)
 {
+    if (waitsForTicks() && now < m_streams.nextTick())
+        return;
     const bool tick = m_streams.isDue(now);
     const bool isForAnybody = tick || m_actions.nextDue() <= now;
     m_behind = countBehind();
     if (tick)
-        gatherStreams();
+        gatherStreams(now);
     for (auto& [address, peer] : m_peers)
         if (isForAnybody || nextDueTo(peer) <= now)
             sendDue(address, peer, tick, now);
-    if (tick)
+    if (tick || waitsForTicks())
         m_streams.served(now);
 }
 
@@ -211,7 +213,7 @@ LocalTime SyncHost::nextWake() const
         {m_actions.nextDue(), m_streams.nextDue(), m_shown.nextDue(), m_nobodySilentBefore});
     for (const auto& [address, peer] : m_peers)
         wake = std::min(wake, nextDueTo(peer));
-    return wake;
+    return waitsForTicks() ? std::max(wake, m_streams.nextTick()) : wake;
 }
 
 void SyncHost::relayShown(LocalTime now)
@@ -246,12 +248,12 @@ StreamSource SyncHost::sourceOf(const Peer& peer) const
             m_rules.comesFirst(peer.participant)};
 }
 
-void SyncHost::gatherStreams()
+void SyncHost::gatherStreams(LocalTime now)
 {
     std::vector<StationId> stations;
     for (const auto& [address, peer] : m_peers)
         stations.push_back(watchedBy(peer.participant));
-    m_streams.gather(stations);
+    m_streams.gather(stations, now);
 }
 
 LocalTime SyncHost::nextDueTo(const Peer& peer) const

@@ -59,6 +59,9 @@ public:
     /// the time for which a name is held. A program that was restarted, or moved, is heard no more
     /// on its old path.
     static constexpr Duration kAliveBeside = std::chrono::milliseconds{500};
+    /// With more participants all that goes out waits for the next tick of the streams, so that each
+    /// fact, action and answer does not cost a datagram to everybody: 8 ms later on average.
+    static constexpr std::size_t kFewPeers = 32;
     /// How far a sample may be ahead of the session, beside half the round trip of its path: a
     /// clock is not better known than that.
     static constexpr Duration kLargestAhead = std::chrono::milliseconds{5};
@@ -195,7 +198,7 @@ private:
     [[nodiscard]] StationId watchedBy(ParticipantId participant) const;
     [[nodiscard]] StreamSource sourceOf(const Peer& peer) const;
     /// Begins a tick of the streams.
-    void gatherStreams();
+    void gatherStreams(LocalTime now);
     void forgetParticipant(ParticipantId participant, LocalTime now);
     void propose(Peer& peer, ProposalRecord proposal, LocalTime now);
     void takeStreams(Peer& peer, const StreamGroup& group, LocalTime now);
@@ -213,6 +216,7 @@ private:
                         LocalTime now);
     /// Sends what is due to everybody.
     void serve(LocalTime now);
+    [[nodiscard]] bool waitsForTicks() const { return m_peers.size() > kFewPeers; }
     /// How many have not caught up.
     [[nodiscard]] std::size_t countBehind() const;
     /// Whether so many bytes of the log may be sent to a peer now.

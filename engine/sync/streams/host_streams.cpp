@@ -2,6 +2,8 @@
 
 #include "engine/sync/wire/cpo_codec.h"
 
+#include <algorithm>
+
 namespace carina
 {
 
@@ -18,48 +20,68 @@ bool HostStreams::take(const StreamSample& sample, const StreamSource& from, Ses
         return false;
     if (!from.isFirst && !m_slots.takes(object, sample.station, sample.owner, from.place))
         return false;
-    m_outgoing.insert_or_assign(object, Outgoing{sample, from.isFirst});
+    Outgoing& outgoing = m_outgoing[object];
+    m_waiting += outgoing.newest ? 0 : 1;
+    outgoing.newest = sample;
+    outgoing.owner = sample.owner;
+    outgoing.isFirst = from.isFirst;
     return true;
 }
 
-bool HostStreams::isDue(LocalTime now) const { return !m_outgoing.empty() && m_tick.isDue(now); }
-
-LocalTime HostStreams::nextDue() const
+void HostStreams::leave(ParticipantId participant)
 {
-    return m_outgoing.empty() ? LocalTime::max() : m_tick.next();
+    m_slots.leave(participant);
+    m_waiting -= static_cast<std::size_t>(std::erase_if(m_outgoing, [&](const Waiting& entry) {
+        return entry.second.owner == participant && entry.second.newest;
+    }));
+    std::erase_if(m_outgoing,
+                  [&](const Waiting& entry) { return entry.second.owner == participant; });
 }
 
-void HostStreams::chooseThinning(std::span<const StationId> stations)
+bool HostStreams::isDue(LocalTime now) const { return m_waiting > 0 && m_tick.isDue(now); }
+
+LocalTime HostStreams::nextDue() const { return m_waiting > 0 ? m_tick.next() : LocalTime::max(); }
+
+std::vector<HostStreams::Waiting*> HostStreams::inTurn()
 {
+    std::vector<Waiting*> waiting;
+    for (Waiting& entry : m_outgoing)
+        if (entry.second.newest)
+            waiting.push_back(&entry);
+    std::ranges::stable_sort(waiting, {}, [](const Waiting* entry) {
+        return std::pair{!entry->second.isFirst, entry->second.wentOut};
+    });
+    return waiting;
+}
+
+void HostStreams::earn(LocalTime now)
+{
+    const double most = kMostBytes * toSeconds(kLongestWait);
+    const Duration since = std::min(now - std::exchange(m_earned, now), kLongestWait);
+    m_mayGoOut = std::clamp(m_mayGoOut, -most, 0.0) + kMostBytes * toSeconds(since);
+}
+
+void HostStreams::gather(std::span<const StationId> stations, LocalTime now)
+{
+    earn(now);
     std::map<StationId, double> readers;
     for (const StationId station : stations)
         ++readers[station];
     const double everywhere = readers[kAllStations];
-    double first = 0.0;
-    double others = 0.0;
-    for (const auto& [object, outgoing] : m_outgoing) {
-        const auto there = readers.find(outgoing.sample.station);
-        const double all = everywhere + (there == readers.end() ? 0.0 : there->second);
-        (outgoing.isFirst ? first : others) += all * double(kStreamCpoBytes);
-    }
-    const double most = kMostBytes * toSeconds(StreamTick::kPeriod);
-    m_thinning = 1;
-    while (m_thinning < kLargestThinning && first + others / m_thinning > most)
-        m_thinning *= 2;
-}
-
-void HostStreams::gather(std::span<const StationId> stations)
-{
-    ++m_ticks;
-    chooseThinning(stations);
     std::vector<StreamSample> samples;
-    for (auto entry = m_outgoing.begin(); entry != m_outgoing.end();) {
-        if (!isTurnOf(entry->first, entry->second.isFirst)) {
-            ++entry;
+    for (Waiting* entry : inTurn()) {
+        Outgoing& outgoing = entry->second;
+        const auto there = readers.find(outgoing.newest->station);
+        const double bytes =
+            double(kStreamCpoBytes) * (everywhere + (there == readers.end() ? 0.0 : there->second));
+        // A tick that comes a little early counts as the one that it is.
+        const bool waitedLong = now - outgoing.wentOut >= kLongestWait - StreamTick::kPeriod / 2;
+        if (!outgoing.isFirst && !waitedLong && m_mayGoOut < bytes)
             continue;
-        }
-        samples.push_back(std::move(entry->second.sample));
-        entry = m_outgoing.erase(entry);
+        m_mayGoOut -= bytes;
+        samples.push_back(*std::exchange(outgoing.newest, std::nullopt));
+        outgoing.wentOut = now;
+        --m_waiting;
     }
     m_groups.clear();
     for (StreamGroup& group : groupStreams(samples))

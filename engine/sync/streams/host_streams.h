@@ -6,6 +6,7 @@
 #include "engine/sync/wire/datagram.h"
 
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -30,27 +31,30 @@ struct StreamSource {
 /// watches all.
 ///
 /// What goes out to all together is limited. Where it would be more than kMostBytes in a second,
-/// each object but those of the first is sent at every second, fourth, ... tick alone.
+/// those of the first go out at each tick, and of the others those that have waited longest.
 class HostStreams
 {
 public:
     /// Bytes of samples in a second to all receivers together, of a host with 100 Mbit/s: 8 MB/s
     /// are 64 Mbit/s, and the rest is for what is around the samples, facts and actions.
     static constexpr double kMostBytes = 8e6;
-    /// From tick to tick of one object at most: 16 are 267 ms, within which it is not yet stale
-    /// (StreamView::kStaleAfter). What exceeds kMostBytes nevertheless goes out.
-    static constexpr unsigned kLargestThinning = 16;
+    /// From one sample of an object that goes out to the next at most, while there are any, so that
+    /// nobody's view of it waits for longer. What exceeds kMostBytes nevertheless goes out.
+    static constexpr Duration kLongestWait = 4 * StreamTick::kPeriod;
 
     void share(ObjectId object, ParticipantId owner);
     /// The streams of a participant have ended.
-    void leave(ParticipantId participant) { m_slots.leave(participant); }
+    void leave(ParticipantId participant);
     /// @returns whether the sample is accepted (StreamTable::accept), and thus forwarded.
     bool take(const StreamSample& sample, const StreamSource& from, SessionTime session);
 
+    /// Whether samples wait, and a tick is due.
     [[nodiscard]] bool isDue(LocalTime now) const;
     [[nodiscard]] LocalTime nextDue() const;
+    /// Of a tick, whether samples wait or not.
+    [[nodiscard]] LocalTime nextTick() const { return m_tick.next(); }
     /// Begins a tick: gathers what goes out. @pre isDue @param stations of all readers
-    void gather(std::span<const StationId> stations);
+    void gather(std::span<const StationId> stations, LocalTime now);
     /// Records to send to a reader at this tick. @pre gather
     [[nodiscard]] std::vector<WireRecord> dueTo(const StreamReader& reader) const;
     /// Ends the tick: all participants were sent their records.
@@ -58,23 +62,25 @@ public:
 
 private:
     struct Outgoing {
-        StreamSample sample;
+        std::optional<StreamSample> newest; ///< that has not gone out
+        ParticipantId owner;
         bool isFirst = false;
+        LocalTime wentOut{}; ///< the one before it
     };
+    using Waiting = std::pair<const ObjectId, Outgoing>;
 
-    /// @returns whether an object is sent at this tick
-    [[nodiscard]] bool isTurnOf(ObjectId object, bool isFirst) const
-    {
-        return isFirst || (m_ticks + object.value) % m_thinning == 0;
-    }
-    void chooseThinning(std::span<const StationId> stations);
+    /// Those with a sample: of the first, then of the others the one that waits longest.
+    [[nodiscard]] std::vector<Waiting*> inTurn();
+    /// Adds what may go out since the last tick.
+    void earn(LocalTime now);
 
     StreamTable m_table;
     StreamSlots m_slots;
     StreamTick m_tick;
-    std::uint64_t m_ticks = 0;
-    unsigned m_thinning = 1;                 // of so many ticks each object is sent at one
-    std::map<ObjectId, Outgoing> m_outgoing; // the newest of each
+    std::map<ObjectId, Outgoing> m_outgoing;
+    std::size_t m_waiting = 0; // of these with a sample
+    double m_mayGoOut = 0.0;   // bytes
+    LocalTime m_earned{};
     std::map<StationId, std::vector<StreamGroup>> m_groups; // of this tick
 };
 

@@ -23,8 +23,8 @@ using StreamPlace = std::pair<std::uintptr_t, ParticipantId>;
 class StreamSlots
 {
 public:
-    /// Of a station: 19 people, each with head, jaw, tube, stylus and laryngoscope.
-    static constexpr std::size_t kMostOfStation = 96;
+    /// Of a station: 12 people, each with head, jaw, tube, stylus and laryngoscope.
+    static constexpr std::size_t kMostOfStation = 64;
     /// Of a place, at all stations: 16 at each of eight.
     static constexpr std::size_t kMostOfPlace = 128;
 

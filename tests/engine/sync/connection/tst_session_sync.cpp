@@ -240,6 +240,38 @@ private Q_SLOTS:
         QVERIFY(textsBy(world.session.disk, ParticipantId{1}) == said);
         QVERIFY(world.site(0).log == world.session.disk);
     }
+
+    void manyParticipantsGetWhatIsNewTogether_data()
+    {
+        QTest::addColumn<int>("participants");
+        QTest::addColumn<bool>("together");
+        QTest::newRow("few") << 8 << false;
+        QTest::newRow("many") << 40 << true;
+    }
+
+    /// A fact every 4 ms for a second, of which all are sent within a tick and a round trip.
+    void manyParticipantsGetWhatIsNewTogether()
+    {
+        QFETCH(const int, participants);
+        QFETCH(const bool, together);
+        constexpr int kFacts = 250;
+        SessionWorld world{18};
+        for (int i = 0; i < participants; ++i)
+            world.startClient(world.addSite(kCalm), "name " + std::to_string(i));
+        world.run(3s);
+        const std::size_t before = world.site(1).fromHost.sent();
+        int said = 0;
+        world.run(1s, 4ms, [&] { world.propose(0, "fact " + std::to_string(++said)); });
+        const std::size_t datagrams = world.site(1).fromHost.sent() - before;
+        QVERIFY(said >= kFacts - 1);
+        world.run(50ms);
+        for (int i = 1; i < participants; ++i)
+            QVERIFY(world.site(std::size_t(i)).log == world.session.disk);
+        if (together)
+            QVERIFY2(datagrams <= 62, qPrintable(QString::number(datagrams)));
+        else
+            QVERIFY2(datagrams >= kFacts, qPrintable(QString::number(datagrams)));
+    }
 };
 
 CARINA_TEST(TestSessionSync)

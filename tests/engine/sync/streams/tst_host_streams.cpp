@@ -1,8 +1,10 @@
 #include "engine/sync/streams/host_streams.h"
 #include "tests/support/test_class.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
+#include <utility>
 
 namespace carina::host_streams_test
 {
@@ -48,7 +50,9 @@ struct Crowd {
     std::vector<StationId> readers;
     std::uint16_t tick = 0;
     std::map<ObjectId, int> sent;
-    std::size_t samples = 0; ///< that went out, to all readers
+    std::map<ObjectId, int> lastSent; ///< at which tick
+    int longestWait = 0;              ///< in ticks
+    std::size_t samples = 0;          ///< that went out, to all readers
 
     Crowd(std::uint16_t number, std::size_t readersHere) : objects{number}
     {
@@ -65,13 +69,17 @@ struct Crowd {
             streams.take(sampleOf(object, tick, kHere), from(ownerOf(object), object == first),
                          kNow);
         }
-        streams.gather(readers);
+        const LocalTime now = kStart + tick * StreamTick::kPeriod;
+        streams.gather(readers, now);
         const auto records = streams.dueTo({kNobody, kHere});
         samples += countSamples(records) * readers.size();
         for (const WireRecord& record : records)
-            for (const StreamCpo& cpo : std::get<StreamGroup>(record).streams)
+            for (const StreamCpo& cpo : std::get<StreamGroup>(record).streams) {
                 ++sent[cpo.object];
-        streams.served(kStart + tick * StreamTick::kPeriod);
+                longestWait =
+                    std::max(longestWait, tick - std::exchange(lastSent[cpo.object], tick));
+            }
+        streams.served(now);
     }
 };
 
@@ -91,7 +99,7 @@ private Q_SLOTS:
             streams.share(object, ownerOf(object));
         QVERIFY(streams.take(sampleOf(ObjectId{1}, 1, kHere), from(ownerOf(ObjectId{1})), kNow));
         QVERIFY(streams.take(sampleOf(ObjectId{2}, 1, kThere), from(ownerOf(ObjectId{2})), kNow));
-        streams.gather(std::array{kHere, kThere, kAllStations});
+        streams.gather(std::array{kHere, kThere, kAllStations}, kStart);
         const auto here = streams.dueTo({ParticipantId{7}, kHere});
         QCOMPARE(here.size(), std::size_t{1});
         QCOMPARE(std::get<StreamGroup>(here[0]).station, kHere);
@@ -115,35 +123,73 @@ private Q_SLOTS:
             QCOMPARE(times, 10);
     }
 
-    /// 96 objects that 230 watch would be 49 MB in a second.
-    void manyAreThinnedEvenlyAndTheFirstAreNot()
+    /// 64 objects that 180 watch would be 26 MB in a second.
+    void manyTakeTurnsAndTheFirstDoNot()
     {
         constexpr int kTicks = 480;
-        constexpr int kThinned = 8; // to 6.1 MB in a second, and 0.5 of the first
+        constexpr double kShare = 8e6 * (kTicks / 60.0) / (37.0 * 180.0); // of samples, of all
         const ObjectId first{5};
-        Crowd crowd{96, 230};
+        Crowd crowd{64, 180};
         for (int i = 0; i < kTicks; ++i)
             crowd.turn(first);
-        QCOMPARE(crowd.sent.size(), std::size_t{96});
+        QCOMPARE(crowd.sent.size(), std::size_t{64});
+        const double each = (kShare - kTicks) / 63.0;
         for (const auto& [object, times] : crowd.sent)
-            QCOMPARE(times, object == first ? kTicks : kTicks / kThinned);
-        const double bytes_s =
-            37.0 * double(crowd.samples) / (kTicks * toSeconds(StreamTick::kPeriod));
-        QVERIFY2(bytes_s <= HostStreams::kMostBytes, qPrintable(QString::number(bytes_s)));
-        QVERIFY(bytes_s > 0.5 * HostStreams::kMostBytes);
+            if (object == first)
+                QCOMPARE(times, kTicks);
+            else
+                QVERIFY2(times >= 0.95 * each - 1.0 && times <= each + 1.0,
+                         qPrintable(QString::number(times)));
+        QVERIFY(crowd.longestWait <= 4);
     }
 
-    /// The newest of what had to wait, at the latest a turn later.
+    /// Two such stations' worth at one: more than may go out, but nobody waits for longer.
+    void nobodyWaitsForLongerThanTheLongestWait()
+    {
+        Crowd crowd{64, 500};
+        for (int i = 0; i < 240; ++i)
+            crowd.turn();
+        QCOMPARE(crowd.sent.size(), std::size_t{64});
+        for (const auto& [object, times] : crowd.sent)
+            QVERIFY(times >= 240 / 4 - 1);
+        QVERIFY(crowd.longestWait <= 4);
+    }
+
+    /// A host that is late serves every second tick alone.
+    void waitIsOneOfTimeNotOfTicks()
+    {
+        Crowd crowd{64, 500};
+        for (int i = 0; i < 240; ++i) {
+            ++crowd.tick;
+            crowd.turn();
+        }
+        for (const auto& [object, times] : crowd.sent)
+            QVERIFY(times >= 480 / 4 - 1);
+        QVERIFY(crowd.longestWait <= 4);
+    }
+
+    /// The newest of what had to wait.
     void whatWaitsIsTheNewest()
     {
-        Crowd crowd{96, 230};
+        Crowd crowd{64, 180};
         crowd.turn();
         QVERIFY(crowd.streams.isDue(kStart + 1s)); // others wait
-        crowd.turn();
-        crowd.streams.gather(crowd.readers);
+        for (int i = 0; i < 4; ++i)
+            crowd.turn();
+        QCOMPARE(crowd.sent.size(), std::size_t{64});
+        crowd.streams.gather(crowd.readers, kStart + 6 * StreamTick::kPeriod);
         for (const WireRecord& record : crowd.streams.dueTo({kNobody, kHere}))
             for (const StreamCpo& cpo : std::get<StreamGroup>(record).streams)
-                QCOMPARE(cpo.sequence, std::uint16_t{2});
+                QCOMPARE(cpo.sequence, std::uint16_t{5});
+    }
+
+    void whatOneWhoLeftHadWaitingDoesNotGoOut()
+    {
+        Crowd crowd{64, 180};
+        crowd.turn();
+        for (std::uint16_t i = 1; i <= 64; ++i)
+            crowd.streams.leave(ownerOf(ObjectId{i}));
+        QCOMPARE(crowd.streams.nextDue(), LocalTime::max());
     }
 
     void moreObjectsThanAStationHasAreNotTaken()

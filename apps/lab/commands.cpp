@@ -19,8 +19,8 @@ std::span<const Command> commands()
                                 trackCommand(),       cameraCommand(),    printMarkersCommand(),
                                 driftCommand(),       driftNodeCommand(),
                                 figuresCommand(), //
-                                attackCommand(),      carryCommand(),     handshakeCommand(),
-                                sceneCommand(),       soakCommand(), //
+                                attackCommand(),      guestsCommand(),    carryCommand(),
+                                handshakeCommand(),   sceneCommand(),     soakCommand(), //
                                 renderCommand(),      summaryCommand()};
     return all;
 }

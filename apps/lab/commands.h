@@ -22,6 +22,7 @@ namespace carina::lab
 
 [[nodiscard]] Command attackCommand();
 [[nodiscard]] Command carryCommand();
+[[nodiscard]] Command guestsCommand();
 [[nodiscard]] Command handshakeCommand();
 
 [[nodiscard]] Command fitCommand();

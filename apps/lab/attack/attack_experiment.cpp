@@ -1,5 +1,7 @@
 #include "apps/lab/attack/attack_experiment.h"
 
+#include "apps/lab/attack/derived_once.h"
+#include "apps/lab/attack/guests.h"
 #include "apps/lab/attack/honest_people.h"
 #include "apps/lab/attack/laid_patients.h"
 #include "apps/lab/attack/shown_objects.h"
@@ -13,8 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <map>
-#include <mutex>
+#include <set>
 
 namespace carina::lab
 {
@@ -28,43 +29,13 @@ constexpr Duration kNewcomerWaits = 10s;
 constexpr std::array kNewcomers{Role::Trainee, Role::Observer, Role::Instructor};
 /// An attack that is to send more than it can ends without it.
 constexpr Duration kLongest = 120s;
-// Of nine guests one is an instructor, two are observers, and the others trainees: so 234 guests,
-// the attackers and who comes new are fewer of each role than may be present.
-constexpr int kOfNine = 9;
-constexpr int kInstructorsOfNine = 1;
-constexpr int kObserversOfNine = 2;
+constexpr Duration kGuestsComeIn = 3min;
 constexpr Duration kCalm = 3s; ///< after an attack, in which its traces go
 /// In which each program has given back the free pages of its heap (program::HeapPages).
 constexpr Duration kPagesGoBack = 22s;
 constexpr Duration kSlice = 100ms;      ///< between two looks at how much was sent
 constexpr Duration kMemoryLook = 500ms; ///< between two looks at memory
 constexpr double kSettled_kb = 2048.0;  ///< by which memory varies in any case
-
-/// Derives each key once, so that the time of a join is that of joining.
-DeriveKey derivingOnce()
-{
-    struct Known {
-        std::mutex mutex;
-        std::map<std::string, AccessKey> keys;
-    };
-    return [known = std::make_shared<Known>()](const JoinCode& code,
-                                               const SessionKey& session) -> Result<AccessKey> {
-        const std::lock_guard lock{known->mutex};
-        if (const auto key = known->keys.find(code.text()); key != known->keys.end())
-            return key->second;
-        return deriveByArgon2id(code, session).map([&](const AccessKey& key) {
-            return known->keys.emplace(code.text(), key).first->second;
-        });
-    };
-}
-
-Role roleOfGuest(int number)
-{
-    const int place = number % kOfNine;
-    if (place < kInstructorsOfNine)
-        return Role::Instructor;
-    return place < kInstructorsOfNine + kObserversOfNine ? Role::Observer : Role::Trainee;
-}
 
 /// Works the event loop, and what else there is to do, for a time.
 void workFor(Duration length, const std::function<void()>& step)
@@ -162,14 +133,14 @@ private:
 
     Result<void> comeInGuests()
     {
-        for (int i = 0; i < m_settings.guests; ++i) {
-            const Role role = roleOfGuest(i);
-            auto guest = join(role, "Guest " + std::to_string(i));
-            if (!guest)
-                return tl::unexpected(guest.error());
-            m_guests.push_back(*std::move(guest));
-            if (!waitFor([&] { return m_guests.back()->self() != kNobody; }))
-                return fail(Errc::HostSilent, "guest " + std::to_string(i) + " did not come in");
+        if (m_settings.guests == 0)
+            return {};
+        m_guests.emplace(m_session->port(), m_session->codes(), m_settings.guests);
+        const LocalTime end = monotonicNow() + kGuestsComeIn;
+        while (!m_guests->areIn()) {
+            if (m_guests->hasEnded() || monotonicNow() > end)
+                return fail(Errc::HostSilent, "not all guests came in");
+            workFor(kSlice, [] {});
         }
         return {};
     }
@@ -184,10 +155,11 @@ private:
     [[nodiscard]] std::vector<ParticipantId> honestOnes() const
     {
         std::vector<ParticipantId> all{m_node->self(), m_instructor->self()};
-        for (const auto& guest : m_guests)
-            all.push_back(guest->self());
+        std::set<std::string> names{StartedSession::kTrainee};
+        for (int i = 0; i < m_settings.guests; ++i)
+            names.insert(Guests::nameOf(i));
         for (const auto& [id, participant] : m_node->state()->participants())
-            if (participant.name == StartedSession::kTrainee)
+            if (names.contains(participant.name))
                 all.push_back(id);
         return all;
     }
@@ -300,13 +272,13 @@ private:
     }
 
     AttackSettings m_settings;
-    DeriveKey m_derive = derivingOnce();
+    DeriveKey m_derive = derivedOnce();
     std::unique_ptr<StartedSession> m_session;
     std::unique_ptr<SessionNode> m_node;
     std::unique_ptr<SessionNode> m_instructor;
     std::unique_ptr<Witness> m_witness;
     ShownPlaces m_usual;
-    std::vector<std::unique_ptr<SessionNode>> m_guests;
+    std::optional<Guests> m_guests;
     std::optional<HonestPeople> m_honest;
     int m_newcomers = 0;
 };

@@ -1,0 +1,169 @@
+#include "apps/lab/attack/guests.h"
+
+#include "apps/lab/attack/derived_once.h"
+#include "apps/lab/commands.h"
+#include "apps/lab/drift/launcher_pipe.h"
+#include "engine/core/monotonic_clock.h"
+#include "engine/net/node/session_node.h"
+
+#include <QCoreApplication>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <array>
+#include <thread>
+
+#include <sys/resource.h>
+
+namespace carina::lab
+{
+namespace
+{
+
+using namespace std::chrono_literals;
+
+constexpr std::array kRoles{Role::Instructor, Role::Trainee, Role::Observer};
+constexpr Duration kPatience = 30s; ///< until one is in
+constexpr Duration kLook = 10ms;
+constexpr int kGoing_ms = 5000;
+// Of ten guests one is an instructor, two are observers, and the others trainees: so 234 guests,
+// the attackers and who comes new are fewer of each role than may be present from one address
+// (mostPresentFrom).
+constexpr int kOfTen = 10;
+constexpr int kInstructorsOfTen = 1;
+constexpr int kObserversOfTen = 2;
+
+Role roleOfGuest(int number)
+{
+    const int place = number % kOfTen;
+    if (place < kInstructorsOfTen)
+        return Role::Instructor;
+    return place < kInstructorsOfTen + kObserversOfTen ? Role::Observer : Role::Trainee;
+}
+
+QString wordOf(Role role)
+{
+    const std::string_view word = roleWord(role);
+    return QString::fromUtf8(word.data(), qsizetype(word.size()));
+}
+
+struct Orders {
+    std::uint16_t port = 0;
+    int count = 0;
+    JoinCodes codes;
+};
+
+QByteArray lineOf(const Orders& orders)
+{
+    QJsonObject object{{QStringLiteral("port"), orders.port},
+                       {QStringLiteral("count"), orders.count}};
+    for (const Role role : kRoles)
+        object[wordOf(role)] = QString::fromStdString(orders.codes.at(role).text());
+    return QJsonDocument{object}.toJson(QJsonDocument::Compact) + '\n';
+}
+
+Result<Orders> ordersOf(const QByteArray& line)
+{
+    const QJsonObject object = QJsonDocument::fromJson(line).object();
+    Orders orders{static_cast<std::uint16_t>(object[QStringLiteral("port")].toInt()),
+                  object[QStringLiteral("count")].toInt(),
+                  {}};
+    for (const Role role : kRoles) {
+        const auto code = JoinCode::parse(object[wordOf(role)].toString().toStdString());
+        if (!code)
+            return tl::unexpected(code.error());
+        orders.codes.emplace(role, *code);
+    }
+    return orders;
+}
+
+tl::unexpected<Error> leftAlone()
+{
+    return fail(Errc::Cancelled, "guests: the program that started this one has ended.");
+}
+
+Result<std::unique_ptr<SessionNode>> guest(const Orders& orders, int number,
+                                           const DeriveKey& derive)
+{
+    const Role role = roleOfGuest(number);
+    auto node = SessionNode::join({.port = orders.port,
+                                   .participantName = Guests::nameOf(number),
+                                   .role = role,
+                                   .code = orders.codes.at(role),
+                                   .derive = derive});
+    const LocalTime end = monotonicNow() + kPatience;
+    while (node && (*node)->self() == kNobody) {
+        if (monotonicNow() > end)
+            return fail(Errc::HostSilent, Guests::nameOf(number) + " did not come in");
+        std::this_thread::sleep_for(kLook);
+    }
+    return node;
+}
+
+Result<QJsonObject> attend(const Words&)
+{
+    LauncherPipe launcher;
+    std::optional<QByteArray> line;
+    while (!(line = launcher.line())) {
+        if (launcher.isClosed())
+            return leftAlone();
+        std::this_thread::sleep_for(kLook);
+    }
+    const auto orders = ordersOf(*line);
+    if (!orders)
+        return tl::unexpected(orders.error());
+    const DeriveKey derive = derivedOnce();
+    std::vector<std::unique_ptr<SessionNode>> guests;
+    for (int i = 0; i < orders->count; ++i) {
+        auto next = guest(*orders, i, derive);
+        if (!next)
+            return tl::unexpected(next.error());
+        guests.push_back(*std::move(next));
+    }
+    LauncherPipe::say("ready");
+    while (!launcher.isClosed()) {
+        static_cast<void>(launcher.line());
+        std::this_thread::sleep_for(kLook);
+    }
+    return leftAlone();
+}
+
+} // namespace
+
+Guests::Guests(std::uint16_t port, const JoinCodes& codes, int count)
+{
+    m_process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+    m_process.setChildProcessModifier([] {
+        constexpr int kLeast = 19; // there are hundreds, who have their share by their number
+        setpriority(PRIO_PROCESS, 0, kLeast);
+    });
+    m_process.start(QCoreApplication::applicationFilePath(), {QStringLiteral("guests")});
+    m_process.write(lineOf({port, count, codes}));
+}
+
+Guests::~Guests()
+{
+    m_process.kill(); // a program that says nothing any more is away, too
+    m_process.waitForFinished(kGoing_ms);
+}
+
+bool Guests::areIn()
+{
+    while (!m_areIn && m_process.canReadLine())
+        m_areIn = m_process.readLine().trimmed() == "ready";
+    return m_areIn;
+}
+
+Command guestsCommand()
+{
+    return {.name = "guests",
+            .theme = "",
+            .summary = "the guests of attack",
+            .uses = {{.lines = {""},
+                      .text = "The guests of 'attack', which starts this program and communicates "
+                              "with it over its standard input and output. It is not meant to be "
+                              "started by hand."}},
+            .experiment = attend};
+}
+
+} // namespace carina::lab

@@ -1,6 +1,7 @@
 #include "models/attention/attention_model.h"
 
 #include "models/errors/error_text.h"
+#include "models/lesson/lesson_words.h"
 #include "models/objects/object_words.h"
 #include "models/patient/session_patient.h"
 #include "models/respiration/respiration_words.h"
@@ -105,6 +106,7 @@ AttentionModel::Reports AttentionModel::current()
         addTracker(*state, *sight, all);
     if (now) {
         addPeople(*state, *now, sight.has_value(), all);
+        addBrokenOff(*state, *now, all);
         addBreathing(*state, *now, all);
     }
     std::ranges::stable_sort(all, {}, urgency);
@@ -234,6 +236,26 @@ void AttentionModel::addUnseen(const SessionState& state, const Participant& who
                    .participant = who.id});
 }
 
+/// Others see the patient as they chose it themselves.
+void AttentionModel::addBrokenOff(const SessionState& state, SessionTime now, Reports& all) const
+{
+    for (const auto& [id, station] : state.stations()) {
+        const auto& broken = station.brokenOff;
+        if (station.closed || !broken || broken->shown.by != m_session.node().self()
+            || now >= broken->at + kBrokenOffTold)
+            continue;
+        const QString to = nameIn(state, broken->shown.to);
+        all.push_back({.concern = Concern::BrokenOff,
+                       .text = atStation(state, id,
+                                         tr("No longer shown to %1 since this program stopped: %2",
+                                            "a person or everybody; what was shown")
+                                             .arg(to.isEmpty() ? tr("everybody") : to,
+                                                  lessonText(broken->shown.lesson, false))),
+                       .action = tr("Show again"),
+                       .station = id});
+    }
+}
+
 void AttentionModel::addPatient(Reports& all) const
 {
     if (m_patient && m_patient->canFetchAgain())
@@ -310,6 +332,7 @@ void AttentionModel::act(const Attention& attention)
         break;
     case Concern::TwoPrograms:
     case Concern::Away:
+    case Concern::BrokenOff:
     case Concern::Unseen:
     case Concern::Tracker:
     case Concern::Registration:

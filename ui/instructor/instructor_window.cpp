@@ -315,6 +315,12 @@ void InstructorWindow::showPlaceOf(const Attention& attention)
                                                                    : *m_ui->breathingDock);
         return;
     }
+    if (attention.concern == Concern::BrokenOff) {
+        m_models.stations.show(attention.station);
+        if (liesAt(*m_models.session.node().state(), attention.station, stationScene().patient()))
+            m_teacher->showAgain(*m_ui->parts, *m_ui->section);
+        return;
+    }
     if (attention.concern == Concern::Tracker) {
         // Not from within the press of a button: a dialog opens.
         QMetaObject::invokeMethod(this, &InstructorWindow::trackerWanted, Qt::QueuedConnection);

@@ -2,16 +2,20 @@
 #include "tests/support/test_class.h"
 #include "tests/ui/instructor/console_desk.h"
 #include "ui/instructor/projector_window.h"
+#include "ui/lesson/lesson_scene.h"
 #include "widgets/checked_spin_box.h"
 #include "widgets/scene/view/graphics.h"
 #include "widgets/scene/view/scene_view.h"
 #include "widgets/second_press.h"
 #include "widgets/theme/dark_theme.h"
 
+#include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
 #include <QMenu>
+#include <QPushButton>
 #include <QSignalSpy>
+#include <QSlider>
 #include <QStatusBar>
 #include <QTabBar>
 #include <QTableView>
@@ -282,6 +286,45 @@ private Q_SLOTS:
         QVERIFY(text.isVisible());
         QVERIFY(text.text().startsWith(QStringLiteral("▲ Tom is away")));
         QCOMPARE(shown.pictureAt(), before);
+    }
+
+    /// To a person who starts a console again that stopped.
+    void showsAgainWhatBrokeOff()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        shown.node.linkReports = {{kTom, LinkState::Connected, {}, {}, {}},
+                                  {FakeSessionNode::kObserver, LinkState::Connected, {}, {}, {}}};
+        auto& scene = shown.find<SceneView>("scene");
+        auto& what = shown.find<QComboBox>("what");
+        scene.setLooks({{scene.parts().front().id, {.highlighted = true}}});
+        what.setCurrentIndex(2);
+        shown.find<QSlider>("slider").setValue(40);
+        const SceneSettings settings = scene.settings();
+        Lesson lesson = lessonOf(settings);
+        lesson.showsView = true;
+        shown.node.decide(fact::LessonShown{kTom, lesson}, FakeSessionNode::kInstructor);
+        shown.node.decide(fact::ParticipantJoined{{}, Role::Instructor, "Ina"});
+        scene.setLooks({}); // it begins as usual
+        what.setCurrentIndex(0);
+        shown.find<QSlider>("slider").setValue(70);
+        shown.attention.look();
+        const auto& text = shown.find<QLabel>("attention");
+        QVERIFY2(text.accessibleName().startsWith(QStringLiteral("No longer shown to Tom")),
+                 qPrintable(text.accessibleName()));
+        shown.find<QPushButton>("attend").click();
+        const auto isShown = [&shown, &lesson] {
+            const auto state = shown.node.state();
+            const auto& now = state->stations().at(FakeSessionNode::kStation).lesson;
+            return now && now->to == kTom && now->lesson == lesson;
+        };
+        QVERIFY(isShown());
+        QVERIFY(scene.settings() == settings);
+        shown.node.advance(std::chrono::seconds{1});
+        Shown::settle(); // from now on the picture is followed
+        QVERIFY(isShown());
+        shown.attention.look();
+        QVERIFY(shown.attention.all().empty());
     }
 
     void showsWhoIsMeant()

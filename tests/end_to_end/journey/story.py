@@ -211,6 +211,8 @@ class Story:
         self.start(console, self.asked.instructor, CONSOLE)
         session = console.view.wait("the earlier session", STARTS_S, role="list item",
                                     has="Routine intubation")
+        if not console.view.soon(lambda: console.view.is_selected(session)):
+            self.faults.append("the start page has not chosen the only earlier session")
         self.look_at("the start page with an earlier session", console)
         console.take(session)
         network = console.view.get(role="radio button", name="This network")

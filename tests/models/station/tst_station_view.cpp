@@ -135,6 +135,10 @@ void TestStationView::showsWhatAnInstructorShowsToThisParticipant()
     QVERIFY(view.at(kNow, 0).lesson && view.at(kNow, 0).lesson->lesson.showsView);
     node.decide(fact::LessonEnded{});
     QVERIFY(!view.at(kNow, 0).lesson);
+    show(kNobody);
+    QVERIFY(view.at(kNow, 0).lesson);
+    node.decide(fact::ParticipantJoined{{}, Role::Instructor, "Ina"}); // a program started again
+    QVERIFY(!view.at(kNow, 0).lesson);
 }
 
 /// The view is nothing that is drawn, and the pointer is seen by whom something is shown to.

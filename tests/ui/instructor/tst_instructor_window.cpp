@@ -14,6 +14,8 @@
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QStatusBar>
@@ -133,6 +135,31 @@ private Q_SLOTS:
         shown.decide(SessionPhase::Running);
         Shown::settle();
         QVERIFY2(shown.share() >= least, qPrintable(QString::number(shown.share())));
+    }
+
+    void holdsItsHighestPanelsWithoutScrolling_data()
+    {
+        QTest::addColumn<QSize>("opened");
+        QTest::newRow("opened so") << QSize{1920, 1080};
+        QTest::newRow("made larger") << QSize{1280, 800};
+    }
+    void holdsItsHighestPanelsWithoutScrolling()
+    {
+        QFETCH(const QSize, opened);
+        const test::ScratchFolder kept;
+        Shown shown{kept, opened};
+        shown.window.resize(1920, 1080);
+        Shown::settle();
+        for (const char* name : {"conditionDock", "partsDock", "invitationDock"}) {
+            QDockWidget& dock = shown.dock(name);
+            dock.raise();
+            Shown::settle();
+            const auto* area = qobject_cast<QScrollArea*>(dock.widget());
+            qInfo("%s: %d pixels of %d", name, area->viewport()->height(),
+                  area->widget()->height());
+            QVERIFY2(area->verticalScrollBar()->maximum() == 0, name);
+        }
+        QVERIFY(shown.share() >= 2.0 / 3.0);
     }
 
     void namesEachPanelWhole_data() { givesThePictureMostOfTheWindow_data(); }

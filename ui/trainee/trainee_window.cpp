@@ -28,6 +28,7 @@ namespace
 
 constexpr int kNoticeInterval_ms = 200;
 constexpr int kNoticeMargin = 4; // pixels
+constexpr int kAnotherGap = 12;  // pixels beneath the button for another session
 constexpr int kMostPassed = 16;  // stops of Tab outside of the window
 
 } // namespace
@@ -326,7 +327,8 @@ void TraineeWindow::addAnother()
     offer();
 }
 
-/// In a headset the menu offers it, where one eye sees it whole.
+/// Over the lower edge, above the notice: what is worked on is in the middle. In a headset the menu
+/// offers it, where one eye sees it whole.
 void TraineeWindow::placeAnother()
 {
     const bool isOffered = offersAnother(m_node) && m_stationScene.output() == ViewOutput::Screen;
@@ -334,9 +336,12 @@ void TraineeWindow::placeAnother()
     m_another->setVisible(isOffered);
     if (!isOffered)
         return;
-    m_another->resize(m_another->sizeHint());
     const QRect around = m_scene->geometry();
-    m_another->move(around.center() - m_another->rect().center());
+    const QLabel& notice = *m_notices.front();
+    QRect place{QPoint{}, m_another->sizeHint()};
+    place.moveCenter(around.center());
+    place.moveBottom((notice.isHidden() ? around.bottom() : notice.y()) - kAnotherGap);
+    m_another->setGeometry(place);
     if (QWindow* window = m_another->windowHandle())
         window->raise();
     if (isNew && isOver(m_node)) // else who works on keeps the keyboard

@@ -115,7 +115,7 @@ private:
     PartsPanel* m_partsPanel;
     SectionPanel* m_section;
     std::array<QLabel*, 2> m_notices; ///< for the whole window or its left half; for its right half
-    QPushButton* m_another;           ///< over the picture, while another is offered
+    QPushButton* m_another;           ///< above the notice, while another is offered
     HeadsetView m_headset;
     PeopleModel& m_people;
     SharedObjectModel& m_objects;

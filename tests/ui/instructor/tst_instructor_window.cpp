@@ -273,6 +273,28 @@ private Q_SLOTS:
         QCOMPARE(shown.buttons(), before);
     }
 
+    /// Pressed once more, it would be the button that ends the session.
+    void keepsTheKeyboardAtStartAndPause()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        const auto button = [&shown](const char* name) {
+            return shown.find<QToolBar>("sessionBar").widgetForAction(&shown.action(name));
+        };
+        const auto press = [&](const char* pressed, const char* next) {
+            QCOMPARE(shown.window.focusWidget(), button(pressed));
+            QTest::keyClick(button(pressed), Qt::Key_Space);
+            QCOMPARE(shown.window.focusWidget(), button(pressed)); // until it takes effect
+            shown.node.advance(std::chrono::seconds{1});
+            QVERIFY(soon([&] { return shown.action(next).isEnabled(); }));
+            QVERIFY(!shown.action(pressed).isEnabled());
+            QCOMPARE(shown.window.focusWidget(), button(next));
+        };
+        button("start")->setFocus();
+        press("start", "pause");
+        press("pause", "start");
+    }
+
     void endsOnlyByASecondPressAfterAPause()
     {
         const test::ScratchFolder kept;

@@ -379,7 +379,7 @@ QStringList InstructorWindow::unusual(const StationMoment& moment) const
     if (const QString lifted = liftedText(moment.lifted); !lifted.isEmpty())
         told += lifted;
     if (moment.exaggeration != 1.0)
-        told += tr("▲ motion enlarged");
+        told += tr("▲ breathing shown %1 times as large as it is").arg(moment.exaggeration);
     if (inMillilitres(moment.notDrawn) >= 1.0)
         told +=
             tr("▲ lungs drawn %1\u00a0ml too small").arg(qRound(inMillilitres(moment.notDrawn)));

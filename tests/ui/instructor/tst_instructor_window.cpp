@@ -464,6 +464,17 @@ private Q_SLOTS:
         QVERIFY2(told.contains(QStringLiteral("30")), qPrintable(told));
     }
 
+    void saysThatMotionIsShownLarger()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        const auto& status = shown.find<QLabel>("status");
+        const QString told = QStringLiteral("▲ breathing shown 2.5 times as large as it is");
+        QVERIFY(!status.accessibleName().contains(told));
+        shown.find<CheckedDoubleSpinBox>("exaggeration").setValue(2.5);
+        QVERIFY(soon([&] { return status.accessibleName().contains(told); }));
+    }
+
     void hasEachAltKeyOnce_data()
     {
         QTest::addColumn<QByteArray>("change");

@@ -21,6 +21,7 @@
 #include <QStatusBar>
 #include <QTabBar>
 #include <QTableView>
+#include <QTableWidget>
 #include <QToolBar>
 #include <QToolButton>
 
@@ -37,7 +38,7 @@ using test::FakeSessionNode;
 using test::soon;
 
 constexpr ParticipantId kTom = FakeSessionNode::kTrainee;
-constexpr std::size_t kPanels = 8;
+constexpr std::size_t kPanels = 9;
 
 /// A console as it is once it was shown and laid out.
 struct Shown : ConsoleDesk {
@@ -394,31 +395,57 @@ private Q_SLOTS:
         QVERIFY(shown.dock("conditionDock").isEnabled()); // in front
     }
 
-    void offersATrackerInTheMenuOfThePanels()
+    void showsTheToolsOfItsTracker()
     {
         const test::ScratchFolder kept;
         Shown shown{kept};
-        QVERIFY(shown.window.findChild<QAction*>(QStringLiteral("connectTracker")) == nullptr);
-        bool hasTracker = false;
-        shown.window.offerTracker([&] { return hasTracker; });
+        shown.action("showTracker").trigger();
+        QDockWidget& dock = shown.dock("trackerDock");
+        QVERIFY(dock.isEnabled()); // in front
+        auto& tools = shown.find<QTableWidget>("toolTable");
+        QCOMPARE(shown.window.focusWidget(), static_cast<QWidget*>(&tools));
+        QCOMPARE(tools.rowCount(), 0);
+        QCOMPARE(dock.findChild<QLabel*>(QStringLiteral("trouble"))->text(),
+                 QStringLiteral("This program has no tracker."));
+        shown.sight = TrackerSight{{}, {{.name = QStringLiteral("Tube"), .isVisible = true}}};
+        QVERIFY(soon([&] { return tools.rowCount() == 1; }));
+        QCOMPARE(tools.item(0, 0)->text(), QStringLiteral("Tube"));
+        dock.close(); // and the matter leads back to it
+        Attention matter;
+        matter.concern = Concern::Unseen;
+        matter.participant = shown.node.self();
+        Q_EMIT shown.attention.showWanted(matter);
+        QVERIFY(!dock.isHidden());
+    }
+
+    void asksForATracker()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        shown.action("showTracker").trigger();
         const QSignalSpy wanted{&shown.window, &InstructorWindow::trackerWanted};
         const QSignalSpy unwanted{&shown.window, &InstructorWindow::trackerUnwanted};
-        QVERIFY(!shown.action("withoutTracker").isEnabled());
-        shown.action("connectTracker").trigger();
+        shown.find<QPushButton>("connectTracker").click();
         QVERIFY(soon([&] { return wanted.size() == 1; }));
-        hasTracker = true;
-        QVERIFY(soon([&] { return shown.action("withoutTracker").isEnabled(); }));
-        shown.action("withoutTracker").trigger();
+        shown.sight = TrackerSight{};
+        QVERIFY(soon([&] { return shown.find<QPushButton>("withoutTracker").isEnabled(); }));
+        shown.find<QPushButton>("withoutTracker").click();
         QCOMPARE(unwanted.size(), 1);
-        std::set<QString> keys; // of the menu's entries, each once
-        for (const QAction* action : shown.find<QToolButton>("panels").menu()->actions())
-            if (!action->isSeparator())
-                QVERIFY2(keys.insert(QKeySequence::mnemonic(action->text()).toString()).second,
-                         qPrintable(action->text()));
         Attention matter;
         matter.concern = Concern::Tracker;
         Q_EMIT shown.attention.showWanted(matter);
         QVERIFY(soon([&] { return wanted.size() == 2; }));
+    }
+
+    void hasEachKeyOfTheMenuOnce()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        std::set<QString> keys;
+        for (const QAction* action : shown.find<QToolButton>("panels").menu()->actions())
+            if (!action->isSeparator())
+                QVERIFY2(keys.insert(QKeySequence::mnemonic(action->text()).toString()).second,
+                         qPrintable(action->text()));
     }
 
     void hasASecondWindowWithTheSamePicture()
@@ -479,7 +506,8 @@ private Q_SLOTS:
     {
         QTest::addColumn<QByteArray>("change");
         QTest::addColumn<QByteArray>("people");
-        for (const char* change : {"breathingDock", "conditionDock", "actionsDock", "partsDock"})
+        for (const char* change :
+             {"breathingDock", "conditionDock", "actionsDock", "partsDock", "trackerDock"})
             for (const char* people :
                  {"waveformDock", "participantsDock", "invitationDock", "networkDock"})
                 QTest::addRow("%s and %s", change, people)

@@ -35,7 +35,7 @@ struct Ward {
     }
 };
 
-constexpr LungCondition kTension{ConditionKind::TensionPneumothorax, 0.9, ConditionSide::Right};
+constexpr LungCondition kTension{ConditionKind::TensionPneumothorax, 0.3, ConditionSide::Right};
 
 } // namespace
 

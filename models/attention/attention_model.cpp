@@ -55,6 +55,21 @@ auto urgency(const Attention& each)
 
 QString percent(double share) { return QString::number(qRound(100.0 * share)); }
 
+/// "Pneumothorax, tension, right lung: developing, 88 % closed, mediastinum 6 mm aside".
+QString developmentText(const Development& each)
+{
+    const QString what = conditionText(each.condition.kind);
+    const QString where = sideText(each.condition.side).toLower();
+    if (each.condition.kind == ConditionKind::TensionPneumothorax)
+        return AttentionModel::tr("%1, %2: developing, %3\u00a0% closed, mediastinum %4\u00a0mm "
+                                  "aside",
+                                  "disease; which lung; how much of it; how far")
+            .arg(what, where, percent(each.share),
+                 QString::number(qRound(inMillimetres(each.shift))));
+    return AttentionModel::tr("%1, %2: developing, %3\u00a0%", "disease; which lung; how far")
+        .arg(what, where, percent(each.share));
+}
+
 } // namespace
 
 bool isSameMatter(const Attention& a, const Attention& b)
@@ -303,11 +318,8 @@ void AttentionModel::addBreathing(const SessionState& state, SessionTime now, Re
                        .action = tr("Show"),
                        .station = station});
     };
-    for (const auto& [station, condition, share] : m_developing)
-        add(station, Concern::Developing,
-            tr("%1, %2: developing, %3\u00a0%", "disease; which lung; how far")
-                .arg(conditionText(condition.kind), sideText(condition.side).toLower(),
-                     percent(share)));
+    for (const Development& each : m_developing)
+        add(each.station, Concern::Developing, developmentText(each));
     for (const auto& [id, station] : state.stations()) {
         const double left = station.respiration.settingsAt(now).ownBreathing;
         if (!station.closed && station.respiration.ownBreathingAt(now).stopped && left > 0.0

@@ -261,11 +261,24 @@ private Q_SLOTS:
         const QString text = console.texts().front();
         QVERIFY2(text.startsWith(QStringLiteral("Pneumothorax, tension, right lung: developing, ")),
                  qPrintable(text));
-        QVERIFY2(text.endsWith(QStringLiteral("\u00a0%")), qPrintable(text));
+        QVERIFY2(text.contains(QStringLiteral("\u00a0% closed, mediastinum ")), qPrintable(text));
+        QVERIFY2(text.endsWith(QStringLiteral("\u00a0mm aside")), qPrintable(text));
         console.sets({});
         console.node.advance(seconds{2});
         console.look();
         QCOMPARE(console.texts(), QStringList{});
+    }
+
+    void saysHowFarALungIsEmptied()
+    {
+        Console console;
+        console.node.decide(fact::PhaseChanged{SessionPhase::Running});
+        console.sets({{ConditionKind::MainstemIntubation, 1.0, ConditionSide::Right}});
+        console.node.advance(seconds{5});
+        console.look();
+        QCOMPARE(console.texts().size(), 1);
+        QVERIFY2(console.texts().front().endsWith(QStringLiteral("\u00a0%")),
+                 qPrintable(console.texts().front()));
     }
 
     void saysThatBreathingIsStopping()

@@ -129,12 +129,13 @@ demo() {
             "or age, height and sex, as in '45 years, 182 cm, man'"
     [ $register = no ] || [ -z "$site" ] || refuse "--register makes a site, and --site takes one"
     case $tracker in
-        simulated) ;;
+        simulated | simulated:*) ;;
+        site) [ -n "$site" ] || refuse "--tracker site needs --site, which names the devices" ;;
         recorded:* | looped:*) tracker=${tracker%%:*}:$(realpath -e "${tracker#*:}" 2> /dev/null) ||
             refuse "there is no recording ${tracker#*:}" ;;
         *) tracker=$(realpath -e "$tracker" 2> /dev/null) || refuse "there is no file of this --tracker" ;;
     esac
-    [ "$tracker" = simulated ] || [ -n "$site" ] || { [ $register = yes ] && [ -z "$out" ]; } ||
+    [[ $tracker == simulated* ]] || [ -n "$site" ] || { [ $register = yes ] && [ -z "$out" ]; } ||
         refuse "--tracker needs --site, which says where the patient lies, or on a display --register"
     [ ${#view[@]} = 0 ] || [[ ${view[1]} =~ ^(screen|mono|side-by-side)$ ]] ||
         refuse "--output is screen, mono or side-by-side"

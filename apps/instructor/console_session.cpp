@@ -55,7 +55,8 @@ ConsoleSession::ConsoleSession(HostedSession hosted, const program::ChosenPatien
       m_window{{m_session, m_breathing, m_respiration, m_trace, m_participants, m_conduct, m_people,
                 m_network, m_actions, m_stations, m_lesson, m_shown.patient(), m_attention},
                m_kept,
-               m_shown.view()}
+               m_shown.view(),
+               program::programTracker(m_tools, m_recording, true)}
 {
     m_attention.setPatient(m_shown.patient());
     m_window.setReach(m_hosted.reach);
@@ -87,7 +88,6 @@ void ConsoleSession::offerTracker()
         [this](const PatientModel& another, StationView& view) { m_window.show(another, view); });
     m_tools.onReplaced(followTools);
     m_attention.setTracker([this] { return m_tools.trackerSight(); });
-    m_window.offerTracker([this] { return m_tools.tracker() || m_tools.fault(); });
     m_tracker.change.watch(m_window, m_tools);
     QObject::connect(&m_window, &InstructorWindow::trackerWanted, &m_window,
                      [this] { m_tracker.change.ask(m_window, m_tools); });

@@ -141,4 +141,13 @@ bool TrackerChange::takeDevices(SharedTools& tools)
     return isTaken;
 }
 
+ProgramTracker programTracker(SharedTools& tools, PoseRecording& recording, bool canBeGiven)
+{
+    return {.sight = [&tools] { return tools.trackerSight(); },
+            .recording = &recording,
+            .canBeGiven = canBeGiven,
+            .treatment = {tools.treatment(),
+                          [&tools](const PoseTreatment& chosen) { tools.treat(chosen); }}};
+}
+
 } // namespace carina::program

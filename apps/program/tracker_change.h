@@ -1,6 +1,7 @@
 #pragma once
 
 #include "models/station/shared_tools.h"
+#include "ui/tracker/program_tracker_panel.h"
 
 #include <QPointer>
 #include <QWidget>
@@ -53,5 +54,10 @@ private:
     QPointer<QObject> m_context; ///< of watch()
     std::function<void()> m_written;
 };
+
+/// What a window shows of the tracker of these tools, and offers to change of it.
+/// @pre tools and recording outlive the window.
+[[nodiscard]] ProgramTracker programTracker(SharedTools& tools, PoseRecording& recording,
+                                            bool canBeGiven);
 
 } // namespace carina::program

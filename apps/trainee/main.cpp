@@ -136,12 +136,6 @@ int showUntilClosed(TraineeWindow& window, const QCommandLineParser& parser,
     return QApplication::exec();
 }
 
-/// What a person may choose of how the tracker's poses are treated; nothing without a tracker.
-TreatmentChoice treatmentOf(SharedTools& tools)
-{
-    return {tools.treatment(), [&tools](const PoseTreatment& chosen) { tools.treat(chosen); }};
-}
-
 /// @param asks whether a person may be asked for the rest
 Result<program::KnownEntry> entryOptions(const QCommandLineParser& parser, bool asks)
 {
@@ -289,11 +283,7 @@ Result<Left> takePart(const QCommandLineParser& parser, Outfit& outfit, program:
                          actions,
                          people,
                          [&tools] { return tools.standing(); },
-                         {.sight = [&tools] { return tools.trackerSight(); },
-                          .recording = &recording,
-
-                          .canBeGiven = entered.role == Role::Trainee,
-                          .treatment = treatmentOf(tools)}};
+                         program::programTracker(tools, recording, entered.role == Role::Trainee)};
     const auto show = [&] {
         window.show(station.patient(), station.view(), tools.chinProbe());
         window.stationScene().showBlade(program::bladeOf(tools));

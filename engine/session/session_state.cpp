@@ -46,13 +46,14 @@ struct SessionState::Applier {
     void operator()(const fact::ParticipantJoined& body) const
     {
         const Participant* before = known(body.participant);
+        const bool wasAway = before && !before->present;
         Participant joined{body.participant, body.role, body.name, around.station, true};
         joined.muted = before && before->muted;
         joined.turn = before ? before->turn : Angle{};
         // Of a program that comes in again beside itself, the stay goes on.
         joined.since = before && before->present ? before->since : around.committed;
         state.m_participants.insert_or_assign(body.participant, std::move(joined));
-        endLessonsOf(body.participant);
+        breakOffLessonsOf(body.participant, wasAway);
         bringAlong(body.participant);
         takeUpWork(body.participant);
     }
@@ -118,18 +119,33 @@ struct SessionState::Applier {
     {
         forStations([&](Station& station) {
             station.lesson = ShownLesson{around.author, body.to, body.lesson};
+            station.brokenOff.reset();
         });
     }
     void operator()(const fact::LessonEnded&) const
     {
         forStations([](Station& station) { station.lesson.reset(); });
     }
-    /// Whoever has gone cannot end what they show.
     void endLessonsOf(ParticipantId id) const
     {
         for (auto& [number, station] : state.m_stations)
             if (station.lesson && station.lesson->by == id)
                 station.lesson.reset();
+    }
+    /// Whoever has gone cannot end what they show, and is to hear of it when they are back.
+    /// @param isBack whether they come back from where they had gone to
+    void breakOffLessonsOf(ParticipantId id, bool isBack) const
+    {
+        for (auto& [number, station] : state.m_stations) {
+            const bool isTold = station.brokenOff && station.brokenOff->shown.by == id;
+            if (station.lesson && station.lesson->by == id)
+                station.brokenOff = BrokenOffLesson{*station.lesson, around.committed};
+            else if (isTold && isBack)
+                station.brokenOff->at = around.committed;
+            else if (isTold)
+                station.brokenOff.reset(); // they were here and have heard of it
+        }
+        endLessonsOf(id);
     }
     void operator()(const fact::ObjectShared& body) const
     {
@@ -178,6 +194,7 @@ struct SessionState::Applier {
             station.anatomyHash = body.contentHash;
             station.anatomyName = body.name;
             station.lesson.reset(); // of parts of the patient before
+            station.brokenOff.reset();
         });
     }
     void operator()(const fact::BreathingRateSet& body) const
@@ -270,7 +287,7 @@ struct SessionState::Applier {
             participant->present = false;
             participant->left = around.committed;
         }
-        endLessonsOf(id);
+        breakOffLessonsOf(id, false);
         for (auto& [number, object] : state.m_objects) {
             std::erase(object.wantedBy, id);
             if (object.owner == id && isLiftable(object.kind))

@@ -64,6 +64,14 @@ struct ShownLesson {
     friend bool operator==(const ShownLesson&, const ShownLesson&) = default;
 };
 
+/// A lesson that nobody ended: its author left, or came in anew.
+struct BrokenOffLesson {
+    ShownLesson shown;
+    SessionTime at; ///< when that was; once its author is back, when they came in
+
+    friend bool operator==(const BrokenOffLesson&, const BrokenOffLesson&) = default;
+};
+
 struct Station {
     StationId id;
     std::string name;
@@ -73,6 +81,9 @@ struct Station {
     RespirationTimeline respiration;
     ParticipantId worker = kNobody; ///< who took up the work last, and may have gone
     std::optional<ShownLesson> lesson{};
+    /// The last one that broke off, of an author who is away or came back since and has not gone
+    /// again; until something else is shown, or another patient is laid.
+    std::optional<BrokenOffLesson> brokenOff{};
 };
 
 /// Everything that follows from the facts so far, the same at every node. A value: it is copied to

@@ -17,7 +17,8 @@ struct SimulatedTools {
 };
 
 /// @param tube of the patient, whose length and thickness the real one has; its curvature is that
-///             of tubes as they are sold, a radius of 140 mm (ISO 5361)
+///             of tubes as they are sold, a radius of 140 mm (ISO 5361). The sizes of the
+///             laryngoscope are of ours, about those of an adult's, curved as that of Macintosh
 [[nodiscard]] SimulatedTools simulatedTools(const TubeShape& tube);
 
 } // namespace carina

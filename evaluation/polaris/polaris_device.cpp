@@ -40,6 +40,12 @@ PolarisDevice::Reply PolarisDevice::reset(LocalTime now)
     return sent(asText("RESET"), now);
 }
 
+void PolarisDevice::loseRate()
+{
+    m_rate = kFirstRate;
+    m_nextRate.reset();
+}
+
 std::vector<PolarisDevice::Reply> PolarisDevice::take(std::span<const std::byte> bytes, int rate,
                                                       LocalTime now)
 {

@@ -65,6 +65,8 @@ public:
                                           LocalTime now);
     /// As after the line's break, or after it was switched off and on.
     [[nodiscard]] Reply reset(LocalTime now);
+    /// Its line has the first rate again, and the host is not told: what is sent to it is noise.
+    void loseRate();
 
     PolarisFaults& faults() { return m_faults; }
     PolarisPorts& ports() { return m_ports; }

@@ -1,6 +1,7 @@
 #include "models/attention/attention_model.h"
 
 #include "models/errors/error_text.h"
+#include "models/lesson/lesson_words.h"
 #include "models/objects/object_words.h"
 #include "models/patient/session_patient.h"
 #include "models/respiration/respiration_words.h"
@@ -54,6 +55,21 @@ auto urgency(const Attention& each)
 
 QString percent(double share) { return QString::number(qRound(100.0 * share)); }
 
+/// "Pneumothorax, tension, right lung: developing, 88 % closed, mediastinum 6 mm aside".
+QString developmentText(const Development& each)
+{
+    const QString what = conditionText(each.condition.kind);
+    const QString where = sideText(each.condition.side).toLower();
+    if (each.condition.kind == ConditionKind::TensionPneumothorax)
+        return AttentionModel::tr("%1, %2: developing, %3\u00a0% closed, mediastinum %4\u00a0mm "
+                                  "aside",
+                                  "disease; which lung; how much of it; how far")
+            .arg(what, where, percent(each.share),
+                 QString::number(qRound(inMillimetres(each.shift))));
+    return AttentionModel::tr("%1, %2: developing, %3\u00a0%", "disease; which lung; how far")
+        .arg(what, where, percent(each.share));
+}
+
 } // namespace
 
 bool isSameMatter(const Attention& a, const Attention& b)
@@ -105,6 +121,7 @@ AttentionModel::Reports AttentionModel::current()
         addTracker(*state, *sight, all);
     if (now) {
         addPeople(*state, *now, sight.has_value(), all);
+        addBrokenOff(*state, *now, all);
         addBreathing(*state, *now, all);
     }
     std::ranges::stable_sort(all, {}, urgency);
@@ -234,6 +251,26 @@ void AttentionModel::addUnseen(const SessionState& state, const Participant& who
                    .participant = who.id});
 }
 
+/// Others see the patient as they chose it themselves.
+void AttentionModel::addBrokenOff(const SessionState& state, SessionTime now, Reports& all) const
+{
+    for (const auto& [id, station] : state.stations()) {
+        const auto& broken = station.brokenOff;
+        if (station.closed || !broken || broken->shown.by != m_session.node().self()
+            || now >= broken->at + kBrokenOffTold)
+            continue;
+        const QString to = nameIn(state, broken->shown.to);
+        all.push_back({.concern = Concern::BrokenOff,
+                       .text = atStation(state, id,
+                                         tr("No longer shown to %1 since this program stopped: %2",
+                                            "a person or everybody; what was shown")
+                                             .arg(to.isEmpty() ? tr("everybody") : to,
+                                                  lessonText(broken->shown.lesson, false))),
+                       .action = tr("Show again"),
+                       .station = id});
+    }
+}
+
 void AttentionModel::addPatient(Reports& all) const
 {
     if (m_patient && m_patient->canFetchAgain())
@@ -281,11 +318,8 @@ void AttentionModel::addBreathing(const SessionState& state, SessionTime now, Re
                        .action = tr("Show"),
                        .station = station});
     };
-    for (const auto& [station, condition, share] : m_developing)
-        add(station, Concern::Developing,
-            tr("%1, %2: developing, %3\u00a0%", "disease; which lung; how far")
-                .arg(conditionText(condition.kind), sideText(condition.side).toLower(),
-                     percent(share)));
+    for (const Development& each : m_developing)
+        add(each.station, Concern::Developing, developmentText(each));
     for (const auto& [id, station] : state.stations()) {
         const double left = station.respiration.settingsAt(now).ownBreathing;
         if (!station.closed && station.respiration.ownBreathingAt(now).stopped && left > 0.0
@@ -310,6 +344,7 @@ void AttentionModel::act(const Attention& attention)
         break;
     case Concern::TwoPrograms:
     case Concern::Away:
+    case Concern::BrokenOff:
     case Concern::Unseen:
     case Concern::Tracker:
     case Concern::Registration:

@@ -23,6 +23,7 @@ enum class Concern : std::uint8_t {
     TwoPrograms,    ///< two programs had one participant's token
     Asked,          ///< somebody asks for an object
     Away,           ///< a participant's program is not heard of
+    BrokenOff,      ///< others are no longer shown what this program showed before it stopped
     Unseen,         ///< a tool of a participant is not seen by their tracker
     Tracker,        ///< that of this program does not track
     NoPatient,      ///< the session's patient is not on this computer
@@ -57,6 +58,8 @@ public:
     static constexpr Duration kUnseenTold = std::chrono::seconds{2};
     /// So long a replaced token is told.
     static constexpr Duration kReplacedTold = std::chrono::minutes{1};
+    /// So long it is told that something is no longer shown.
+    static constexpr Duration kBrokenOffTold = std::chrono::minutes{5};
     static constexpr int kAttentionLook_ms = 500;
 
     /// @pre session outlives this.
@@ -96,6 +99,7 @@ private:
     void addPeople(const SessionState& state, SessionTime now, bool hasTracker, Reports& all);
     void addUnseen(const SessionState& state, const Participant& who, SessionTime now,
                    Reports& all);
+    void addBrokenOff(const SessionState& state, SessionTime now, Reports& all) const;
     void addPatient(Reports& all) const;
     void addTracker(const SessionState& state, const TrackerSight& sight, Reports& all) const;
     void addBreathing(const SessionState& state, SessionTime now, Reports& all);

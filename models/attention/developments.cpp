@@ -1,6 +1,9 @@
 #include "models/attention/developments.h"
 
+#include "engine/lungs/drawing/chest_shape.h"
+
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace carina
@@ -22,7 +25,7 @@ bool affects(const LungCondition& condition, Side side)
            || condition.side == (side == Side::Right ? ConditionSide::Right : ConditionSide::Left);
 }
 
-/// How much of the lung the gas that came through the tear has closed, of what it can close.
+/// The gas that came through the tear, of what closes the lung.
 double closedShare(const RespiratoryFold& fold, std::size_t lung)
 {
     const double most = (1.0 - kLeastOpenShare) * fold.system().lungs[lung].wallVolume.si;
@@ -47,7 +50,14 @@ double shareOf(const LungCondition& condition, const RespiratoryFold& fold)
         if (affects(condition, side) == isTear) // a tube empties the lung that it is not in
             share = std::max(share, isTear ? closedShare(fold, lungIndex(side))
                                            : emptiedShare(fold, lungIndex(side)));
-    return std::clamp(share, 0.0, 1.0);
+    return isTear ? share : std::min(share, 1.0);
+}
+
+Length shiftOf(const RespiratoryFold& fold)
+{
+    const ChestShape shape =
+        chestShape(fold.settings().build, fold.system(), fold.content(), fold.moment());
+    return {std::abs(shape.mediastinalShift.si)};
 }
 
 LungConditions slowOnes(const Station& station, SessionTime t)
@@ -90,7 +100,8 @@ std::vector<Development> DevelopmentWatch::at(const SessionState& state, Session
         follow(patient, station, t);
         for (const Course& course : patient.courses)
             if (develops(course))
-                all.push_back({id, course.condition, course.points.back().share});
+                all.push_back({id, course.condition, std::min(1.0, course.points.back().share),
+                               std::ranges::max(course.points, {}, &Point::shift).shift});
     }
     return all;
 }
@@ -106,7 +117,7 @@ void DevelopmentWatch::follow(Patient& patient, const Station& station, SessionT
         return;
     const double breathed = double(fold.state().steps) * kRespiratoryStep;
     for (Course& course : patient.courses)
-        add(course, {breathed, shareOf(course.condition, fold)});
+        add(course, {breathed, shareOf(course.condition, fold), shiftOf(fold)});
 }
 
 void DevelopmentWatch::add(Course& course, const Point& point)
@@ -119,7 +130,7 @@ void DevelopmentWatch::add(Course& course, const Point& point)
 
 bool DevelopmentWatch::develops(const Course& course)
 {
-    if (course.points.empty() || course.points.back().share >= 1.0)
+    if (course.points.empty())
         return false;
     const Point& first = course.points.front();
     const Point& last = course.points.back();

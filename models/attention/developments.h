@@ -13,17 +13,21 @@ namespace carina
 struct Development {
     StationId station;
     LungCondition condition;
-    double share = 0.0; ///< of its full extent, 0 to 1
+    /// Of the lung, 0 to 1: closed by the gas in the pleural space, or emptied by the blood.
+    double share = 0.0;
+    /// Of the mediastinum, to either side: the farthest in the last kGrowthTime.
+    Length shift;
 
     friend bool operator==(const Development&, const Development&) = default;
 };
 
 /// Follows the diseases that take minutes at all open stations: a tension pneumothorax, whose gas
-/// has closed the lung at its full extent, and the lung beside a tube in one main bronchus, which
-/// the blood empties.
+/// closes the lung first and then pushes the mediastinum aside, and the lung beside a tube in one
+/// main bronchus, which the blood empties.
 ///
 /// A disease develops as long as it grows by kLeastGrowth in kGrowthTime of breathing, so that one
-/// whose tear lets no more gas in is not announced for ever. A pause stops it, and is not counted.
+/// whose tear lets no more gas in is not announced for ever. Growth is that of the share, and goes
+/// on with the gas once it has closed the lung. A pause stops it, and is not counted.
 class DevelopmentWatch
 {
 public:
@@ -37,7 +41,8 @@ public:
 private:
     struct Point {
         double breathed = 0.0; ///< s
-        double share = 0.0;
+        double share = 0.0;    ///< more than 1 where there is more gas than closes the lung
+        Length shift;
     };
     struct Course {
         LungCondition condition;

@@ -104,6 +104,25 @@ void LessonModel::setShowsView(bool shows)
     change(wanted);
 }
 
+std::optional<ShownLesson> LessonModel::brokenOff() const
+{
+    const auto state = m_session.node().state();
+    const auto station = state->stations().find(m_station);
+    if (station == state->stations().end() || !station->second.brokenOff
+        || station->second.brokenOff->shown.by != m_session.node().self())
+        return std::nullopt;
+    return station->second.brokenOff->shown;
+}
+
+void LessonModel::showAgain()
+{
+    const auto before = brokenOff();
+    if (!before || !canSwitch() || isUnderWay(m_session.node()))
+        return;
+    m_picture = before->lesson;
+    change({true, before->to, before->lesson.showsView});
+}
+
 /// What nobody sees, because nothing is shown before or after, is nothing to be undone.
 void LessonModel::change(const Setting& wanted)
 {

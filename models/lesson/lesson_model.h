@@ -52,6 +52,11 @@ public:
     [[nodiscard]] bool isOn() const;
     [[nodiscard]] bool canSwitch() const;
     void setOn(bool on);
+    /// What this person showed at this station and did not end (Station::brokenOff); nothing once
+    /// something is shown there again.
+    [[nodiscard]] std::optional<ShownLesson> brokenOff() const;
+    /// Shows that again, to whom it was shown. Whoever calls follow() makes the picture so first.
+    void showAgain();
     /// What is shown to whom, after its mark: "● Shown to everybody: section, names". Empty while
     /// nothing is.
     [[nodiscard]] QString text() const;

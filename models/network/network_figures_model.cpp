@@ -185,11 +185,11 @@ void NetworkFiguresModel::addClock(const NetworkFigures& figures, std::vector<Ro
     rows.push_back({tr("Clock error at most"),
                     withUnit(figures.clockErrorBound_ms, 3, tr("± %1 ms")),
                     tr("Upper bound of the error of the clock offset: half the shortest round-trip "
-                       "time, for any asymmetry of the path, and what the disciplined clocks moved "
-                       "it by")});
+                       "time, for any asymmetry of the path, and what clocks set by a time service "
+                       "moved it by")});
     if (figures.external)
         rows.push_back(
-            {tr("Disciplined clocks (NTP, PTP)"), externalText(*figures.external),
+            {tr("Clocks set by NTP or PTP"), externalText(*figures.external),
              tr("The clock offset as the system clocks of both computers give it, which a time "
                 "service (NTP or PTP) keeps right, minus the offset from the round trips; with its "
                 "standard error. If the two agree, the system clocks correct the round trips, "

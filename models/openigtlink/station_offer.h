@@ -13,8 +13,9 @@ namespace carina
 
 /// What a station shows at a moment, for programs of other makers, in the frame R:
 ///
-/// - the tools "Tube" and "Jaw" of who is at work, and of everyone who is there "Head", "Hand" and
-///   "Stylus", each with a blank and the person's name; names end after 20 characters;
+/// - the tools "Tube" and "Jaw" of who is at work, and of everyone who is there "Head", "Hand",
+///   "Stylus" and "Blade" (the laryngoscope), each with a blank and the person's name; names end
+///   after 20 characters;
 /// - the landmarks of the airway, as fiducials of the group "Landmark";
 /// - the surface of the lungs as it is drawn, in its coarsest level of detail, at most ten times a
 ///   second.

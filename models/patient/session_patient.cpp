@@ -15,6 +15,14 @@ int megabytes(std::uint64_t bytes) { return static_cast<int>((bytes + 500'000) /
 
 } // namespace
 
+bool liesAt(const SessionState& state, StationId station, const PatientModel& patient)
+{
+    const auto found = state.stations().find(station);
+    return found != state.stations().end()
+           && (found->second.anatomyHash.empty()
+               || found->second.anatomyHash == patient.contentHash());
+}
+
 SessionPatient::SessionPatient(const SessionNode& node, StationId station, SharedPatientModel first,
                                std::filesystem::path cacheFolder, int licenceShown_ms)
     : m_node{node},

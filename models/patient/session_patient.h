@@ -11,6 +11,11 @@
 namespace carina
 {
 
+/// Whether a patient lies at the station, or none was chosen for it: then its parts have the
+/// numbers of which a lesson there speaks.
+[[nodiscard]] bool liesAt(const SessionState& state, StationId station,
+                          const PatientModel& patient);
+
 /// The patient that a program draws at a station: the session's patient as soon as it is available,
 /// until then the one that the program started with.
 ///

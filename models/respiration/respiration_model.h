@@ -63,10 +63,9 @@ public:
     void setTube(Length innerDiameter) { set(innerDiameter); }
     void setPosition(BodyPosition position) { set(position); }
 
-    /// The diseases in force and, unless supine, the position: "COPD, severity 0.60, both lungs;
-    /// prone".
+    /// The diseases in force and, unless supine, the position: "COPD, both lungs, 0.60; prone".
     [[nodiscard]] QString inForceText() const;
-    /// The pending changes, one per line: "Condition → COPD, severity 0.60, both lungs"; empty if
+    /// The pending changes, one per line: "Condition → COPD, both lungs, 0.60"; empty if
     /// there are none.
     [[nodiscard]] QString travellingText() const;
     /// One sentence: why this person cannot change anything; empty if they can.

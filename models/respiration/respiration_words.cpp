@@ -89,11 +89,10 @@ QString conditionText(const LungCondition& condition)
 {
     if (condition.kind == ConditionKind::Normal)
         return conditionText(condition.kind);
-    return QCoreApplication::translate("Respiration", "%1, severity\u00a0%2, %3",
-                                       "condition; 0 to 1; which lung")
-        .arg(conditionText(condition.kind))
-        .arg(condition.severity, 0, 'f', 2)
-        .arg(sideText(condition.side).toLower());
+    return QCoreApplication::translate("Respiration", "%1, %2, %3",
+                                       "condition; which lung; severity, 0 to 1")
+        .arg(conditionText(condition.kind), sideText(condition.side).toLower())
+        .arg(condition.severity, 0, 'f', 2);
 }
 
 QString conditionText(const LungConditions& conditions)

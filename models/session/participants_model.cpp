@@ -72,6 +72,11 @@ std::optional<double> ParticipantsModel::oldestSample_ms() const
     return oldest;
 }
 
+bool ParticipantsModel::hasRegistrations() const
+{
+    return std::ranges::any_of(m_rows, [](const Row& row) { return row.registration.has_value(); });
+}
+
 int ParticipantsModel::rowCount(const QModelIndex& parent) const
 {
     return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
@@ -97,10 +102,10 @@ QVariant ParticipantsModel::data(const QModelIndex& index, int role) const
         return shownAsIs(row.reason);
     if (role == Qt::ToolTipRole && index.column() == Registration && row.registration)
         return shownAsIs(registrationTip(*row.registration));
-    if (role == Qt::ToolTipRole && index.column() == Same && row.seesTheSame)
-        return shownAsIs(figuresText(row));
-    if (role == Qt::AccessibleDescriptionRole && index.column() == Same && row.seesTheSame)
-        return figuresText(row);
+    if (role == Qt::ToolTipRole && index.column() == Same)
+        return shownAsIs(sameTip(row));
+    if (role == Qt::AccessibleDescriptionRole && index.column() == Same)
+        return sameTip(row);
     if (role == Qt::ToolTipRole && index.column() == Name)
         return shownAsIs(row.name);
     if (role == Qt::TextAlignmentRole && index.column() >= Sends && index.column() <= Delay)
@@ -128,9 +133,21 @@ QString ParticipantsModel::figuresText(const Row& row)
 
 QString ParticipantsModel::sameText(const Row& row)
 {
-    if (!row.seesTheSame)
+    if (row.seesTheSame)
+        return *row.seesTheSame ? tr("✓ same") : tr("▲ differs");
+    if (!row.isCompared)
         return kNothing;
-    return *row.seesTheSame ? tr("✓ same") : tr("▲ differs");
+    return row.age_ms ? tr("◇ unknown") : tr("○ none");
+}
+
+QString ParticipantsModel::sameTip(const Row& row)
+{
+    if (row.seesTheSame)
+        return figuresText(row);
+    if (!row.isCompared)
+        return {};
+    return row.age_ms ? tr("Their objects were not compared yet")
+                      : tr("Shares no tool and nothing else whose place could be compared");
 }
 
 QString ParticipantsModel::cell(const Row& row, int column)
@@ -192,8 +209,9 @@ QVariant ParticipantsModel::headerData(int section, Qt::Orientation orientation,
         if (section == Delay)
             return tr("Time that data take between the participant and this program, one way");
         if (section == Same)
-            return tr("Whether the participant sees shared objects where this program shows them, "
-                      "but for what delay and tracker explain; figures in the tool tip of each");
+            return tr("Whether the participant sees their tools and other objects where this "
+                      "program shows them, but for what delay and tracker explain; figures in the "
+                      "tool tip of each");
         if (section == DriftDistance)
             return tr("Drift: distance between what was shown here and at the participant at the "
                       "same time");
@@ -223,7 +241,7 @@ QVariant ParticipantsModel::headerData(int section, Qt::Orientation orientation,
     case Delay:
         return tr("Delay");
     case Same:
-        return tr("Sees");
+        return tr("Objects");
     default:
         return {};
     }
@@ -293,8 +311,10 @@ std::vector<ParticipantsModel::Row> ParticipantsModel::currentRows() const
             keepLargest(row.drift_deg, report.driftDeg);
             keepLargest(row.drift_mm, report.driftMm);
         }
-        if (participant.present && !participant.muted)
+        if (participant.present && !participant.muted) {
+            row.isCompared = id != node.self();
             addNetwork(figures, row);
+        }
         rows.push_back(std::move(row));
     }
     return rows;

@@ -32,7 +32,7 @@ public:
         DriftAngle,
         DriftDistance,
         Delay,
-        Same, ///< whether they see the same as this program; its tool tip has the figures
+        Same, ///< whether they see their objects where this program does; its tool tip has figures
         ColumnCount
     };
     static constexpr int kIdRole = Qt::UserRole;
@@ -43,6 +43,8 @@ public:
     /// The age of the oldest of all participants' newest samples, in milliseconds; std::nullopt
     /// while nobody sends poses.
     [[nodiscard]] std::optional<double> oldestSample_ms() const;
+    /// Whether anybody has a registration to tell of.
+    [[nodiscard]] bool hasRegistrations() const;
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
@@ -68,6 +70,7 @@ private:
         std::optional<double> bound_mm{};
         std::optional<double> delay_ms{};  ///< to or from this program, one way
         std::optional<bool> seesTheSame{}; ///< as far as is known
+        bool isCompared = false; ///< somebody else is here, whose objects would be compared
 
         friend bool operator==(const Row&, const Row&) = default;
     };
@@ -81,6 +84,7 @@ private:
     [[nodiscard]] static QString registrationTip(const RegistrationStanding& registration);
     [[nodiscard]] static QString figuresText(const Row& row);
     [[nodiscard]] static QString sameText(const Row& row);
+    [[nodiscard]] static QString sameTip(const Row& row);
     [[nodiscard]] static QString cell(const Row& row, int column);
     /// The text of a cell for a screen reader: with its column name, without the state mark.
     [[nodiscard]] QString spoken(const Row& row, int column) const;

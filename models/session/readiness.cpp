@@ -92,18 +92,19 @@ public:
                    ? tr("▲ %1 free in %2: make room before the session").arg(free, folder)
                    : tr("✓ %1 free in %2").arg(free, folder);
     }
-
-    static QString clock()
-    {
-        const auto external = readDisciplinedClock();
-        return external ? tr("✓ disciplined by NTP or PTP, to ±%1\u00a0ms")
-                              .arg(1e3 * toSeconds(external->error), 0, 'f', 1)
-                        : tr("○ not disciplined: other computers follow this one's clock, to "
-                             "within half of their round trip");
-    }
 };
 
 } // namespace
+
+QString timeServiceText(const std::optional<ExternalTime>& external)
+{
+    return external
+               ? ReadyWords::tr("✓ set by a time service (NTP or PTP), to ±%1\u00a0ms")
+                     .arg(1e3 * toSeconds(external->error), 0, 'f', 1)
+               : ReadyWords::tr("○ not set by a time service (NTP or PTP): other computers follow "
+                                "this one's clock, to within half of the time that data take to "
+                                "them and back");
+}
 
 std::vector<ReadyLine> readiness(const ReadinessQuestion& asked)
 {
@@ -124,7 +125,7 @@ std::vector<ReadyLine> readiness(const ReadinessQuestion& asked)
         say(ReadyWords::tr("Registration"), ReadyWords::registration(**site, asked));
     }
     say(ReadyWords::tr("Disk"), ReadyWords::disk(asked.folder));
-    say(ReadyWords::tr("Clock"), ReadyWords::clock());
+    say(ReadyWords::tr("Clock"), timeServiceText(readDisciplinedClock()));
     return lines;
 }
 

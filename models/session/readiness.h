@@ -1,8 +1,11 @@
 #pragma once
 
+#include "engine/core/external_time.h"
+
 #include <QDateTime>
 #include <QString>
 
+#include <optional>
 #include <vector>
 
 namespace carina
@@ -25,6 +28,10 @@ struct ReadinessQuestion {
     const PatientModel* patient = nullptr; ///< the session's; null while it is made
     QDateTime today{};
 };
+
+/// Whether a time service sets the clock of this computer, and how well.
+/// @param external as readDisciplinedClock() has it
+[[nodiscard]] QString timeServiceText(const std::optional<ExternalTime>& external);
 
 /// Tracker, registration with its error and age, disk and clock of this computer.
 [[nodiscard]] std::vector<ReadyLine> readiness(const ReadinessQuestion& asked);

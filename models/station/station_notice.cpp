@@ -137,7 +137,20 @@ QString tubeNotice(const SessionNode& node, const StationMoment& moment, bool ha
                          "press Esc and connect one under “Tracker and its tools”"));
 }
 
-/// Of what goes on, the weightiest; empty when all is well.
+/// That the host is not heard of; empty while it is.
+QString hostNotice(const SessionNode& node)
+{
+    if (hostIsMissed(node))
+        return noticeWords(QT_TRANSLATE_NOOP(
+            "StationNotice", "The instructor's program does not answer. This one goes on looking "
+                             "for it; to join another session, press Esc"));
+    if (!hostIsHere(node))
+        return noticeWords(QT_TRANSLATE_NOOP("StationNotice", "Connecting to the instructor …"));
+    return {};
+}
+
+/// Of what goes on, the weightiest; empty when all is well. A pause is said beside it: it tells why
+/// the patient does not move.
 QString situation(const SessionNode& node, const StationMoment& moment, ViewOutput output,
                   bool hasTracker)
 {
@@ -147,12 +160,11 @@ QString situation(const SessionNode& node, const StationMoment& moment, ViewOutp
         return phaseNotice(phase);
     if (const auto refusal = node.refusal())
         return errorText(*refusal);
-    if (hostIsMissed(node))
-        return noticeWords(QT_TRANSLATE_NOOP(
-            "StationNotice", "The instructor's program does not answer. This one goes on looking "
-                             "for it; to join another session, press Esc"));
-    if (!hostIsHere(node))
-        return noticeWords(QT_TRANSLATE_NOOP("StationNotice", "Connecting to the instructor …"));
+    if (const QString host = hostNotice(node); !host.isEmpty())
+        return phase == SessionPhase::Paused
+                   ? QCoreApplication::translate("StationNotice", "%1. %2", "paused; no connection")
+                         .arg(phaseNotice(phase), host)
+                   : host;
     if (phase != SessionPhase::Running)
         return phaseNotice(phase);
     if (const QString headset = headsetNotice(moment, output, hasTracker); !headset.isEmpty())

@@ -29,8 +29,9 @@ QString entryOf(const Attention& attention)
 
 QStringList actionWords()
 {
-    return {AttentionModel::tr("Give"), AttentionModel::tr("Show"), AttentionModel::tr("Dismiss"),
-            AttentionModel::tr("Try again"), AttentionModel::tr("Connect")};
+    return {AttentionModel::tr("Give"),    AttentionModel::tr("Show"),
+            AttentionModel::tr("Dismiss"), AttentionModel::tr("Try again"),
+            AttentionModel::tr("Connect"), AttentionModel::tr("Show again")};
 }
 
 } // namespace

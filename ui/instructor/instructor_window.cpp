@@ -34,7 +34,7 @@ constexpr int kRefusalShown_ms = 10000;
 } // namespace
 
 InstructorWindow::InstructorWindow(const ConsoleModels& models, KeptConsole& kept,
-                                   StationView& view)
+                                   StationView& view, const ProgramTracker& tracker)
     : m_ui{std::make_unique<Ui::InstructorWindow>()},
       m_models{models},
       m_kept{kept},
@@ -52,7 +52,7 @@ InstructorWindow::InstructorWindow(const ConsoleModels& models, KeptConsole& kep
     m_ui->section->setHistory(m_history);
     m_ui->pane->setModels(m_models.stations, m_models.attention);
     m_ui->pane->show(*m_models.patient.patient(), view);
-    fillPanels();
+    fillPanels(tracker);
     layPanels();
     m_teacher = std::make_unique<SceneTeacher>(m_models.lesson, m_ui->pane->scene());
     connectParts();
@@ -78,7 +78,7 @@ InstructorWindow::~InstructorWindow() { keepPanels(); }
 
 StationScene& InstructorWindow::stationScene() { return m_ui->pane->stationScene(); }
 
-void InstructorWindow::fillPanels()
+void InstructorWindow::fillPanels(const ProgramTracker& tracker)
 {
     m_ui->breathing->setModel(m_models.breathing);
     m_ui->condition->setModel(m_models.respiration);
@@ -96,6 +96,10 @@ void InstructorWindow::fillPanels()
     lesson->setModel(m_models.lesson);
     m_ui->partsLayout->insertWidget(0, lesson);
     lesson->putBefore(*m_ui->parts);
+    auto* tools = new ProgramTrackerPanel{tracker};
+    m_ui->trackerDock->setWidget(tools);
+    connect(tools, &ProgramTrackerPanel::wanted, this, &InstructorWindow::trackerWanted);
+    connect(tools, &ProgramTrackerPanel::unwanted, this, &InstructorWindow::trackerUnwanted);
     refreshInvitation();
     connect(m_ui->invitation, &InvitationPanel::newCodeWanted, &m_models.conduct,
             &ConductModel::changeCode);
@@ -136,10 +140,10 @@ void InstructorWindow::layPanels()
     using Group = PanelDocks::Group;
     m_docks = std::make_unique<PanelDocks>(
         *this,
-        QList<Group>{
-            Group{m_ui->breathingDock, m_ui->conditionDock, m_ui->actionsDock, m_ui->partsDock},
-            Group{m_ui->waveformDock},
-            Group{m_ui->participantsDock, m_ui->invitationDock, m_ui->networkDock}});
+        QList<Group>{Group{m_ui->breathingDock, m_ui->conditionDock, m_ui->actionsDock,
+                           m_ui->partsDock, m_ui->trackerDock},
+                     Group{m_ui->waveformDock},
+                     Group{m_ui->participantsDock, m_ui->invitationDock, m_ui->networkDock}});
     offerPanels();
     m_docks->offerAll();
     offerWindows();
@@ -160,6 +164,8 @@ void InstructorWindow::offerPanels()
           tr("Turn, move or scale the patient, or organs lifted out of it, and see who has them"));
     offer(m_ui->partsDock, "showParts", tr("Par&ts"), QStringLiteral("Ctrl+T"),
           tr("Show, hide, highlight or name parts of the patient, and cut it open"));
+    offer(m_ui->trackerDock, "showTracker", tr("Trac&ker"), QStringLiteral("Ctrl+R"),
+          tr("Tools of the instructor's own tracker as it sees them, and to connect one"));
     offer(m_ui->waveformDock, "showWaveforms", tr("Wa&veforms"), QStringLiteral("Ctrl+W"),
           tr("Flow, airway pressure and volume"));
     offer(m_ui->participantsDock, "showParticipants", tr("&Participants"), QStringLiteral("Ctrl+U"),
@@ -188,24 +194,6 @@ void InstructorWindow::offerWindows()
     m_projectorShown->setCheckable(true);
     connect(m_projectorShown, &QAction::toggled, this, &InstructorWindow::showProjector);
     addActions({full, m_projectorShown});
-}
-
-void InstructorWindow::offerTracker(std::function<bool()> hasTracker)
-{
-    m_hasTracker = std::move(hasTracker);
-    QMenu& menu = m_docks->menu();
-    menu.addSeparator();
-    QAction* give = menu.addAction(tr("Connect a trac&ker…"));
-    give->setObjectName(QStringLiteral("connectTracker"));
-    give->setToolTip(tr("Tools of the instructor are tracked, and seen by everybody at the station "
-                        "that is shown"));
-    m_withoutTracker = menu.addAction(tr("&Go on without the tracker"));
-    m_withoutTracker->setObjectName(QStringLiteral("withoutTracker"));
-    // Queued: a dialog opens, and whoever pressed is not to wait for its end.
-    connect(give, &QAction::triggered, this, &InstructorWindow::trackerWanted,
-            Qt::QueuedConnection);
-    connect(m_withoutTracker, &QAction::triggered, this, &InstructorWindow::trackerUnwanted);
-    refresh();
 }
 
 void InstructorWindow::toggleFullScreen() { setWindowState(windowState() ^ Qt::WindowFullScreen); }
@@ -297,8 +285,7 @@ void InstructorWindow::addMenuButton()
     auto* panels = new QToolButton;
     panels->setObjectName(QStringLiteral("panels"));
     panels->setText(tr("&Panels"));
-    panels->setToolTip(
-        tr("Bring a panel, lay all as at first, full screen, second window, tracker"));
+    panels->setToolTip(tr("Bring a panel, lay all as at first, full screen, second window"));
     panels->setFocusPolicy(Qt::TabFocus);
     panels->setPopupMode(QToolButton::InstantPopup);
     panels->setMenu(&m_docks->menu());
@@ -315,11 +302,20 @@ void InstructorWindow::showPlaceOf(const Attention& attention)
                                                                    : *m_ui->breathingDock);
         return;
     }
+    if (attention.concern == Concern::BrokenOff) {
+        m_models.stations.show(attention.station);
+        if (liesAt(*m_models.session.node().state(), attention.station, stationScene().patient()))
+            m_teacher->showAgain(*m_ui->parts, *m_ui->section);
+        return;
+    }
     if (attention.concern == Concern::Tracker) {
         // Not from within the press of a button: a dialog opens.
         QMetaObject::invokeMethod(this, &InstructorWindow::trackerWanted, Qt::QueuedConnection);
         return;
     }
+    if (attention.concern == Concern::Unseen
+        && attention.participant == m_models.session.node().self())
+        return PanelDocks::bring(*m_ui->trackerDock);
     if (attention.concern == Concern::Clock) {
         PanelDocks::bring(*m_ui->networkDock);
         m_ui->network->choose(attention.participant);
@@ -337,8 +333,6 @@ void InstructorWindow::refresh()
         m_ui->waveformDock->raise(); // the patient begins to breathe
     m_ui->breathing->setEnabled(phase != SessionPhase::Ended);
     m_control->refresh();
-    if (m_withoutTracker)
-        m_withoutTracker->setEnabled(m_hasTracker());
     refreshInvitation();
     refreshStatus();
 }
@@ -373,7 +367,7 @@ QStringList InstructorWindow::unusual(const StationMoment& moment) const
     if (const QString lifted = liftedText(moment.lifted); !lifted.isEmpty())
         told += lifted;
     if (moment.exaggeration != 1.0)
-        told += tr("▲ motion enlarged");
+        told += tr("▲ breathing shown %1 times as large as it is").arg(moment.exaggeration);
     if (inMillilitres(moment.notDrawn) >= 1.0)
         told +=
             tr("▲ lungs drawn %1\u00a0ml too small").arg(qRound(inMillilitres(moment.notDrawn)));

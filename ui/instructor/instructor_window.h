@@ -19,6 +19,7 @@
 #include "ui/lesson/scene_teacher.h"
 #include "ui/scene/part_chooser.h"
 #include "ui/scene/station_scene.h"
+#include "ui/tracker/program_tracker_panel.h"
 
 #include <QMainWindow>
 
@@ -57,14 +58,16 @@ struct ConsoleModels {
 
 /// The instructor's console: session control, what needs attention, and a 3-D view of the patient
 /// of the station that is shown, which has most of the window; beside it panels with the patient's
-/// breathing and disease, waveforms, shared objects, participants and network.
+/// breathing and disease, waveforms, shared objects, participants and network, and the tools of the
+/// console's own tracker.
 class InstructorWindow : public QMainWindow
 {
     Q_OBJECT
 
 public:
     /// @pre all outlive the window.
-    InstructorWindow(const ConsoleModels& models, KeptConsole& kept, StationView& view);
+    InstructorWindow(const ConsoleModels& models, KeptConsole& kept, StationView& view,
+                     const ProgramTracker& tracker);
     ~InstructorWindow() override;
 
     /// Draws another patient from now on. @pre both outlive the window, or live until the next
@@ -76,9 +79,6 @@ public:
 
     /// Who can come into the session, as the invitation tells it.
     void setReach(SessionReach reach);
-    /// Offers in the menu of the panels to connect a tracker, and to go on without it while there
-    /// is one. To be called once.
-    void offerTracker(std::function<bool()> hasTracker);
     /// Asked before the window is closed; while it says no, the window stays.
     void onClose(std::function<bool()> mayClose) { m_mayClose = std::move(mayClose); }
 
@@ -95,7 +95,7 @@ Q_SIGNALS:
     void trackerUnwanted();
 
 private:
-    void fillPanels();
+    void fillPanels(const ProgramTracker& tracker);
     void layPanels();
     void offerPanels();
     void offerWindows();
@@ -121,8 +121,6 @@ private:
     std::unique_ptr<SessionControl> m_control;
     StatusLine* m_status;
     QAction* m_projectorShown = nullptr;
-    QAction* m_withoutTracker = nullptr; ///< null where no tracker is offered
-    std::function<bool()> m_hasTracker;
     std::unique_ptr<ProjectorWindow> m_projector;
     SessionPhase m_shownPhase = SessionPhase::Prepared;
     bool m_isLaidOut = false;

@@ -3,17 +3,36 @@
 #include "models/text/shown_as_is.h"
 
 #include <QApplication>
+#include <QLayout>
 #include <QScrollArea>
 #include <QStyle>
 #include <QTimer>
+
+#include <algorithm>
 
 namespace carina
 {
 namespace
 {
 
-constexpr int kStateVersion = 1;  ///< changes with the panels that there are
+constexpr int kStateVersion = 2;  ///< changes with the panels that there are
 constexpr int kDragLook_ms = 100; ///< how often the end of a drag is looked for
+constexpr int kBarFrame = 16; ///< pixels around the words of a title or a tab, with some to spare
+
+/// What a panel needs so that it is not scrolled.
+int neededHeight(const QDockWidget& dock)
+{
+    const QWidget* panel = qobject_cast<const QScrollArea*>(dock.widget())->widget();
+    const bool followsWidth = panel->layout() && panel->layout()->hasHeightForWidth();
+    return followsWidth ? panel->heightForWidth(PanelDocks::kColumnWidth)
+                        : panel->minimumSizeHint().height();
+}
+
+/// What the window grows by is taken by docks that expand, and not by these.
+void keepHeight(QDockWidget& dock)
+{
+    dock.setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+}
 
 } // namespace
 
@@ -37,6 +56,9 @@ PanelDocks::PanelDocks(QMainWindow& window, QList<Group> groups)
                     frame(*dock);
             });
         }
+    for (const Group& group : m_groups.mid(1))
+        for (QDockWidget* dock : group)
+            keepHeight(*dock);
 }
 
 /// Lets a panel scroll where its place is too low for all of it.
@@ -106,6 +128,23 @@ QList<PanelDocks::Group> PanelDocks::places() const
     return places;
 }
 
+/// The first has what its highest panel needs with its title and tabs, as far as the others keep
+/// kLeastPlace, and at least its share; the others share the rest.
+QList<int> PanelDocks::heightsOf(const QList<Group>& places) const
+{
+    const int others = int(places.size()) - 1;
+    const int between = m_window.style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent);
+    const int all = m_window.centralWidget()->height() - others * between;
+    int first = 0;
+    for (const QDockWidget* dock : places.first())
+        first = std::max(first, neededHeight(*dock));
+    first += 2 * (m_window.fontMetrics().height() + kBarFrame);
+    first = std::max(std::min(first, all - others * kLeastPlace), all / (others + 1));
+    QList<int> heights(places.size(), (all - first) / others);
+    heights.first() = first;
+    return heights;
+}
+
 void PanelDocks::layStandard()
 {
     const QList<Group> all = places();
@@ -128,7 +167,7 @@ void PanelDocks::layStandard()
     for (QDockWidget* head : heads)
         head->raise();
     m_window.resizeDocks(heads, QList<int>(heads.size(), kColumnWidth), Qt::Horizontal);
-    m_window.resizeDocks(heads, QList<int>(heads.size(), m_window.height()), Qt::Vertical);
+    m_window.resizeDocks(heads, heightsOf(all), Qt::Vertical);
 }
 
 bool PanelDocks::restore(const QByteArray& state)

@@ -21,10 +21,14 @@ public:
 
     /// Pixels: with it the picture has half of a window of 1280x800, and two thirds of 1920x1080.
     static constexpr int kColumnWidth = 470;
-    /// From this height on, each group has a place of its own.
-    static constexpr int kHighWindow = 1000;
+    /// From this height on, each group has a place of its own: that of the first holds its panels
+    /// then, too.
+    static constexpr int kHighWindow = 1440;
+    /// Pixels that each place but the first has in any window: three curves, and their figures.
+    static constexpr int kLeastPlace = 350;
 
-    /// @param groups from above down; in a low window those behind the first share one place
+    /// @param groups from above down; in a low window those behind the first share one place. What
+    ///        the window grows by goes to the place of the first.
     /// @pre all outlive this.
     PanelDocks(QMainWindow& window, QList<Group> groups);
 
@@ -49,6 +53,7 @@ private:
     static void makeScrollable(QDockWidget& dock);
     static void frame(QDockWidget& dock);
     [[nodiscard]] QList<Group> places() const;
+    [[nodiscard]] QList<int> heightsOf(const QList<Group>& places) const;
     [[nodiscard]] QDockWidget* withFocus() const;
     void closeOne();
 

@@ -102,6 +102,20 @@ void SessionControl::addActions()
     reserve(m_bar, m_actions.end, tr("Really end?"));
 }
 
+/// One takes turns with the other, and has the keyboard then: from a button that is disabled it
+/// would go on to the next, which ends the session.
+void SessionControl::refreshStartAndPause()
+{
+    const bool canPause = m_session.canPause();
+    QAction& next = canPause ? m_actions.pause : m_actions.start;
+    QAction& last = canPause ? m_actions.start : m_actions.pause;
+    next.setEnabled(canPause || m_session.canStart());
+    const QWidget* pressed = m_bar.widgetForAction(&last);
+    if (next.isEnabled() && pressed->window()->focusWidget() == pressed)
+        m_bar.widgetForAction(&next)->setFocus();
+    last.setEnabled(false);
+}
+
 void SessionControl::refresh()
 {
     const SessionPhase phase = m_session.phase();
@@ -111,8 +125,7 @@ void SessionControl::refresh()
     m_phase->setText(name + kNameGap + words);
     speakInstead(*m_phase, tr("%1: %2", "session; its phase").arg(m_session.name(), words));
     m_actions.start.setText(phase == SessionPhase::Paused ? tr("Go on") : tr("Start"));
-    m_actions.start.setEnabled(m_session.canStart());
-    m_actions.pause.setEnabled(m_session.canPause());
+    refreshStartAndPause();
     m_actions.end.setEnabled(m_session.canEnd());
     m_actions.end.setText(m_end.isAsked() ? tr("Really end?") : tr("End"));
 }

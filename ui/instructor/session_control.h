@@ -32,6 +32,7 @@ public:
 private:
     void addPhase();
     void addActions();
+    void refreshStartAndPause();
 
     QToolBar& m_bar;
     SessionModel& m_session;

@@ -1,5 +1,6 @@
 #include "ui/lesson/lesson_follower.h"
 
+#include "models/patient/session_patient.h"
 #include "ui/lesson/lesson_scene.h"
 
 namespace carina
@@ -15,21 +16,12 @@ LessonFollower::LessonFollower(StationScene& scene, const SessionNode& node)
 
 bool LessonFollower::isFollowing() const { return m_scene.scene().drawnInstead().has_value(); }
 
-bool LessonFollower::isPatientOfSession() const
-{
-    const auto state = m_node.state();
-    const auto station = state->stations().find(ownStation(m_node));
-    return station != state->stations().end()
-           && (station->second.anatomyHash.empty()
-               || station->second.anatomyHash == m_scene.patient().contentHash());
-}
-
 void LessonFollower::follow(const StationMoment& moment)
 {
     std::optional<SceneSettings> wanted;
     if (moment.lesson) {
         Lesson lesson = moment.lesson->lesson;
-        if (!isPatientOfSession())
+        if (!liesAt(*m_node.state(), ownStation(m_node), m_scene.patient()))
             lesson.looks.clear();
         wanted = settingsOf(lesson, m_scene.scene().parts());
     }

@@ -19,7 +19,6 @@ public:
 
 private:
     void follow(const StationMoment& moment);
-    [[nodiscard]] bool isPatientOfSession() const;
 
     StationScene& m_scene;
     const SessionNode& m_node;

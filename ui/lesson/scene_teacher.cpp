@@ -1,6 +1,8 @@
 #include "ui/lesson/scene_teacher.h"
 
 #include "ui/lesson/lesson_scene.h"
+#include "ui/panels/parts_panel.h"
+#include "ui/panels/section_panel.h"
 
 #include <algorithm>
 #include <array>
@@ -20,6 +22,17 @@ void SceneTeacher::pointAt(std::optional<std::uint16_t> part)
     m_part = part;
     const auto ray = m_scene.rayUnderMouse();
     m_mouse_A = ray ? std::optional{ray->dir_A} : std::nullopt;
+}
+
+void SceneTeacher::showAgain(PartsPanel& parts, SectionPanel& section)
+{
+    const auto before = m_model.brokenOff();
+    if (!before)
+        return;
+    const SceneSettings settings = settingsOf(before->lesson, m_scene.parts());
+    section.put(settings.section);
+    parts.put(settings.looks);
+    m_model.showAgain();
 }
 
 void SceneTeacher::look()

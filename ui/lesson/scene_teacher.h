@@ -8,6 +8,9 @@
 namespace carina
 {
 
+class PartsPanel;
+class SectionPanel;
+
 /// Shows what a view of the instructor draws, from where it looks, and points at what is under the
 /// mouse, or at the part that was chosen last in a list.
 class SceneTeacher
@@ -20,6 +23,10 @@ public:
 
     /// Points at a part from now on, until the mouse moves over the picture; std::nullopt: at none.
     void pointAt(std::optional<std::uint16_t> part);
+
+    /// Shows again what broke off (LessonModel::brokenOff), by making the picture so in its panels.
+    /// @pre the view draws the patient of the model's station.
+    void showAgain(PartsPanel& parts, SectionPanel& section);
 
 private:
     void look();

@@ -49,6 +49,12 @@ void display(QComboBox& box, int place)
     box.setCurrentIndex(place);
 }
 
+void nameField(QWidget& field, const char* objectName, const QString& accessibleName)
+{
+    field.setObjectName(QLatin1String{objectName});
+    field.setAccessibleName(accessibleName);
+}
+
 } // namespace
 
 ConditionPanel::ConditionPanel(QWidget* parent)
@@ -83,12 +89,8 @@ void ConditionPanel::layOut()
     rows->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     const auto add = [rows](QWidget* field, const char* objectName, const QString& label,
                             const QString& accessibleName) {
-        field->setObjectName(QLatin1String{objectName});
-        field->setAccessibleName(accessibleName);
-        if (label.isEmpty())
-            rows->addRow(field);
-        else
-            rows->addRow(label, field);
+        nameField(*field, objectName, accessibleName);
+        rows->addRow(label, field);
     };
     add(m_position, "position", tr("Pos&ition"), tr("Position of the patient"));
     add(m_conditions, "conditions", tr("C&onditions"), tr("Conditions of the lungs, a list"));
@@ -97,8 +99,7 @@ void ConditionPanel::layOut()
     buttons->addWidget(m_remove);
     rows->addRow(buttons);
     add(m_condition, "condition", tr("&Condition"), tr("Selected condition of the lungs"));
-    add(m_severity, "severity", tr("Se&verity"), tr("Severity of the condition, 0 to 1"));
-    add(m_severitySlider, "severitySlider", {}, tr("Severity slider"));
+    addSeverity(*rows);
     add(m_side, "side", tr("&Lung"), tr("Side of the condition"));
     add(m_mode, "mode", tr("&Breathes"), tr("Ventilation: spontaneous, or by a ventilator"));
     const QString pressure = tr(" cmH2O");
@@ -135,6 +136,18 @@ void ConditionPanel::layOut()
           static_cast<QWidget*>(m_travelling), static_cast<QWidget*>(m_undo)})
         column->addWidget(widget);
     column->addStretch(1);
+}
+
+void ConditionPanel::addSeverity(QFormLayout& rows)
+{
+    nameField(*m_severity, "severity", tr("Severity of the condition, 0 to 1"));
+    nameField(*m_severitySlider, "severitySlider", tr("Severity slider"));
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_severitySlider, 1);
+    row->addWidget(m_severity);
+    auto* label = new PlainLabel{tr("Se&verity")};
+    label->setBuddy(m_severity);
+    rows.addRow(label, row);
 }
 
 void ConditionPanel::offerList()
@@ -174,8 +187,7 @@ CheckedDoubleSpinBox* ConditionPanel::addNumber(QFormLayout& rows, const char* o
                                                 const QString& unit)
 {
     auto* box = new CheckedDoubleSpinBox;
-    box->setObjectName(QLatin1String{objectName});
-    box->setAccessibleName(accessibleName);
+    nameField(*box, objectName, accessibleName);
     box->setSuffix(unit);
     box->setDecimals(0);
     box->setAlignment(Qt::AlignRight);
@@ -343,7 +355,8 @@ void ConditionPanel::refreshConditions()
     for (int row = 0; row < count; ++row) {
         const QString text = conditionText(conditions[std::size_t(row)]);
         m_conditions->item(row)->setText(text);
-        m_conditions->item(row)->setToolTip(shownAsIs(text));
+        m_conditions->item(row)->setToolTip(
+            shownAsIs(tr("%1: the number is its severity, 0 to 1").arg(text)));
     }
     if (m_conditions->currentRow() < 0 && (isMore || !m_isAdding)) {
         m_conditions->setCurrentRow(m_isAdding ? count - 1 : 0);
@@ -385,6 +398,8 @@ void ConditionPanel::refresh()
     display(*m_tube, inMillimetres(m_model->tube()));
     m_travelling->setText(m_model->travellingText());
     m_undo->setVisible(!m_model->hasHistory()); // which has one for all panels
+    if (m_model->hasHistory()) // nothing stands beneath it that more lines would move
+        m_travelling->setMinimumHeight(m_travelling->fontMetrics().lineSpacing());
     m_undo->setEnabled(obstacle.isEmpty() && m_model->canUndo());
 }
 

@@ -33,6 +33,7 @@ public:
 
 private:
     void layOut();
+    void addSeverity(QFormLayout& rows);
     void explain();
     CheckedDoubleSpinBox* addNumber(QFormLayout& rows, const char* objectName, const QString& label,
                                     const QString& accessibleName, const QString& unit);

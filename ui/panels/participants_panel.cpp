@@ -38,13 +38,12 @@ void ParticipantsPanel::setModel(ParticipantsModel& participants, ConductModel& 
     m_people = &people;
     m_ui->table->setModel(&participants);
     QHeaderView* header = m_ui->table->horizontalHeader();
-    header->setSectionResizeMode(QHeaderView::ResizeToContents); // names whole
+    header->setSectionResizeMode(QHeaderView::ResizeToContents); // names and headings whole
     for (std::size_t place = 0; place < kFirst.size(); ++place)
         header->moveSection(header->visualIndex(kFirst[place]), int(place));
     for (const int figure : {ParticipantsModel::Sends, ParticipantsModel::Age,
                              ParticipantsModel::DriftAngle, ParticipantsModel::DriftDistance})
         m_ui->table->setColumnHidden(figure, true);
-    header->setStretchLastSection(true);
     m_ui->move->setMenu(&m_moves);
     connect(&m_moves, &QMenu::aboutToShow, this, &ParticipantsPanel::offerStations);
     connect(&stations, &StationsModel::changed, this, &ParticipantsPanel::refresh);
@@ -54,6 +53,10 @@ void ParticipantsPanel::setModel(ParticipantsModel& participants, ConductModel& 
             &ParticipantsPanel::refresh);
     connect(&participants, &QAbstractItemModel::dataChanged, this,
             &ParticipantsPanel::refreshFigures);
+    connect(&participants, &QAbstractItemModel::dataChanged, this,
+            &ParticipantsPanel::refreshColumns);
+    connect(&participants, &QAbstractItemModel::rowsInserted, this,
+            &ParticipantsPanel::refreshColumns);
     connect(m_ui->mute, &QPushButton::clicked, this, &ParticipantsPanel::muteOrNot);
     connect(m_ui->remove, &QPushButton::clicked, this, &ParticipantsPanel::removeOrLetBack);
     connect(m_ui->lock, &QCheckBox::clicked, &conduct, &ConductModel::setLocked);
@@ -101,9 +104,7 @@ void ParticipantsPanel::refresh()
     m_ui->remove->setText(standing.isBanned ? tr("L&et back in") : tr("R&emove…"));
     m_ui->remove->setEnabled(standing.canRemove || standing.isBanned);
     m_ui->lock->setChecked(m_conduct->isLocked());
-    const bool areSeveral = m_stations->open().size() > 1;
-    m_ui->table->setColumnHidden(ParticipantsModel::Station, !areSeveral);
-    m_ui->move->setVisible(areSeveral);
+    m_ui->move->setVisible(m_stations->open().size() > 1);
     m_ui->move->setEnabled(id.has_value());
     const QString whom =
         standing.name.isEmpty() ? tr("Choose a participant in the table") : standing.name;
@@ -114,6 +115,15 @@ void ParticipantsPanel::refresh()
     m_ui->place->setAccessibleDescription(whom);
     refreshPerson();
     refreshFigures();
+    refreshColumns();
+}
+
+/// Those that tell the same of everybody take no room.
+void ParticipantsPanel::refreshColumns()
+{
+    QTableView& table = *m_ui->table;
+    table.setColumnHidden(ParticipantsModel::Station, m_stations->open().size() < 2);
+    table.setColumnHidden(ParticipantsModel::Registration, !m_participants->hasRegistrations());
 }
 
 void ParticipantsPanel::offerStations()

@@ -56,6 +56,7 @@ private:
     void removeOrLetBack();
     void refreshPerson();
     void refreshFigures();
+    void refreshColumns();
     [[nodiscard]] std::optional<ParticipantId> chosen() const;
 
     std::unique_ptr<Ui::ParticipantsPanel> m_ui;

@@ -311,6 +311,12 @@ void PartsPanel::setLooks(const PartLooks& looks, const QString& text)
     refresh();
 }
 
+void PartsPanel::put(const PartLooks& looks)
+{
+    if (looks != m_scene->looks())
+        setLooks(looks, tr("Parts → as they were shown"));
+}
+
 /// Of several: how many.
 QString PartsPanel::nameOf(const std::vector<std::uint16_t>& ids) const
 {

@@ -39,6 +39,8 @@ public:
     /// Chooses a part in the list, and no other; std::nullopt chooses none. A filter that hides it
     /// is cleared.
     void choose(std::optional<std::uint16_t> part);
+    /// Shows the parts so, as one change.
+    void put(const PartLooks& looks);
 
 Q_SIGNALS:
     /// A person chose these parts in the list; a region stands for its listed parts.

@@ -20,7 +20,10 @@ namespace carina
 namespace
 {
 
-constexpr int kNothing = 0; ///< the first choice of what is cut
+// The choices of what is cut.
+constexpr int kNothing = 0;
+constexpr int kAroundAirway = 1;
+constexpr int kEverything = 2;
 constexpr int kAutomatic = 0;
 constexpr int kPlaneTopic = 1; ///< of a change of what is cut and from where
 constexpr int kDepthTopic = 2;
@@ -130,7 +133,7 @@ std::optional<Section> SectionPanel::section() const
     const Vec3& normal_A = kSides[static_cast<std::size_t>(m_side->currentIndex())].normal_A;
     const double depth = 1e-3 * m_depth->value();
     return Section{normal_A, reach(m_bounds_A, normal_A) - depth,
-                   m_what->currentIndex() == 1 ? Cut::AllButAirway : Cut::All};
+                   m_what->currentIndex() == kAroundAirway ? Cut::AllButAirway : Cut::All};
 }
 
 /// Another side has another depth; it begins in the middle.
@@ -178,12 +181,40 @@ void SectionPanel::remember()
 
 void SectionPanel::goBackTo(const Choice& choice)
 {
+    setControls(choice);
+    m_choice = choice;
+    cut();
+}
+
+/// Without a cut.
+void SectionPanel::setControls(const Choice& choice)
+{
     SceneView* scene = std::exchange(m_scene, nullptr);
     m_what->setCurrentIndex(choice.what);
     m_side->setCurrentIndex(choice.side);
     m_depth->setValue(choice.depth_mm); // after the side, which has a depth of its own
     m_scene = scene;
-    m_choice = choice;
+}
+
+std::optional<SectionPanel::Choice>
+SectionPanel::choiceFor(const std::optional<Section>& section) const
+{
+    if (!section)
+        return Choice{kNothing, m_choice.side, m_choice.depth_mm};
+    for (std::size_t side = 0; side < kSides.size(); ++side)
+        if (const Vec3& normal_A = kSides[side].normal_A; normal_A.isApprox(section->normal_A))
+            return Choice{section->cut == Cut::AllButAirway ? kAroundAirway : kEverything,
+                          static_cast<int>(side),
+                          qRound(1e3 * (reach(m_bounds_A, normal_A) - section->distance))};
+    return std::nullopt;
+}
+
+void SectionPanel::put(const std::optional<Section>& section)
+{
+    const auto choice = choiceFor(section);
+    if (!choice)
+        return;
+    setControls(*choice);
     cut();
 }
 

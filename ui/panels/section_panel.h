@@ -35,6 +35,9 @@ public:
 
     /// The chosen plane; std::nullopt while nothing is cut.
     [[nodiscard]] std::optional<Section> section() const;
+    /// Sets its controls to cut so, to the millimetre, as one change. Nothing where it does not cut
+    /// from that side.
+    void put(const std::optional<Section>& section);
 
 private:
     /// Of its controls.
@@ -52,7 +55,9 @@ private:
     void choose();
     void remember();
     void goBackTo(const Choice& choice);
+    void setControls(const Choice& choice);
     [[nodiscard]] Choice choice() const;
+    [[nodiscard]] std::optional<Choice> choiceFor(const std::optional<Section>& section) const;
     [[nodiscard]] QString text() const;
 
     SceneView* m_scene = nullptr;

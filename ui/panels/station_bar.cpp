@@ -105,7 +105,7 @@ void StationBar::refresh()
             const StationsModel::Row& row = open[std::size_t(tab)];
             QString name = row.name;
             name.replace(QLatin1Char('&'), QStringLiteral("&&")); // no mnemonic
-            m_tabs->setTabText(tab, tr("%1 (%2)").arg(name, QString::number(row.present)));
+            m_tabs->setTabText(tab, tr("%1: %2 here").arg(name, QString::number(row.present)));
             m_tabs->setAccessibleTabName(
                 tab, tr("%1, participants: %2").arg(row.name, QString::number(row.present)));
             if (row.id == m_stations->shown())

@@ -16,6 +16,7 @@
 #include <QListView>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QScopedValueRollback>
 #include <QTimer>
 
 namespace carina
@@ -63,6 +64,7 @@ StartPage::StartPage(StoredSessionsModel& stored, PlannedPatient& patient, const
       m_begin{wordedButton("begin", tr("&Begin the session"))},
       m_list{new QListView},
       m_none{lineOfWords("none")},
+      m_asBefore{lineOfWords("asBefore")},
       m_resume{wordedButton("resume", tr("&Resume"))},
       m_reach{new QButtonGroup{this}},
       m_meaning{lineOfWords("meaning")},
@@ -188,6 +190,10 @@ QGroupBox* StartPage::whoCanJoin(SessionReach reach)
     add(SessionReach::Network, "network", tr("Th&is network"));
     add(SessionReach::ByLink, "byLink", tr("By &link"));
     connect(m_reach, &QButtonGroup::idToggled, this, &StartPage::refresh);
+    connect(m_reach, &QButtonGroup::idClicked, this, [this] {
+        m_isReachChosen = true;
+        refresh();
+    });
     m_meaning->setMinimumHeight(2 * fontMetrics().lineSpacing()); // nothing moves beneath it
     auto* column = new QVBoxLayout{box};
     column->addLayout(row);
@@ -205,11 +211,13 @@ QGroupBox* StartPage::earlierSessions()
     m_list->setTextElideMode(Qt::ElideRight);
     connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this,
             &StartPage::chooseEarlier);
+    connect(m_list, &QListView::clicked, this, &StartPage::chooseEarlier);
     connect(m_list, &QListView::activated, this, &StartPage::resume);
     connect(m_resume, &QPushButton::clicked, this, &StartPage::resume);
     auto* column = new QVBoxLayout{box};
     column->addWidget(m_list, 1);
     column->addWidget(m_none, 0, Qt::AlignTop);
+    column->addWidget(m_asBefore);
     column->addWidget(m_resume);
     return box;
 }
@@ -250,6 +258,14 @@ QString StartPage::patientWords() const
 }
 
 SessionReach StartPage::reach() const { return static_cast<SessionReach>(m_reach->checkedId()); }
+
+/// As it was last, so that nobody is left outside unawares, until a person says otherwise.
+SessionReach StartPage::reachOfEarlier() const
+{
+    return m_isReachChosen || chosenFile().isEmpty()
+               ? reach()
+               : m_stored.at(m_list->currentIndex().row()).reach;
+}
 
 void StartPage::choosePatient()
 {
@@ -295,17 +311,30 @@ QString StartPage::chosenFile() const
 /// Who could join it is not left outside unawares.
 void StartPage::chooseEarlier()
 {
-    if (!chosenFile().isEmpty()) {
+    if (!chosenFile().isEmpty() && !m_isPreselecting) {
         const StoredSession& session = m_stored.at(m_list->currentIndex().row());
         m_reach->button(int(session.reach))->setChecked(true);
+        m_isReachChosen = true;
     }
     refresh();
+}
+
+/// The last one that can be resumed, which a new session has nothing to do with: who can join that
+/// stays as it is.
+void StartPage::preselectEarlier()
+{
+    for (int row = 0; row < m_stored.rowCount() && !m_list->currentIndex().isValid(); ++row)
+        if (const QModelIndex index = m_stored.index(row);
+            m_stored.flags(index) & Qt::ItemIsEnabled) {
+            const QScopedValueRollback preselecting{m_isPreselecting, true};
+            m_list->setCurrentIndex(index);
+        }
 }
 
 void StartPage::resume()
 {
     if (const QString file = chosenFile(); !file.isEmpty() && !m_isBusy)
-        Q_EMIT resumeWanted(file, reach());
+        Q_EMIT resumeWanted(file, reachOfEarlier());
 }
 
 void StartPage::refresh()
@@ -329,6 +358,8 @@ void StartPage::refresh()
     m_begin->setEnabled(!m_isBusy && missing.isEmpty() && patient.has_value());
     m_resume->setEnabled(!m_isBusy && !chosenFile().isEmpty());
     m_meaning->setText(reachMeaning(reach()));
+    m_asBefore->setVisible(reachOfEarlier() != reach());
+    m_asBefore->setText(tr("It is resumed as it was: %1").arg(reachMeaning(reachOfEarlier())));
     refreshReadiness();
 }
 
@@ -362,6 +393,7 @@ void StartPage::refreshEarlier()
     m_none->setVisible(isEmpty || !m_stored.isComplete());
     m_none->setText(!m_stored.isComplete() ? tr("Looking …") : tr("There is none."));
     m_list->setVisible(!isEmpty);
+    preselectEarlier();
     refresh();
 }
 

@@ -69,8 +69,10 @@ private:
     void chooseSite();
     [[nodiscard]] QString patientWords() const;
     [[nodiscard]] SessionReach reach() const;
+    [[nodiscard]] SessionReach reachOfEarlier() const;
     [[nodiscard]] QString chosenFile() const;
     void chooseEarlier();
+    void preselectEarlier();
     void resume();
     void refresh();
     void refreshReadiness();
@@ -88,6 +90,7 @@ private:
     QPushButton* m_begin;
     QListView* m_list;
     QLabel* m_none;
+    QLabel* m_asBefore; ///< who can join the chosen one, unless that is as above
     QPushButton* m_resume;
     QButtonGroup* m_reach;
     QLabel* m_meaning;
@@ -96,6 +99,9 @@ private:
     QLabel* m_missing;
     MessageLine* m_problem;
     bool m_isBusy = false;
+    bool m_isPreselecting = false;
+    /// Whether a person said who can join, or chose an earlier session, which said it.
+    bool m_isReachChosen = false;
 };
 
 } // namespace carina

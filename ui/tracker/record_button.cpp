@@ -58,8 +58,8 @@ void RecordButton::refresh()
 {
     const bool isWriting = m_recording.isBeingWritten();
     m_button->setText(isWriting                  ? tr("&Cancel the writing")
-                      : m_recording.isUnderWay() ? tr("End the r&ecording")
-                                                 : tr("R&ecord the poses…"));
+                      : m_recording.isUnderWay() ? tr("End the re&cording")
+                                                 : tr("Re&cord the poses…"));
     m_button->setEnabled(isWriting || m_recording.isUnderWay() || m_recording.hasTools());
     if (isWriting || m_recording.isUnderWay() || !m_problem.isEmpty())
         return m_text->setText(m_problem.isEmpty() ? m_recording.text() : m_problem);

@@ -50,6 +50,17 @@ QString aheadText(const ToolStatus& tool)
                : were;
 }
 
+/// What keeps tools from being seen; empty where nothing does.
+QString troubleText(const std::optional<TrackerSight>& sight)
+{
+    if (!sight)
+        return TrackerPanel::tr("This program has no tracker.");
+    if (sight->trouble.isEmpty() && sight->tools.empty())
+        return TrackerPanel::tr("Nothing is tracked now: the tools of a tracker are seen once the "
+                                "site is registered with it (carina-registration).");
+    return sight->trouble;
+}
+
 } // namespace
 
 TrackerPanel::TrackerPanel(Sight sight, QWidget* parent)
@@ -107,10 +118,10 @@ TrackerPanel::TrackerPanel(Sight sight, QWidget* parent)
 
 void TrackerPanel::offer(const TreatmentChoice& choice)
 {
-    auto* predict = new QCheckBox{tr("&Predict poses to the moment they are seen")};
+    auto* predict = new QCheckBox{tr("P&redict poses to the moment they are seen")};
     predict->setObjectName(QStringLiteral("predict"));
     predict->setChecked(choice.now.predicts);
-    auto* smooth = new QCheckBox{tr("S&mooth tools that are held still (1-Euro filter)")};
+    auto* smooth = new QCheckBox{tr("&Smooth tools that are held still (1-Euro filter)")};
     smooth->setObjectName(QStringLiteral("smooth"));
     smooth->setToolTip(
         tr("Removes the tracker's jitter from tools that rest. Slow motion is drawn a "
@@ -128,7 +139,7 @@ void TrackerPanel::offer(const TreatmentChoice& choice)
 void TrackerPanel::look()
 {
     const auto sight = m_sight ? m_sight() : std::nullopt;
-    m_trouble->setText(sight ? sight->trouble : tr("This program has no tracker."));
+    m_trouble->setText(troubleText(sight));
     m_trouble->setVisible(!m_trouble->text().isEmpty());
     suggest(sight ? sight->usualVolume : KnownVolume::None);
     show(sight ? sight->tools : std::vector<ToolStatus>{});

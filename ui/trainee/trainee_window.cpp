@@ -8,14 +8,11 @@
 #include "ui/panels/parts_panel.h"
 #include "ui/panels/people_menus.h"
 #include "ui/panels/section_panel.h"
-#include "ui/tracker/record_button.h"
-#include "ui/tracker/tracker_panel.h"
 #include "widgets/plain_label.h"
 #include "widgets/scene/view/scene_view.h"
 
 #include <QActionGroup>
 #include <QApplication>
-#include <QHBoxLayout>
 #include <QPushButton>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -28,6 +25,7 @@ namespace
 
 constexpr int kNoticeInterval_ms = 200;
 constexpr int kNoticeMargin = 4; // pixels
+constexpr int kAnotherGap = 12;  // pixels beneath the button for another session
 constexpr int kMostPassed = 16;  // stops of Tab outside of the window
 
 } // namespace
@@ -35,7 +33,7 @@ constexpr int kMostPassed = 16;  // stops of Tab outside of the window
 TraineeWindow::TraineeWindow(const SessionNode& node, SessionPatient& patient,
                              const StationView& view, const HeadsetView& headset, ViewOutput output,
                              ChinProbeModel chinProbe, ObjectActionModel& actions,
-                             PeopleModel& people, Standing standing, const Tracker& tracker)
+                             PeopleModel& people, Standing standing, const ProgramTracker& tracker)
     : m_node{node},
       m_patient{patient},
       m_scene{new SceneView{this}},
@@ -118,42 +116,13 @@ void TraineeWindow::makeParts()
     tabifyDockWidget(m_actions, m_parts); // one above the other they are higher than a screen
 }
 
-void TraineeWindow::makeTracker(const Tracker& tracker)
+void TraineeWindow::makeTracker(const ProgramTracker& tracker)
 {
-    auto* page = new QWidget;
-    auto* column = new QVBoxLayout{page};
-    auto* panel = new TrackerPanel{tracker.sight};
-    if (tracker.treatment.choose)
-        panel->offer(tracker.treatment);
-    column->addWidget(panel, 1);
-    page->setFocusProxy(panel);
-    addTrackerButtons(*column, tracker);
-    addPanel(m_tracker, page, tr("&Tracker and its tools"));
+    auto* panel = new ProgramTrackerPanel{tracker};
+    connect(panel, &ProgramTrackerPanel::wanted, this, &TraineeWindow::trackerWanted);
+    connect(panel, &ProgramTrackerPanel::unwanted, this, &TraineeWindow::trackerUnwanted);
+    addPanel(m_tracker, panel, tr("&Tracker and its tools"));
     tabifyDockWidget(m_parts, m_tracker);
-}
-
-void TraineeWindow::addTrackerButtons(QVBoxLayout& column, const Tracker& tracker)
-{
-    if (tracker.recording)
-        column.addWidget(new RecordButton{*tracker.recording});
-    if (!tracker.canBeGiven)
-        return;
-    auto* give = new QPushButton{tr("Co&nnect a tracker…")};
-    give->setObjectName(QStringLiteral("connectTracker"));
-    auto* take = new QPushButton{tr("Go on &without the tracker")};
-    take->setObjectName(QStringLiteral("withoutTracker"));
-    // Queued: a dialog opens, and whoever pressed the button is not to wait for its end.
-    connect(give, &QPushButton::clicked, this, &TraineeWindow::trackerWanted, Qt::QueuedConnection);
-    connect(take, &QPushButton::clicked, this, &TraineeWindow::trackerUnwanted);
-    auto* row = new QHBoxLayout;
-    row->addWidget(give);
-    row->addWidget(take);
-    column.addLayout(row);
-    auto* timer = new QTimer{take};
-    const auto refresh = [take, sight = tracker.sight] { take->setEnabled(sight && sight()); };
-    connect(timer, &QTimer::timeout, take, refresh);
-    timer->start(TrackerPanel::kInterval_ms);
-    refresh();
 }
 
 void TraineeWindow::addPanel(QDockWidget* dock, QWidget* panel, const QString& menuText)
@@ -326,7 +295,8 @@ void TraineeWindow::addAnother()
     offer();
 }
 
-/// In a headset the menu offers it, where one eye sees it whole.
+/// Over the lower edge, above the notice: what is worked on is in the middle. In a headset the menu
+/// offers it, where one eye sees it whole.
 void TraineeWindow::placeAnother()
 {
     const bool isOffered = offersAnother(m_node) && m_stationScene.output() == ViewOutput::Screen;
@@ -334,9 +304,12 @@ void TraineeWindow::placeAnother()
     m_another->setVisible(isOffered);
     if (!isOffered)
         return;
-    m_another->resize(m_another->sizeHint());
     const QRect around = m_scene->geometry();
-    m_another->move(around.center() - m_another->rect().center());
+    const QLabel& notice = *m_notices.front();
+    QRect place{QPoint{}, m_another->sizeHint()};
+    place.moveCenter(around.center());
+    place.moveBottom((notice.isHidden() ? around.bottom() : notice.y()) - kAnotherGap);
+    m_another->setGeometry(place);
     if (QWindow* window = m_another->windowHandle())
         window->raise();
     if (isNew && isOver(m_node)) // else who works on keeps the keyboard

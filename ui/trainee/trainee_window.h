@@ -4,11 +4,10 @@
 #include "models/patient/session_patient.h"
 #include "models/session/people_model.h"
 #include "models/station/chin_probe_model.h"
-#include "models/station/tool_status.h"
-#include "models/tracker/pose_recording.h"
 #include "ui/lesson/lesson_follower.h"
 #include "ui/scene/part_chooser.h"
 #include "ui/scene/station_scene.h"
+#include "ui/tracker/program_tracker_panel.h"
 
 #include <QDockWidget>
 #include <QLabel>
@@ -19,7 +18,6 @@
 #include <vector>
 
 class QPushButton;
-class QVBoxLayout;
 
 namespace carina
 {
@@ -41,20 +39,11 @@ public:
     /// program without a tracker.
     using Standing = std::function<std::optional<RegistrationStanding>()>;
 
-    /// The tracker of this program, as far as the window shows it.
-    struct Tracker {
-        /// How it sees its tools now; std::nullopt for a program without one.
-        std::function<std::optional<TrackerSight>()> sight{};
-        PoseRecording* recording = nullptr; ///< of its poses; outlives the window
-        bool canBeGiven = false;            ///< whether a person may connect another
-        TreatmentChoice treatment{};        ///< of its poses
-    };
-
     /// @pre all outlive the window.
     TraineeWindow(const SessionNode& node, SessionPatient& patient, const StationView& view,
                   const HeadsetView& headset, ViewOutput output, ChinProbeModel chinProbe,
                   ObjectActionModel& actions, PeopleModel& people, Standing standing,
-                  const Tracker& tracker);
+                  const ProgramTracker& tracker);
 
     /// Draws another patient from now on.
     /// @param chinProbe of the patient's tracking
@@ -82,8 +71,7 @@ Q_SIGNALS:
 private:
     void makeActions(ObjectActionModel& actions);
     void makeParts();
-    void makeTracker(const Tracker& tracker);
-    void addTrackerButtons(QVBoxLayout& column, const Tracker& tracker);
+    void makeTracker(const ProgramTracker& tracker);
     void addPanel(QDockWidget* dock, QWidget* panel, const QString& menuText);
     void makeMenu();
     /// Says at which station this is, where there are several.
@@ -115,7 +103,7 @@ private:
     PartsPanel* m_partsPanel;
     SectionPanel* m_section;
     std::array<QLabel*, 2> m_notices; ///< for the whole window or its left half; for its right half
-    QPushButton* m_another;           ///< over the picture, while another is offered
+    QPushButton* m_another;           ///< above the notice, while another is offered
     HeadsetView m_headset;
     PeopleModel& m_people;
     SharedObjectModel& m_objects;

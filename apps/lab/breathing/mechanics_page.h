@@ -82,6 +82,18 @@ inline constexpr Key kRightPleura{"right_pleura_cmh2o", "right pleural pressure 
 inline constexpr Key kLeftPleura{"left_pleura_cmh2o", "left pleural pressure at the end", 2};
 inline constexpr Key kMediastinalShift{"mediastinal_shift_mm",
                                        "at the end, towards the patient's left", 2};
+inline constexpr Key kCourse{"course",
+                             "of a tension pneumothorax: an object each after 1, 3, 5 and 10 "
+                             "minutes of spontaneous breathing, of its last ten seconds; with "
+                             "rate_per_min and effort_cmh2o as above",
+                             1};
+inline constexpr Key kMinutes{"minutes", "breathed", 2};
+inline constexpr Key kPleuralGas{"pleural_gas_ml", "in the right pleural space at the end", 2};
+inline constexpr Key kLeastPleura{"right_pleura_least_cmh2o", "least right pleural pressure", 2};
+inline constexpr Key kGreatestPleura{"right_pleura_greatest_cmh2o",
+                                     "greatest right pleural pressure", 2};
+inline constexpr Key kLeastShift{"mediastinal_shift_least_mm", "towards the patient's left", 2};
+inline constexpr Key kGreatestShift{"mediastinal_shift_greatest_mm", "the same", 2};
 inline constexpr Key kRanges{
     "ranges", "one object per figure with a published range for a patient of this age:", 1};
 inline constexpr Key kFigure{"figure", "its name", 2};

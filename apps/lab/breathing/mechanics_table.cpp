@@ -8,6 +8,10 @@
 
 #include <QJsonArray>
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 namespace carina::lab
 {
 namespace
@@ -75,6 +79,42 @@ QJsonObject describeBreaths(const RespiratoryFold& fold)
     };
 }
 
+/// What own breaths do to the torn side of the chest while gas comes in.
+QJsonArray describeCourse(const RespiratorySettings& settings)
+{
+    constexpr double kWatched_s = 10.0;
+    QJsonArray course;
+    RespiratoryFold fold{settings};
+    double breathed_s = 0.0;
+    for (const double minutes : {1.0, 3.0, 5.0, 10.0}) {
+        const double end_s = 60.0 * minutes;
+        breathe(fold, end_s - kWatched_s - breathed_s);
+        breathed_s = end_s;
+        std::vector<double> pleura_cmH2O;
+        std::vector<double> shift_mm;
+        for (int i = 0; i < std::lround(kWatched_s / kRespiratoryStep); ++i) {
+            fold.step();
+            pleura_cmH2O.push_back(inCmH2O(fold.moment().pleural[0]));
+            shift_mm.push_back(inMillimetres(
+                chestShape(settings.build, fold.system(), fold.content(), fold.moment())
+                    .mediastinalShift));
+        }
+        const auto pleura = std::ranges::minmax(pleura_cmH2O);
+        const auto shift = std::ranges::minmax(shift_mm);
+        course.append(QJsonObject{
+            {mechanics_key::kMinutes, minutes},
+            {mechanics_key::kRateBreathed, inPerMinute(fold.lastBreath().rate)},
+            {mechanics_key::kEffort, inCmH2O(fold.state().effort)},
+            {mechanics_key::kPleuralGas, inMillilitres(fold.content()[0].trapped)},
+            {mechanics_key::kLeastPleura, pleura.min},
+            {mechanics_key::kGreatestPleura, pleura.max},
+            {mechanics_key::kLeastShift, shift.min},
+            {mechanics_key::kGreatestShift, shift.max},
+        });
+    }
+    return course;
+}
+
 QJsonObject describeCondition(RespiratorySettings settings, const NamedCondition& named,
                               double severity)
 {
@@ -126,6 +166,8 @@ QJsonObject describeCondition(RespiratorySettings settings, const NamedCondition
         {mechanics_key::kRanges, ranges},
         {mechanics_key::kTargets, ourTargets(measured)},
     };
+    if (named.kind == ConditionKind::TensionPneumothorax)
+        described[mechanics_key::kCourse] = describeCourse(settings);
     if (ranges.isEmpty())
         described[mechanics_key::kNoRange] = QLatin1StringView{kNoRangeFound};
     if (severity == kTiring)

@@ -41,6 +41,7 @@ constexpr Key kFound{"bent_3mm_found", "share of the checks of one that was bent
 const TubeRest kLabTube{.length = millimetres(300.0),
                         .bends = {1.0 / 0.14, 1.0 / 0.14},
                         .outerDiameter = millimetres(10.2)};
+/// As the simulated one: sizes of ours.
 const BladeShape kLabBlade{.heelWidth = millimetres(16.0),
                            .handle = millimetres(155.0),
                            .p_L_tip = {0.0, 0.012, -0.13},

@@ -4,12 +4,19 @@
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "engine/core/monotonic_clock.h"
 #include "engine/io/files/whole_file.h"
+#include "engine/net/devices/any_recording.h"
 #include "engine/session/simulated_station.h"
+#include "engine/tracking/record/recorded_tracker.h"
 #include "evaluation/polaris/polaris_line.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <random>
+#include <utility>
 
 namespace carina::lab
 {
@@ -25,7 +32,8 @@ enum class Fault : std::uint8_t {
     Interference,
     BadFit,
     FewMarkers,
-    Unplug
+    Unplug,
+    WrongRate
 };
 
 struct NamedFault {
@@ -37,19 +45,22 @@ constexpr std::array kFaults{
     NamedFault{"cut", Fault::Cut},        NamedFault{"silence", Fault::Silence},
     NamedFault{"reset", Fault::Reset},    NamedFault{"interference", Fault::Interference},
     NamedFault{"bad-fit", Fault::BadFit}, NamedFault{"few-markers", Fault::FewMarkers},
-    NamedFault{"unplug", Fault::Unplug}};
+    NamedFault{"unplug", Fault::Unplug},  NamedFault{"wrong-rate", Fault::WrongRate}};
 constexpr Duration kFaultEvery = std::chrono::seconds{5};
 constexpr Duration kFaultLasts = std::chrono::seconds{1}; // one that is not of one reply
-const std::string kFaultyTool = "tube";
-const std::string kWiredTool = "wired 1"; // the device's name of the only one
+const std::string kWiredTool = "wired 1";                 // the device's name of the only one
+constexpr std::size_t kMostTools = 9;
+constexpr std::size_t kLongestName = 20;                    // of a part number
+constexpr Duration kStale = std::chrono::milliseconds{200}; // a recorded pose; then none is stated
 
-struct SimulatedTool {
-    const char* name;
-    ToolRole role;
-};
-constexpr std::array kTools{
-    SimulatedTool{"head", ToolRole::Head}, SimulatedTool{"jaw", ToolRole::Jaw},
-    SimulatedTool{"tube", ToolRole::Tube}, SimulatedTool{"stylus", ToolRole::Stylus}};
+using NamedTool = std::pair<std::string, ToolRole>;
+const std::vector<NamedTool> kScriptedTools{{"head", ToolRole::Head},
+                                            {"jaw", ToolRole::Jaw},
+                                            {"tube", ToolRole::Tube},
+                                            {"stylus", ToolRole::Stylus}};
+
+/// The pose of a tool of a list; nothing while it is not seen.
+using SeenPose = std::function<std::optional<PolarisPose>(std::size_t tool, LocalTime t)>;
 
 namespace polaris_option
 {
@@ -58,17 +69,22 @@ constexpr Option kSeconds{"seconds", "N", "how long it serves, 1 to 86400 (60)"}
 constexpr Option kNoise{"noise-mm", "MM",
                         "standard deviation of a position along each axis, 0 to "
                         "10 (0)"};
-constexpr Option kHide{"hide", "TOOL", "head, jaw, tube or stylus: is not seen"};
+constexpr Option kRecording{"recording", "FILE",
+                            "of a tracker, in any form that --tracker recorded:FILE plays: its "
+                            "tools, at most nine, are seen in place of scripted hands, again and "
+                            "again"};
+constexpr Option kHide{"hide", "TOOL",
+                       "head, jaw, tube or stylus, or one of the recording: is not seen"};
 constexpr Option kWired{"wired", "TOOL",
-                        "head, jaw, tube or stylus: is plugged into the device, in place of a "
-                        "wireless one"};
+                        "one of the same: is plugged into the device, in place of a wireless one"};
 constexpr Option kOld{"old", "",
                       "it knows TX only, as the first generation: BX and BX2 are errors"};
 constexpr Option kFault{"fault", "KIND",
                         "every 5 s: corrupt a bit of a reply, cut a reply, silence for 1 s, "
                         "reset as after the power was cycled, interference by other infrared "
-                        "light for 1 s, bad-fit or few-markers of the tube for 1 s, unplug of the "
-                        "wired tool for 1 s; none unless given"};
+                        "light for 1 s, bad-fit or few-markers of the tube, or of the first tool "
+                        "of a recording without one, for 1 s, unplug of the wired tool for 1 s, "
+                        "wrong-rate of its line, which is 9600 again; none unless given"};
 } // namespace polaris_option
 
 namespace polaris_key
@@ -82,42 +98,58 @@ constexpr Key kFaultsMade{"faults", "that were made"};
 constexpr Key kSchema{"schema", "carina.polaris/1"};
 } // namespace polaris_key
 
+/// What is wanted of the device.
+struct SimulationOrder {
+    std::vector<NamedTool> tools;
+    std::int64_t seconds = 0;
+    std::optional<std::uint16_t> port{}; ///< of TCP; else a terminal
+    double noise_mm = 0.0;
+    Fault fault = Fault::None;
+    std::string hidden{}; ///< name of a tool; empty: none
+    std::string wired{};  ///< likewise
+    bool isOld = false;
+
+    /// The tool of which poses are faulty, as the device names it: the tube, or the first tool.
+    [[nodiscard]] std::string faulty() const
+    {
+        const auto tube = std::ranges::find(tools, ToolRole::Tube, &NamedTool::second);
+        const std::string& name = (tube == tools.end() ? tools.front() : *tube).first;
+        return name == wired ? kWiredTool : name;
+    }
+};
+
 /// The description of the tracker and the definitions of its tools, as a technician would write
 /// them.
 Result<void> writeDescription(const std::filesystem::path& folder, const std::string& address,
-                              const std::string& wired)
+                              const SimulationOrder& order)
 {
-    std::vector<std::pair<std::string, ToolRole>> named;
-    for (const SimulatedTool& tool : kTools)
-        named.emplace_back(tool.name, tool.role);
-    auto tools = simulatedTools(named);
+    auto tools = simulatedTools(order.tools);
     if (!tools)
         return tl::unexpected(tools.error());
     for (DescribedTool& tool : *tools)
-        if (tool.name == wired)
+        if (tool.name == order.wired)
             tool.definition.reset();
     return writeTrackerFile(
         folder / "tracker.json",
         {.address = address, .fastestRate = 115200, .tools = *std::move(tools)});
 }
 
-/// What the device states of the scripted hands.
-PolarisDevice::PoseOf statedPoses(TrueToolPose truth, double noise_mm, const std::string& hidden,
-                                  const std::string& wired)
+/// What the device states of what it sees.
+PolarisDevice::PoseOf statedPoses(const SimulationOrder& order, SeenPose poseOf)
 {
-    return [truth = std::move(truth), noise_mm, hidden, wired, random = std::mt19937{7}](
+    return [order, poseOf = std::move(poseOf), random = std::mt19937{7}](
                const std::string& handle, LocalTime t) mutable -> std::optional<PolarisPose> {
-        const std::string& name = handle == kWiredTool ? wired : handle;
-        const auto* tool = std::ranges::find(kTools, name, &SimulatedTool::name);
-        if (tool == kTools.end() || name == hidden)
+        const std::string& name = handle == kWiredTool ? order.wired : handle;
+        const auto tool = std::ranges::find(order.tools, name, &NamedTool::first);
+        if (tool == order.tools.end() || name == order.hidden)
             return std::nullopt;
-        const auto X_TO = truth(tool->role, SessionTime{t.time_since_epoch()});
-        if (!X_TO)
+        auto pose = poseOf(std::size_t(tool - order.tools.begin()), t);
+        if (!pose)
             return std::nullopt;
-        PolarisPose pose{X_TO->rotation(), 1e3 * X_TO->translation(), noise_mm};
         std::normal_distribution<double> noise;
-        for (double& coordinate : pose.p_mm)
-            coordinate += noise_mm * noise(random);
+        for (double& coordinate : pose->p_mm)
+            coordinate += order.noise_mm * noise(random);
+        pose->error_mm = std::hypot(pose->error_mm, order.noise_mm);
         return pose;
     };
 }
@@ -126,11 +158,9 @@ PolarisDevice::PoseOf statedPoses(TrueToolPose truth, double noise_mm, const std
 class FaultMaker
 {
 public:
-    FaultMaker(PolarisDevice& device, Fault fault, const std::string& wired, LocalTime now)
-        : m_device{device},
-          m_fault{fault},
-          m_faultyTool{wired == kFaultyTool ? kWiredTool : kFaultyTool},
-          m_next{now + kFaultEvery}
+    /// @param tool as the device names it: of which poses are faulty
+    FaultMaker(PolarisDevice& device, Fault fault, std::string tool, LocalTime now)
+        : m_device{device}, m_fault{fault}, m_faultyTool{std::move(tool)}, m_next{now + kFaultEvery}
     {
     }
 
@@ -148,6 +178,8 @@ public:
         ++m_made;
         if (m_fault == Fault::Reset)
             static_cast<void>(m_device.reset(now)); // its word is lost: nobody listened
+        if (m_fault == Fault::WrongRate)
+            m_device.loseRate();
         PolarisFaults& faults = m_device.faults();
         faults.corruptsNext = m_fault == Fault::Corrupt;
         faults.cutsNext = m_fault == Fault::Cut;
@@ -175,42 +207,137 @@ private:
 };
 
 /// A tool's name, as an option has it; empty where it is not given.
-Result<std::string> toolOption(const Words& words, const Option& option)
+Result<std::string> toolOption(const Words& words, const Option& option,
+                               const std::vector<NamedTool>& tools)
 {
     const std::string name = words.text(option).toStdString();
-    if (name.empty() || std::ranges::count(kTools, name, &SimulatedTool::name) != 0)
+    if (name.empty() || std::ranges::count(tools, name, &NamedTool::first) != 0)
         return name;
     QStringList names;
-    for (const SimulatedTool& tool : kTools)
-        names << QString::fromLatin1(tool.name);
+    for (const NamedTool& tool : tools)
+        names << QString::fromStdString(tool.first);
     return words.unknownWord(option, names);
 }
 
-Result<QJsonObject> serve(const Words& words, const std::filesystem::path& folder,
-                          const std::string& wired, PolarisDevice::PoseOf poses)
+Result<SimulationOrder> orderOf(const Words& words, std::vector<NamedTool> tools)
 {
     const auto seconds = words.whole(polaris_option::kSeconds, 1, 86400, 60);
-    const auto fault = words.word(polaris_option::kFault, kFaults, &NamedFault::fault);
     const auto port = words.whole(polaris_option::kTcp, 1, 65535, 0);
-    if (!seconds || !fault || !port)
-        return tl::unexpected(!seconds ? seconds.error() : !fault ? fault.error() : port.error());
-    if (*fault == Fault::Unplug && wired.empty())
-        return words.refuse(QStringLiteral("--fault unplug needs --wired TOOL."));
+    const auto noise = words.number(polaris_option::kNoise, 0.0, 10.0, 0.0);
+    const auto fault = words.word(polaris_option::kFault, kFaults, &NamedFault::fault);
+    const auto hidden = toolOption(words, polaris_option::kHide, tools);
+    const auto wired = toolOption(words, polaris_option::kWired, tools);
+    if (!seconds || !port || !noise)
+        return tl::unexpected(!seconds ? seconds.error() : !port ? port.error() : noise.error());
+    if (!fault || !hidden || !wired)
+        return tl::unexpected(!fault ? fault.error() : !hidden ? hidden.error() : wired.error());
     const bool isTcp = words.has(polaris_option::kTcp);
+    if (*fault == Fault::Unplug && wired->empty())
+        return words.refuse(QStringLiteral("--fault unplug needs --wired TOOL."));
+    if (*fault == Fault::WrongRate && isTcp)
+        return words.refuse(QStringLiteral("--fault wrong-rate needs a line with a rate: with "
+                                           "--tcp there is none."));
+    SimulationOrder order{.tools = std::move(tools),
+                          .seconds = *seconds,
+                          .noise_mm = *noise,
+                          .fault = *fault,
+                          .hidden = *hidden,
+                          .wired = *wired,
+                          .isOld = words.has(polaris_option::kOld)};
+    if (isTcp)
+        order.port = std::uint16_t(*port);
+    return order;
+}
+
+/// Scripted hands at a patient's manikin see kScriptedTools.
+Result<SeenPose> scriptedHands(const Words& words)
+{
+    const auto parameters = patientOption(words, BuiltinPatient::TwelveYears);
+    if (!parameters)
+        return tl::unexpected(parameters.error());
+    const auto dimensions = dimensionsFor(*parameters);
+    if (!dimensions)
+        return tl::unexpected(dimensions.error());
+    const auto patient = patientFor(*parameters);
+    if (!patient)
+        return tl::unexpected(patient.error());
+    const AirwayLandmarks& airway = patient->landmarks;
+    const auto tube = makeTube(dimensions->tubeInnerDiameter, airway.path_A, airway.p_A_incisors);
+    if (!tube)
+        return tl::unexpected(tube.error());
+    auto station = simulatedStation(airway, *tube, [] { return std::optional<SessionTime>{}; });
+    if (!station)
+        return tl::unexpected(station.error());
+    return [truth = std::move(station->truth)](std::size_t tool,
+                                               LocalTime t) -> std::optional<PolarisPose> {
+        const auto X_TO = truth(kScriptedTools[tool].second, SessionTime{t.time_since_epoch()});
+        if (!X_TO)
+            return std::nullopt;
+        return PolarisPose{X_TO->rotation(), 1e3 * X_TO->translation()};
+    };
+}
+
+bool canBePartNumber(const std::string& name)
+{
+    return !name.empty() && name.size() <= kLongestName
+           && std::ranges::all_of(name, [](char each) { return each >= ' ' && each <= '~'; });
+}
+
+/// The tools of a recording as a device can have them: no role twice.
+Result<std::vector<NamedTool>> toolsOf(const Words& words, const TrackerSequence& sequence)
+{
+    if (sequence.tools.empty() || sequence.tools.size() > kMostTools)
+        return words.refuse(QStringLiteral("sees one to nine tools, and the recording has %1.")
+                                .arg(sequence.tools.size()));
+    std::vector<NamedTool> tools;
+    for (const RecordedTool& tool : sequence.tools) {
+        if (!canBePartNumber(tool.name)
+            || std::ranges::count(tools, tool.name, &NamedTool::first) != 0)
+            return words.refuse(QStringLiteral("needs a name of its own for each tool, of at most "
+                                               "20 plain characters, not '%1'.")
+                                    .arg(QString::fromStdString(tool.name)));
+        const bool isTaken = std::ranges::count(tools, tool.role, &NamedTool::second) != 0;
+        tools.emplace_back(tool.name, isTaken ? ToolRole::Other : tool.role);
+    }
+    return tools;
+}
+
+/// A recording that is played again and again.
+SeenPose recordedPoses(const TrackerSequence& sequence)
+{
+    // Shared by the copies of the function, however many are made.
+    const auto played = std::make_shared<RecordedTracker>(
+        sequence, [] { return std::optional<SessionTime>{}; }, Playing::Looped);
+    return [played, tools = played->tools()](std::size_t tool,
+                                             LocalTime t) -> std::optional<PolarisPose> {
+        const SessionTime now{t.time_since_epoch()};
+        static_cast<void>(played->advance(now));
+        const auto newest = tools[tool].history->newest();
+        if (!newest || newest->validity == Validity::Lost || now - newest->time > kStale)
+            return std::nullopt;
+        return PolarisPose{newest->X_FO.rotation(), 1e3 * newest->X_FO.translation(),
+                           1e3 * newest->error};
+    };
+}
+
+Result<QJsonObject> serve(const std::filesystem::path& folder, const SimulationOrder& order,
+                          SeenPose poseOf)
+{
     const std::filesystem::path link = std::filesystem::absolute(folder) / "port";
-    auto line = isTcp ? PolarisLine::tcp(std::uint16_t(*port)) : PolarisLine::terminal(link);
+    auto line = order.port ? PolarisLine::tcp(*order.port) : PolarisLine::terminal(link);
     if (!line)
         return tl::unexpected(line.error());
-    const std::string address = isTcp ? "127.0.0.1:" + std::to_string(*port) : link.string();
-    if (const auto wrote = writeDescription(folder, address, wired); !wrote)
+    const std::string address =
+        order.port ? "127.0.0.1:" + std::to_string(*order.port) : link.string();
+    if (const auto wrote = writeDescription(folder, address, order); !wrote)
         return tl::unexpected(wrote.error());
-    PolarisDevice device{{.wired = std::vector<PluggedTool>(wired.empty() ? 0 : 1),
-                          .hasRate = !isTcp,
-                          .hasBinary = !words.has(polaris_option::kOld)},
-                         std::move(poses)};
+    PolarisDevice device{{.wired = std::vector<PluggedTool>(order.wired.empty() ? 0 : 1),
+                          .hasRate = !order.port,
+                          .hasBinary = !order.isOld},
+                         statedPoses(order, std::move(poseOf))};
     const LocalTime begin = monotonicNow();
-    FaultMaker faults{device, *fault, wired, begin};
-    const LocalTime end = begin + std::chrono::seconds{*seconds};
+    FaultMaker faults{device, order.fault, order.faulty(), begin};
+    const LocalTime end = begin + std::chrono::seconds{order.seconds};
     const PolarisTraffic traffic = line->serve(device, [&](LocalTime now) {
         faults.look(now);
         return now < end;
@@ -229,33 +356,27 @@ Result<QJsonObject> simulate(const Words& words)
     if (words.files().size() != 1)
         return words.refuse(QStringLiteral("needs DIR."));
     const std::filesystem::path folder{words.files()[0].toStdString()};
-    const auto noise = words.number(polaris_option::kNoise, 0.0, 10.0, 0.0);
-    if (!noise)
-        return tl::unexpected(noise.error());
-    const auto hidden = toolOption(words, polaris_option::kHide);
-    const auto wired = toolOption(words, polaris_option::kWired);
-    if (!hidden || !wired)
-        return tl::unexpected(!hidden ? hidden.error() : wired.error());
+    const bool isRecorded = words.has(polaris_option::kRecording);
+    if (isRecorded && words.has(kPatient))
+        return words.refuse(QStringLiteral("takes --patient or --recording, not both."));
+    const auto recording =
+        isRecorded ? readAnyRecording(words.text(polaris_option::kRecording).toStdString())
+                   : Result<TrackerSequence>{};
+    if (!recording)
+        return tl::unexpected(recording.error());
+    const auto tools =
+        isRecorded ? toolsOf(words, *recording) : Result<std::vector<NamedTool>>{kScriptedTools};
+    if (!tools)
+        return tl::unexpected(tools.error());
+    const auto order = orderOf(words, *tools);
+    if (!order)
+        return tl::unexpected(order.error());
     if (const auto opened = openFolder(folder); !opened)
         return tl::unexpected(opened.error());
-    const auto parameters = patientOption(words, BuiltinPatient::TwelveYears);
-    if (!parameters)
-        return tl::unexpected(parameters.error());
-    const auto dimensions = dimensionsFor(*parameters);
-    if (!dimensions)
-        return tl::unexpected(dimensions.error());
-    const auto patient = patientFor(*parameters);
-    if (!patient)
-        return tl::unexpected(patient.error());
-    const AirwayLandmarks& airway = patient->landmarks;
-    const auto tube = makeTube(dimensions->tubeInnerDiameter, airway.path_A, airway.p_A_incisors);
-    if (!tube)
-        return tl::unexpected(tube.error());
-    auto station = simulatedStation(airway, *tube, [] { return std::optional<SessionTime>{}; });
-    if (!station)
-        return tl::unexpected(station.error());
-    return serve(words, folder, *wired,
-                 statedPoses(std::move(station->truth), *noise, *hidden, *wired));
+    auto poseOf = isRecorded ? Result<SeenPose>{recordedPoses(*recording)} : scriptedHands(words);
+    if (!poseOf)
+        return tl::unexpected(poseOf.error());
+    return serve(folder, *order, *std::move(poseOf));
 }
 
 } // namespace
@@ -266,17 +387,18 @@ Command polarisCommand()
         .name = "polaris-sim",
         .theme = "tracking",
         .summary = "serves a Polaris without hardware",
-        .uses = {{.lines = {"DIR [--patient WHO] [--tcp PORT] [--seconds N]",
-                            "DIR [--noise-mm MM] [--hide TOOL] [--wired TOOL] [--old]",
-                            "DIR [--fault KIND]"},
+        .uses = {{.lines = {"DIR [--patient WHO | --recording FILE]",
+                            "DIR [--tcp PORT] [--seconds N] [--noise-mm MM]",
+                            "DIR [--hide TOOL] [--wired TOOL] [--old]", "DIR [--fault KIND]"},
                   .text = "Serves a simulated Polaris that sees scripted hands at the "
-                          "patient's manikin, at a pseudo-terminal whose rate paces its "
-                          "replies, or at a TCP port. DIR/tracker.json, which is written with "
-                          "the definitions of its tools, is for --tracker of carina-trainee "
-                          "and carina-registration.",
-                  .options = {kPatient, polaris_option::kTcp, polaris_option::kSeconds,
-                              polaris_option::kNoise, polaris_option::kHide, polaris_option::kWired,
-                              polaris_option::kOld, polaris_option::kFault},
+                          "patient's manikin, or the tools of a recording, at a pseudo-terminal "
+                          "whose rate paces its replies, or at a TCP port. DIR/tracker.json, "
+                          "which is written with the definitions of its tools, is for --tracker "
+                          "of carina-trainee and carina-registration.",
+                  .options = {kPatient, polaris_option::kRecording, polaris_option::kTcp,
+                              polaris_option::kSeconds, polaris_option::kNoise,
+                              polaris_option::kHide, polaris_option::kWired, polaris_option::kOld,
+                              polaris_option::kFault},
                   .schema = polaris_key::kSchema,
                   .keys = {polaris_key::kFolder, polaris_key::kServed, polaris_key::kReceived,
                            polaris_key::kReplies, polaris_key::kSent, polaris_key::kFaultsMade}}},

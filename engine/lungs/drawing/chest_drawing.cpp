@@ -80,17 +80,20 @@ LungPose wallFor(const DrawnLung& lung, const LungPose& breath, Volume room)
 }
 
 /// Where the collapse that is within the range does not bring the volume: along the range's edge
-/// from there to where breathing takes none of it.
+/// from there to where breathing takes none of it, and on from there by collapse alone.
 void moveAlongTheEdge(const DrawnLung& lung, double collapse, Volume volume, PosedLung& posed)
 {
     const LungPose from = posed.pose + collapse * kCollapse;
     const bool shrinks = volume < lung.cubic(from, kCollapse).at(0.0);
     const double all = shrinks ? kMostCollapse : kLeastCollapse;
     const LungPose along = lung.room() * all * kCollapse + -1.0 * from;
-    const VolumeCubic cubic = lung.cubic(from, along);
-    const double amount = amountFor(cubic, volume, {0.0, 1.0});
-    const double off_ml = inMillilitres(cubic.at(amount) - volume);
+    const double amount = amountFor(lung.cubic(from, along), volume, {0.0, 1.0});
     posed.pose = from + amount * along;
+    if (shrinks && amount == 1.0) {
+        const AmplitudeRange alone{lung.room() * kMostCollapse, lung.room() * kMostCollapseAlone};
+        posed.pose = amountFor(lung.cubic({}, kCollapse), volume, alone) * kCollapse;
+    }
+    const double off_ml = inMillilitres(lung.cubic(posed.pose, kCollapse).at(0.0) - volume);
     const bool isLeant = lung.shiftInto() > 0.0;
     posed.fits = std::abs(off_ml) < kUnseen_ml && !(isLeant && posed.pose.collapse < kFullestLeant);
 }

@@ -64,12 +64,15 @@ ChestTerms<double> wallTerms(const LungPose& pose, const Proportions& proportion
 /// Of a number between a negative and a positive limit, the share of the way to its limit.
 double share(double s, double least, double greatest) { return std::max(s / least, s / greatest); }
 
+bool onlyCollapses(const LungPose& lung) { return lung == LungPose{.collapse = lung.collapse}; }
+
 double takenBy(const LungPose& lung, double shiftInto)
 {
     return std::max({share(lung.diaphragm, kLeastBreath, kMostDescent),
                      share(lung.ribs, kLeastBreath, kGreatestBreath),
                      share(lung.gravity, -kMostGravity, kMostGravity)})
-           + share(lung.collapse, kLeastCollapse, kMostCollapse)
+           + share(lung.collapse, kLeastCollapse,
+                   onlyCollapses(lung) ? kMostCollapseAlone : kMostCollapse)
            + std::max(shiftInto, 0.0) / kMostShift;
 }
 
@@ -134,9 +137,11 @@ std::optional<AmplitudeRange> amplitudesWithin(const LungPose& given, const Lung
     constexpr double kAll = std::numeric_limits<double>::infinity();
     AmplitudeRange range{-kAll, kAll};
     const double room = 1.0 - std::max(shiftInto, 0.0) / kMostShift;
+    const double mostCollapse =
+        onlyCollapses(given) && onlyCollapses(along) ? kMostCollapseAlone : kMostCollapse;
     const auto limit = [&](double LungPose::*mode, double least, double greatest) {
         for (const double most : {least, greatest})
-            for (const double collapsed : {kLeastCollapse, kMostCollapse})
+            for (const double collapsed : {kLeastCollapse, mostCollapse})
                 limitBy(along.*mode / most + along.collapse / collapsed,
                         room - given.*mode / most - given.collapse / collapsed, range);
     };

@@ -77,7 +77,8 @@ struct ChestPose {
 ///     max (diaphragm, ribs, gravity, each / its limit) + collapse / its limit
 ///         + shift into the lung / kMostShift <= 1
 ///
-/// and a shift away from a lung is at most kMostShift.
+/// and a shift away from a lung is at most kMostShift. The limit of the collapse is
+/// kMostCollapseAlone where a lung does nothing else.
 ///
 /// @returns the left side of this inequality, for the lung for which it is greater; infinity where
 ///          the shift exceeds kMostShift.
@@ -87,8 +88,11 @@ inline constexpr double kLeastBreath = -3.0;    ///< diaphragm and ribs, expirat
 inline constexpr double kGreatestBreath = 10.0; ///< ribs, inspiration
 /// Diaphragm, inspiration: its sheet above the attachment is then flat, and lies within the skin.
 inline constexpr double kMostDescent = 4.2;
-inline constexpr double kMostGravity = 1.6;     ///< either way
-inline constexpr double kMostCollapse = 0.4;    ///< a fifth of the volume is left
+inline constexpr double kMostGravity = 1.6;  ///< either way
+inline constexpr double kMostCollapse = 0.4; ///< a fifth of the volume is left
+/// Of a lung with no other amplitude: a sixth of the volume is left, and a quarter of it where the
+/// mediastinum is shifted away from it by a quarter of half the chest's width.
+inline constexpr double kMostCollapseAlone = 0.46;
 inline constexpr double kLeastCollapse = -0.55; ///< 3.7 times the volume
 inline constexpr double kMostShift = 0.4;       ///< of half the chest's width, either way
 

@@ -138,11 +138,11 @@ void makePneumothorax(LungMechanics& lung, double severity, Volume mediastinum)
 
 void makeTension(LungMechanics& lung, double severity)
 {
-    // The gas fills the side of the chest as through a resistance: minutes under a ventilator.
-    constexpr double kFilling_s = 40.0;
+    // Of an adult's lung: 50 cmH2O s/L times 0.1 L/cmH2O.
+    constexpr double kFilling_s = 5.0;
     if (severity == 0.0)
         return;
-    lung.valve = {severity * lung.wall.si / kFilling_s};
+    lung.valve = {severity * severity * lung.wall.si / kFilling_s};
     lung.relief = {};
 }
 

@@ -84,8 +84,9 @@ inline constexpr std::size_t kMostConditions = 6;
 /// - SimplePneumothorax: gas in the pleural space, at a pressure s of the way from the pleural to
 ///   that of the room; the lung rests at 1 - 0.75 s of its volume, and span and bronchi narrow with
 ///   it.
-/// - TensionPneumothorax: a one-way tear of size s lets gas from the airway into the pleural space
-///   as long as the condition lasts; none leaves before it ends.
+/// - TensionPneumothorax: a one-way tear lets gas from the airway into the pleural space as long as
+///   the condition lasts; none leaves before it ends. It resists by 50 / s^2 cmH2O s/L in an adult
+///   (Pulse), and in others by as much more as the wall is less compliant.
 /// - Atelectasis: 0.9 s of the lung is closed, of what gas in the pleural space has left open;
 ///   compliance, resting volume, capacity and bronchial conductance fall with it.
 /// - MainstemIntubation: the tube is in the main bronchus of `side`. A share s of the section of

@@ -28,10 +28,12 @@ CONDITION = "Pneumothorax, tension"
 SEVERITY = 0.9
 DEVELOPS_S = 150  # in which gas enters the chest with every breath
 CHANGED = 6.0  # grey levels that pictures differ at least, at the most alike moments of breathing
-PANELS = ["Condition", "Move", "Parts", "Breathing", "Waveforms", "Participants", "Network", "Invite"]
+PANELS = ["Condition", "Move", "Parts", "Tracker", "Breathing", "Waveforms", "Participants", "Network",
+          "Invite"]
 CONSOLE, TRAINEE, JOINING = "Carina instructor", "Carina trainee", "Join a session"
 WINDOWS = ("frame", "dialog", "filler")
-CONNECTING = "Connecting to the instructor"
+PAUSED, CONNECTING = "Paused", "Connecting to the instructor"
+NOT_SHOWN = "No longer shown to everybody"
 
 
 class Story:
@@ -194,7 +196,7 @@ class Story:
         self.console.activate(self.console.view.wait_ready("to pause", role="push button",
                                                            name="Pause"))
         for trainee in self.trainees:
-            trainee.view.wait("that it is paused", has="Paused")
+            trainee.view.wait("that it is paused", has=PAUSED)
         for person, each in zip(self.trainees, self.film_all(FILM_S / 2)[1:]):
             moved = breathing.spread(each)
             if moved > STILL:
@@ -206,11 +208,14 @@ class Story:
         before = self.port()
         console.view.computer.kill()
         for trainee in self.trainees:
-            trainee.view.wait("that it looks for the instructor", has=CONNECTING)
+            trainee.view.wait("that it is paused and looks for the instructor",
+                              has=f"{PAUSED}. {CONNECTING}")
         self.keep("console killed")
         self.start(console, self.asked.instructor, CONSOLE)
         session = console.view.wait("the earlier session", STARTS_S, role="list item",
                                     has="Routine intubation")
+        if not console.view.soon(lambda: console.view.is_selected(session)):
+            self.faults.append("the start page has not chosen the only earlier session")
         self.look_at("the start page with an earlier session", console)
         console.take(session)
         network = console.view.get(role="radio button", name="This network")
@@ -220,7 +225,7 @@ class Story:
         console.view.wait("the console", STARTS_S, has="join at port")
         began = time.monotonic()
         for trainee in self.trainees:
-            trainee.view.wait("that it is back", ANSWERS_S, has="Paused")
+            trainee.view.wait("that it is back", ANSWERS_S, line=PAUSED)
             back = time.monotonic() - began
             print(f"{trainee.view.computer.name} is back {back:.1f} s after the console's window")
             if back > BACK_S:
@@ -230,6 +235,10 @@ class Story:
         if after == before:
             self.faults.append("resumed at the same port, which shows nothing")
         console.view.wait("the patient of before", has="Patient: Adult")
+        console.view.wait("that nothing is shown any more", has=NOT_SHOWN)
+        for trainee in self.trainees:
+            wait_for("nothing is said to be shown", lambda: not any(
+                "The instructor shows" in words for words in trainee.view.words()), ANSWERS_S)
         self.open(console, CONSOLE)
         self.keep("resumed")
 

@@ -142,7 +142,8 @@ class View:
         return now if now is not None and now is not before else None
 
 
-def is_like(node, role=None, name=None, begins=None, has=None, role_in=None):
+def is_like(node, role=None, name=None, begins=None, has=None, role_in=None, line=None):
     return ((role is None or node.role == role) and (role_in is None or node.role in role_in) and (name is None or node.name == name)
             and (begins is None or node.name.startswith(begins))
-            and (has is None or has in node.name))
+            and (has is None or has in node.name)
+            and (line is None or line in node.name.splitlines()))

@@ -12,8 +12,11 @@ namespace carina::test::lessons_test
 namespace
 {
 
+using namespace std::chrono_literals;
+
 constexpr StationId kSecondStation{1};
 constexpr std::size_t kLargestBody = 1024; ///< bytes (docs/protocol.md)
+const fact::ParticipantJoined kComesIn{kSampleInstructor, Role::Instructor, "Ina"};
 
 Lesson sampleLesson()
 {
@@ -38,6 +41,11 @@ bool isShown(const LogWriter& writer, ParticipantId participant)
     const SessionState state = stateOf(writer);
     const ShownLesson* shown = lessonFor(state, participant);
     return shown && shown->by == kSampleInstructor && shown->lesson == sampleLesson();
+}
+
+std::optional<BrokenOffLesson> brokenOff(const LogWriter& writer)
+{
+    return stateOf(writer).stations().at(kSampleStation).brokenOff;
 }
 
 QByteArray verdictOn(const Lesson& lesson)
@@ -120,6 +128,59 @@ private Q_SLOTS:
         QVERIFY(isShown(writer, kSampleTrainee));
         writer.add(kNow, body, StationId{std::uint16_t(station)}, kSampleInstructor);
         QVERIFY(!isShown(writer, kSampleTrainee));
+    }
+
+    /// As the host's program does when it is started again: there is no fact that it stopped.
+    void breaksOffWhereItsAuthorComesInAnew()
+    {
+        LogWriter writer = sampleSession();
+        show(writer, kSampleTrainee);
+        QVERIFY(!brokenOff(writer));
+        writer.add(kNow + 5s, kComesIn);
+        const auto told = brokenOff(writer);
+        QVERIFY(told && told->at == kNow + 5s);
+        QVERIFY(told->shown == (ShownLesson{kSampleInstructor, kSampleTrainee, sampleLesson()}));
+        writer.add(kNow + 6s, fact::ParticipantLeft{kSampleTrainee});
+        QVERIFY(brokenOff(writer) == told);
+        writer.add(kNow + 7s, kComesIn); // and has heard of it before
+        QVERIFY(!brokenOff(writer));
+    }
+
+    void breaksOffWhereItsAuthorLeavesUntilTheyAreBack()
+    {
+        LogWriter writer = sampleSession();
+        show(writer, kNobody);
+        writer.add(kNow + 1s, fact::ParticipantLeft{kSampleInstructor});
+        QVERIFY(brokenOff(writer));
+        writer.add(kNow + 9s, kComesIn);
+        QVERIFY(brokenOff(writer) && brokenOff(writer)->at == kNow + 9s);
+        writer.add(kNow + 20s, fact::ParticipantLeft{kSampleInstructor});
+        QVERIFY(!brokenOff(writer));
+    }
+
+    void hasNotBrokenOffWhereItWasEndedOrSomethingElseIsShown_data()
+    {
+        QTest::addColumn<FactBody>("body");
+        QTest::addColumn<bool>("isBefore"); // before the author comes in anew
+        QTest::newRow("ended") << FactBody{fact::LessonEnded{}} << true;
+        QTest::newRow("shown again")
+            << FactBody{fact::LessonShown{kNobody, sampleLesson()}} << false;
+        QTest::newRow("another patient") << FactBody{fact::AnatomyChosen{"bb", "Child"}} << false;
+        QTest::newRow("another patient before")
+            << FactBody{fact::AnatomyChosen{"bb", "Child"}} << true;
+    }
+    void hasNotBrokenOffWhereItWasEndedOrSomethingElseIsShown()
+    {
+        QFETCH(const FactBody, body);
+        QFETCH(const bool, isBefore);
+        LogWriter writer = sampleSession();
+        show(writer, kNobody);
+        if (isBefore)
+            writer.add(kNow, body, kSampleStation, kSampleInstructor);
+        writer.add(kNow, kComesIn);
+        if (!isBefore)
+            writer.add(kNow, body, kSampleStation, kSampleInstructor);
+        QVERIFY(!brokenOff(writer));
     }
 
     void whatOthersDoDoesNotEndIt()

@@ -440,6 +440,18 @@ private Q_SLOTS:
         QVERIFY(line.run(1s).size() >= 58);
     }
 
+    void comesBackWhereTheDeviceHasAnotherRate()
+    {
+        Line line{threeTools(NdiPoseReply::Bx, 115200), {}};
+        line.start();
+        static_cast<void>(line.run(5s));
+        line.device().loseRate();
+        static_cast<void>(line.run(6s));
+        QCOMPARE(line.client().phase(), NdiClient::Phase::Tracking);
+        QCOMPARE(line.device().rate(), 115200);
+        QVERIFY(line.run(1s).size() >= 58);
+    }
+
     void saysThatADeviceDoesNotAnswer()
     {
         Line line{threeTools(NdiPoseReply::Bx, 115200), {}};

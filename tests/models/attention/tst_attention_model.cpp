@@ -147,6 +147,42 @@ private Q_SLOTS:
         QCOMPARE(console.texts(), QStringList{}); // gone is not away
     }
 
+    /// Because the console stopped and is here again.
+    void saysWhatIsNoLongerShown()
+    {
+        Console console;
+        const auto comesInAnew = [&] {
+            console.node.decide(fact::ParticipantJoined{{}, Role::Instructor, "Ina"});
+            console.look();
+        };
+        const auto show = [&](ParticipantId to) {
+            console.node.decide(
+                fact::LessonShown{to, {{true, LessonCut::All, {0.0, 1.0, 0.0}, 0.1}, true, {}}},
+                FakeSessionNode::kInstructor);
+            console.look();
+        };
+        comesInAnew();
+        QCOMPARE(console.texts(), QStringList{}); // nothing was
+        show(kNobody);
+        QCOMPARE(console.texts(), QStringList{});
+        comesInAnew();
+        QCOMPARE(console.texts(),
+                 QStringList{QStringLiteral(
+                     "No longer shown to everybody since this program stopped: section, view")});
+        QCOMPARE(console.actions(), QStringList{QStringLiteral("Show again")});
+        const QSignalSpy shown{&console.model, &AttentionModel::showWanted};
+        console.model.act(console.model.all().front());
+        QCOMPARE(shown.size(), 1);
+        show(kTom);
+        QCOMPARE(console.texts(), QStringList{});
+        comesInAnew();
+        QCOMPARE(console.texts().size(), 1);
+        QVERIFY(console.texts().front().startsWith(QStringLiteral("No longer shown to Tom ")));
+        console.node.advance(AttentionModel::kBrokenOffTold);
+        console.look();
+        QCOMPARE(console.texts(), QStringList{});
+    }
+
     void saysWhichToolIsOutOfViewOnceItStaysSo()
     {
         Console console;
@@ -225,11 +261,24 @@ private Q_SLOTS:
         const QString text = console.texts().front();
         QVERIFY2(text.startsWith(QStringLiteral("Pneumothorax, tension, right lung: developing, ")),
                  qPrintable(text));
-        QVERIFY2(text.endsWith(QStringLiteral("\u00a0%")), qPrintable(text));
+        QVERIFY2(text.contains(QStringLiteral("\u00a0% closed, mediastinum ")), qPrintable(text));
+        QVERIFY2(text.endsWith(QStringLiteral("\u00a0mm aside")), qPrintable(text));
         console.sets({});
         console.node.advance(seconds{2});
         console.look();
         QCOMPARE(console.texts(), QStringList{});
+    }
+
+    void saysHowFarALungIsEmptied()
+    {
+        Console console;
+        console.node.decide(fact::PhaseChanged{SessionPhase::Running});
+        console.sets({{ConditionKind::MainstemIntubation, 1.0, ConditionSide::Right}});
+        console.node.advance(seconds{5});
+        console.look();
+        QCOMPARE(console.texts().size(), 1);
+        QVERIFY2(console.texts().front().endsWith(QStringLiteral("\u00a0%")),
+                 qPrintable(console.texts().front()));
     }
 
     void saysThatBreathingIsStopping()

@@ -35,7 +35,7 @@ struct Ward {
     }
 };
 
-constexpr LungCondition kTension{ConditionKind::TensionPneumothorax, 0.9, ConditionSide::Right};
+constexpr LungCondition kTension{ConditionKind::TensionPneumothorax, 0.5, ConditionSide::Right};
 
 } // namespace
 
@@ -44,17 +44,38 @@ class TestDevelopments : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    /// The gas closes the lung, and only then moves the mediastinum far.
     void followsATensionPneumothoraxToItsFullExtent()
     {
         Ward ward{{kTension}};
-        const auto early = ward.after(10);
+        const auto early = ward.after(6);
         QCOMPARE(early.size(), std::size_t{1});
         QVERIFY(early[0].condition == kTension);
-        const auto later = ward.after(10);
+        QVERIFY(early[0].share < 0.9);
+        const auto closed = ward.after(20);
+        QCOMPARE(closed.size(), std::size_t{1});
+        QCOMPARE(closed[0].share, 1.0);
+        QVERIFY(closed[0].shift > early[0].shift);
+        const auto later = ward.after(20);
         QCOMPARE(later.size(), std::size_t{1});
-        QVERIFY(later[0].share > early[0].share);
-        QVERIFY(later[0].share < 1.0);
-        QVERIFY(ward.after(300).empty()); // it has come to rest
+        QCOMPARE(later[0].share, 1.0);
+        QVERIFY(inMillimetres(later[0].shift) > inMillimetres(closed[0].shift) + 5.0);
+        QVERIFY(ward.after(1500).empty()); // it has come to rest
+    }
+
+    /// However far the breath is: the shift that a breath takes back is not told.
+    void tellsTheFarthestShiftOfABreath()
+    {
+        Ward ward{{{ConditionKind::TensionPneumothorax, 0.5, ConditionSide::Left}}};
+        static_cast<void>(ward.after(20));
+        Length before;
+        for (int second = 0; second < 12; ++second) {
+            const auto found = ward.after(1);
+            QCOMPARE(found.size(), std::size_t{1});
+            QVERIFY(inMillimetres(found[0].shift) > inMillimetres(before) - 1.0);
+            before = found[0].shift;
+        }
+        QVERIFY(before.si > 0.0); // to whichever side
     }
 
     void followsTheLungThatATubeLeavesOut()

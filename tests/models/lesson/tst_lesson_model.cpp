@@ -132,6 +132,33 @@ private Q_SLOTS:
         QVERIFY(ownStation(desk.node) == other); // with their view and pointer
     }
 
+    /// The instructor's program stopped without a word, and is here again.
+    void showsAgainWhatBrokeOff()
+    {
+        Desk desk;
+        QVERIFY(!desk.model.brokenOff());
+        desk.model.follow(cut(0.01));
+        desk.model.setShowsView(false);
+        desk.model.setTarget(kTom);
+        desk.model.setOn(true);
+        const auto before = desk.shown();
+        desk.node.decide(fact::ParticipantJoined{{}, Role::Instructor, "Ina"});
+        QVERIFY(!desk.shown() && !desk.model.isOn());
+        QVERIFY(desk.model.brokenOff() == before);
+
+        LessonModel again{desk.session, kStation};
+        ChangeHistory history;
+        again.setHistory(history);
+        again.showAgain();
+        QVERIFY(desk.shown() == before);
+        QVERIFY(again.isOn() && !again.brokenOff() && again.target() == kTom);
+        const int proposed = desk.node.proposed;
+        again.showAgain(); // pressed twice
+        QCOMPARE(desk.node.proposed, proposed);
+        history.undo();
+        QVERIFY(!desk.shown());
+    }
+
     void pointsOnlyWhileItIsOn()
     {
         Desk desk;

@@ -23,6 +23,7 @@ private Q_SLOTS:
     void saysWhoIsAtWork();
     void namesItsColumns();
     void marksWhoSeesTheSame();
+    void saysWhoHasNothingToCompare();
     void takesTheTrackersErrorForNoDifference();
     void takesAHandForNoDifference_data();
     void takesAHandForNoDifference();
@@ -112,7 +113,7 @@ void TestParticipantsModel::namesItsColumns()
         QStringLiteral("Name"),  QStringLiteral("Role"),         QStringLiteral("Station"),
         QStringLiteral("State"), QStringLiteral("Registration"), QStringLiteral("Sends"),
         QStringLiteral("Age"),   QStringLiteral("Drift °"),      QStringLiteral("Drift mm"),
-        QStringLiteral("Delay"), QStringLiteral("Sees")};
+        QStringLiteral("Delay"), QStringLiteral("Objects")};
     QStringList headers;
     for (int column = 0; column < table.model.columnCount(); ++column)
         headers << table.model.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
@@ -268,7 +269,6 @@ void TestParticipantsModel::showsTheWorstOfSomebodysObjects()
 void TestParticipantsModel::marksWhoSeesTheSame()
 {
     Table table;
-    QCOMPARE(table.cell(kTraineeRow, Column::Same), kNoValue);
     table.node.pathReports.push_back(
         {.peer = FakeSessionNode::kTrainee, .meanDelay = milliseconds{40}});
     table.node.reports = {{ObjectId{1}, milliseconds{41}, 0.03, 8.9, 100.0, 200.0}};
@@ -283,10 +283,29 @@ void TestParticipantsModel::marksWhoSeesTheSame()
     table.deliver();
     QCOMPARE(table.cell(kTraineeRow, Column::Same), QStringLiteral("▲ differs"));
     QCOMPARE(table.cell(kTraineeRow, Column::Same, Qt::AccessibleTextRole),
-             QStringLiteral("Sees: differs"));
+             QStringLiteral("Objects: differs"));
     table.node.reports = {{ObjectId{1}, milliseconds{41}, 5.1, 0.4, 100.0, 200.0}};
     table.deliver();
     QCOMPARE(table.cell(kTraineeRow, Column::Same), QStringLiteral("▲ differs"));
+}
+
+void TestParticipantsModel::saysWhoHasNothingToCompare()
+{
+    Table table;
+    const auto tip = [&table](int row) { return table.cell(row, Column::Same, Qt::ToolTipRole); };
+    QCOMPARE(table.cell(kInstructorRow, Column::Same), kNoValue); // oneself
+    QVERIFY(tip(kInstructorRow).isEmpty());
+    QCOMPARE(table.cell(kTraineeRow, Column::Same), QStringLiteral("○ none"));
+    QVERIFY(tip(kTraineeRow).contains(QStringLiteral("no tool")));
+    QCOMPARE(table.cell(kTraineeRow, Column::Same, Qt::AccessibleTextRole),
+             QStringLiteral("Objects: none"));
+    table.node.reports = {{ObjectId{1}, milliseconds{41}}};
+    table.deliver();
+    QCOMPARE(table.cell(kTraineeRow, Column::Same), QStringLiteral("◇ unknown"));
+    QVERIFY(tip(kTraineeRow).contains(QStringLiteral("not compared yet")));
+    table.node.decide(fact::ParticipantLeft{FakeSessionNode::kTrainee});
+    table.deliver();
+    QCOMPARE(table.cell(kTraineeRow, Column::Same), kNoValue);
 }
 
 // What a tool at rest was off by in the demo, on one computer; the tracker measures no better.

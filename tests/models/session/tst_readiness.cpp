@@ -39,6 +39,13 @@ private Q_SLOTS:
         QVERIFY(!stateOf(lines, "Clock").isEmpty());
     }
 
+    void saysInPlainWordsWhoSetsTheClock()
+    {
+        QVERIFY(timeServiceText({}).startsWith(QStringLiteral("○ not set by a time service")));
+        QCOMPARE(timeServiceText(ExternalTime{{}, std::chrono::microseconds{2500}}),
+                 QStringLiteral("✓ set by a time service (NTP or PTP), to ±2.5\u00a0ms"));
+    }
+
     void tellsErrorAndAgeOfTheRegistration()
     {
         const ScratchFolder folder;

@@ -78,6 +78,7 @@ private Q_SLOTS:
     void saysThatThereIsNoTracker_data();
     void saysThatThereIsNoTracker();
     void saysThatTheSessionHasEnded();
+    void saysThatItIsPausedAlsoWhileItConnects();
     void offersAnotherSessionWhileTheHostIsSilent();
     void showsWhatAnInstructorShowsToThisParticipant();
     void looksFromWhereTheInstructorDoes();
@@ -134,6 +135,10 @@ void TestStationView::showsWhatAnInstructorShowsToThisParticipant()
     show(kNobody);
     QVERIFY(view.at(kNow, 0).lesson && view.at(kNow, 0).lesson->lesson.showsView);
     node.decide(fact::LessonEnded{});
+    QVERIFY(!view.at(kNow, 0).lesson);
+    show(kNobody);
+    QVERIFY(view.at(kNow, 0).lesson);
+    node.decide(fact::ParticipantJoined{{}, Role::Instructor, "Ina"}); // a program started again
     QVERIFY(!view.at(kNow, 0).lesson);
 }
 
@@ -368,6 +373,27 @@ void TestStationView::saysThatTheSessionHasEnded()
         QVERIFY(stationNotice(node, moment, ViewOutput::Screen)
                     .startsWith(QStringLiteral("The session has ended")));
     }
+}
+
+/// The patient does not move, whether or not the host is heard of.
+void TestStationView::saysThatItIsPausedAlsoWhileItConnects()
+{
+    FakeSessionNode node{FakeSessionNode::kTrainee};
+    LinkReport& link = node.linkReports.emplace_back();
+    link.state = LinkState::Connected;
+    node.decide(fact::PhaseChanged{SessionPhase::Running});
+    node.decide(fact::PhaseChanged{SessionPhase::Paused});
+    node.advance(std::chrono::seconds{1});
+    StationMoment moment;
+    moment.time = *node.now();
+    const auto notice = [&] { return stationNotice(node, moment, ViewOutput::Screen); };
+    QCOMPARE(notice(), QStringLiteral("Paused"));
+    link.state = LinkState::Away;
+    link.sinceLastDatagram = std::chrono::seconds{2};
+    QCOMPARE(notice(), QStringLiteral("Paused. Connecting to the instructor …"));
+    link.sinceLastDatagram = std::chrono::seconds{6};
+    QVERIFY2(notice().startsWith(QStringLiteral("Paused. The instructor's program does not")),
+             qPrintable(notice()));
 }
 
 /// A host that was closed for good, or ended the session unheard, keeps nobody.

@@ -89,7 +89,8 @@ private Q_SLOTS:
     {
         QTest::addColumn<QByteArray>("change");
         QTest::addColumn<QByteArray>("people");
-        for (const char* change : {"breathingDock", "conditionDock", "actionsDock", "partsDock"})
+        for (const char* change :
+             {"breathingDock", "conditionDock", "actionsDock", "partsDock", "trackerDock"})
             for (const char* people :
                  {"waveformDock", "participantsDock", "invitationDock", "networkDock"})
                 QTest::addRow("%s and %s", change, people)

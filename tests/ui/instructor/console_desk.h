@@ -9,7 +9,8 @@
 namespace carina::test
 {
 
-/// A console over a session in virtual time, with the built-in child.
+/// A console over a session in virtual time, with the built-in child, and with a tracker while
+/// `sight` says how that sees its tools.
 struct ConsoleDesk {
     static SharedPatientModel child()
     {
@@ -38,10 +39,16 @@ struct ConsoleDesk {
     AttentionModel attention{session};
     StationView view{node, FakeSessionNode::kStation, drawn->lungs()};
     KeptConsole keeper;
+    std::optional<TrackerSight> sight;
+    PoseRecording recording{[this] { return node.now(); }};
     InstructorWindow window{{session, breathing, respiration, trace, participants, conduct, people,
                              network, actions, stations, lesson, patient, attention},
                             keeper,
-                            view};
+                            view,
+                            {.sight = [this] { return sight; },
+                             .recording = &recording,
+                             .canBeGiven = true,
+                             .treatment = {{}, [](const PoseTreatment& /*chosen*/) {}}}};
 
     template <class Thing> [[nodiscard]] Thing& find(const char* name)
     {

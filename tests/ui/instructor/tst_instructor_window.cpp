@@ -2,19 +2,26 @@
 #include "tests/support/test_class.h"
 #include "tests/ui/instructor/console_desk.h"
 #include "ui/instructor/projector_window.h"
+#include "ui/lesson/lesson_scene.h"
 #include "widgets/checked_spin_box.h"
 #include "widgets/scene/view/graphics.h"
 #include "widgets/scene/view/scene_view.h"
 #include "widgets/second_press.h"
 #include "widgets/theme/dark_theme.h"
 
+#include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
 #include <QMenu>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
+#include <QSlider>
 #include <QStatusBar>
 #include <QTabBar>
 #include <QTableView>
+#include <QTableWidget>
 #include <QToolBar>
 #include <QToolButton>
 
@@ -31,7 +38,7 @@ using test::FakeSessionNode;
 using test::soon;
 
 constexpr ParticipantId kTom = FakeSessionNode::kTrainee;
-constexpr std::size_t kPanels = 8;
+constexpr std::size_t kPanels = 9;
 
 /// A console as it is once it was shown and laid out.
 struct Shown : ConsoleDesk {
@@ -129,6 +136,31 @@ private Q_SLOTS:
         shown.decide(SessionPhase::Running);
         Shown::settle();
         QVERIFY2(shown.share() >= least, qPrintable(QString::number(shown.share())));
+    }
+
+    void holdsItsHighestPanelsWithoutScrolling_data()
+    {
+        QTest::addColumn<QSize>("opened");
+        QTest::newRow("opened so") << QSize{1920, 1080};
+        QTest::newRow("made larger") << QSize{1280, 800};
+    }
+    void holdsItsHighestPanelsWithoutScrolling()
+    {
+        QFETCH(const QSize, opened);
+        const test::ScratchFolder kept;
+        Shown shown{kept, opened};
+        shown.window.resize(1920, 1080);
+        Shown::settle();
+        for (const char* name : {"conditionDock", "partsDock", "invitationDock"}) {
+            QDockWidget& dock = shown.dock(name);
+            dock.raise();
+            Shown::settle();
+            const auto* area = qobject_cast<QScrollArea*>(dock.widget());
+            qInfo("%s: %d pixels of %d", name, area->viewport()->height(),
+                  area->widget()->height());
+            QVERIFY2(area->verticalScrollBar()->maximum() == 0, name);
+        }
+        QVERIFY(shown.share() >= 2.0 / 3.0);
     }
 
     void namesEachPanelWhole_data() { givesThePictureMostOfTheWindow_data(); }
@@ -242,6 +274,28 @@ private Q_SLOTS:
         QCOMPARE(shown.buttons(), before);
     }
 
+    /// Pressed once more, it would be the button that ends the session.
+    void keepsTheKeyboardAtStartAndPause()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        const auto button = [&shown](const char* name) {
+            return shown.find<QToolBar>("sessionBar").widgetForAction(&shown.action(name));
+        };
+        const auto press = [&](const char* pressed, const char* next) {
+            QCOMPARE(shown.window.focusWidget(), button(pressed));
+            QTest::keyClick(button(pressed), Qt::Key_Space);
+            QCOMPARE(shown.window.focusWidget(), button(pressed)); // until it takes effect
+            shown.node.advance(std::chrono::seconds{1});
+            QVERIFY(soon([&] { return shown.action(next).isEnabled(); }));
+            QVERIFY(!shown.action(pressed).isEnabled());
+            QCOMPARE(shown.window.focusWidget(), button(next));
+        };
+        button("start")->setFocus();
+        press("start", "pause");
+        press("pause", "start");
+    }
+
     void endsOnlyByASecondPressAfterAPause()
     {
         const test::ScratchFolder kept;
@@ -284,6 +338,45 @@ private Q_SLOTS:
         QCOMPARE(shown.pictureAt(), before);
     }
 
+    /// To a person who starts a console again that stopped.
+    void showsAgainWhatBrokeOff()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        shown.node.linkReports = {{kTom, LinkState::Connected, {}, {}, {}},
+                                  {FakeSessionNode::kObserver, LinkState::Connected, {}, {}, {}}};
+        auto& scene = shown.find<SceneView>("scene");
+        auto& what = shown.find<QComboBox>("what");
+        scene.setLooks({{scene.parts().front().id, {.highlighted = true}}});
+        what.setCurrentIndex(2);
+        shown.find<QSlider>("slider").setValue(40);
+        const SceneSettings settings = scene.settings();
+        Lesson lesson = lessonOf(settings);
+        lesson.showsView = true;
+        shown.node.decide(fact::LessonShown{kTom, lesson}, FakeSessionNode::kInstructor);
+        shown.node.decide(fact::ParticipantJoined{{}, Role::Instructor, "Ina"});
+        scene.setLooks({}); // it begins as usual
+        what.setCurrentIndex(0);
+        shown.find<QSlider>("slider").setValue(70);
+        shown.attention.look();
+        const auto& text = shown.find<QLabel>("attention");
+        QVERIFY2(text.accessibleName().startsWith(QStringLiteral("No longer shown to Tom")),
+                 qPrintable(text.accessibleName()));
+        shown.find<QPushButton>("attend").click();
+        const auto isShown = [&shown, &lesson] {
+            const auto state = shown.node.state();
+            const auto& now = state->stations().at(FakeSessionNode::kStation).lesson;
+            return now && now->to == kTom && now->lesson == lesson;
+        };
+        QVERIFY(isShown());
+        QVERIFY(scene.settings() == settings);
+        shown.node.advance(std::chrono::seconds{1});
+        Shown::settle(); // from now on the picture is followed
+        QVERIFY(isShown());
+        shown.attention.look();
+        QVERIFY(shown.attention.all().empty());
+    }
+
     void showsWhoIsMeant()
     {
         const test::ScratchFolder kept;
@@ -302,31 +395,57 @@ private Q_SLOTS:
         QVERIFY(shown.dock("conditionDock").isEnabled()); // in front
     }
 
-    void offersATrackerInTheMenuOfThePanels()
+    void showsTheToolsOfItsTracker()
     {
         const test::ScratchFolder kept;
         Shown shown{kept};
-        QVERIFY(shown.window.findChild<QAction*>(QStringLiteral("connectTracker")) == nullptr);
-        bool hasTracker = false;
-        shown.window.offerTracker([&] { return hasTracker; });
+        shown.action("showTracker").trigger();
+        QDockWidget& dock = shown.dock("trackerDock");
+        QVERIFY(dock.isEnabled()); // in front
+        auto& tools = shown.find<QTableWidget>("toolTable");
+        QCOMPARE(shown.window.focusWidget(), static_cast<QWidget*>(&tools));
+        QCOMPARE(tools.rowCount(), 0);
+        QCOMPARE(dock.findChild<QLabel*>(QStringLiteral("trouble"))->text(),
+                 QStringLiteral("This program has no tracker."));
+        shown.sight = TrackerSight{{}, {{.name = QStringLiteral("Tube"), .isVisible = true}}};
+        QVERIFY(soon([&] { return tools.rowCount() == 1; }));
+        QCOMPARE(tools.item(0, 0)->text(), QStringLiteral("Tube"));
+        dock.close(); // and the matter leads back to it
+        Attention matter;
+        matter.concern = Concern::Unseen;
+        matter.participant = shown.node.self();
+        Q_EMIT shown.attention.showWanted(matter);
+        QVERIFY(!dock.isHidden());
+    }
+
+    void asksForATracker()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        shown.action("showTracker").trigger();
         const QSignalSpy wanted{&shown.window, &InstructorWindow::trackerWanted};
         const QSignalSpy unwanted{&shown.window, &InstructorWindow::trackerUnwanted};
-        QVERIFY(!shown.action("withoutTracker").isEnabled());
-        shown.action("connectTracker").trigger();
+        shown.find<QPushButton>("connectTracker").click();
         QVERIFY(soon([&] { return wanted.size() == 1; }));
-        hasTracker = true;
-        QVERIFY(soon([&] { return shown.action("withoutTracker").isEnabled(); }));
-        shown.action("withoutTracker").trigger();
+        shown.sight = TrackerSight{};
+        QVERIFY(soon([&] { return shown.find<QPushButton>("withoutTracker").isEnabled(); }));
+        shown.find<QPushButton>("withoutTracker").click();
         QCOMPARE(unwanted.size(), 1);
-        std::set<QString> keys; // of the menu's entries, each once
-        for (const QAction* action : shown.find<QToolButton>("panels").menu()->actions())
-            if (!action->isSeparator())
-                QVERIFY2(keys.insert(QKeySequence::mnemonic(action->text()).toString()).second,
-                         qPrintable(action->text()));
         Attention matter;
         matter.concern = Concern::Tracker;
         Q_EMIT shown.attention.showWanted(matter);
         QVERIFY(soon([&] { return wanted.size() == 2; }));
+    }
+
+    void hasEachKeyOfTheMenuOnce()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        std::set<QString> keys;
+        for (const QAction* action : shown.find<QToolButton>("panels").menu()->actions())
+            if (!action->isSeparator())
+                QVERIFY2(keys.insert(QKeySequence::mnemonic(action->text()).toString()).second,
+                         qPrintable(action->text()));
     }
 
     void hasASecondWindowWithTheSamePicture()
@@ -372,11 +491,23 @@ private Q_SLOTS:
         QVERIFY2(told.contains(QStringLiteral("30")), qPrintable(told));
     }
 
+    void saysThatMotionIsShownLarger()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        const auto& status = shown.find<QLabel>("status");
+        const QString told = QStringLiteral("▲ breathing shown 2.5 times as large as it is");
+        QVERIFY(!status.accessibleName().contains(told));
+        shown.find<CheckedDoubleSpinBox>("exaggeration").setValue(2.5);
+        QVERIFY(soon([&] { return status.accessibleName().contains(told); }));
+    }
+
     void hasEachAltKeyOnce_data()
     {
         QTest::addColumn<QByteArray>("change");
         QTest::addColumn<QByteArray>("people");
-        for (const char* change : {"breathingDock", "conditionDock", "actionsDock", "partsDock"})
+        for (const char* change :
+             {"breathingDock", "conditionDock", "actionsDock", "partsDock", "trackerDock"})
             for (const char* people :
                  {"waveformDock", "participantsDock", "invitationDock", "networkDock"})
                 QTest::addRow("%s and %s", change, people)

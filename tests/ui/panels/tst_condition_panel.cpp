@@ -152,8 +152,9 @@ void TestConditionPanel::addsAndRemovesConditionsByKeyboardAlone()
     const LungCondition left{ConditionKind::SimplePneumothorax, 0.5, ConditionSide::Left};
     QVERIFY(desk.decided().conditions == (LungConditions{asthma, left}));
     QCOMPARE(list.count(), 2);
-    QCOMPARE(list.item(1)->text(),
-             QStringLiteral("Pneumothorax, simple, severity\u00a00.50, left lung"));
+    QCOMPARE(list.item(1)->text(), QStringLiteral("Pneumothorax, simple, left lung, 0.50"));
+    QVERIFY(list.item(1)->toolTip().contains(QStringLiteral("left lung, 0.50")));
+    QVERIFY(list.item(1)->toolTip().contains(QStringLiteral("severity")));
     list.setFocus();
     QTest::keyClick(&list, Qt::Key_Up);
     QCOMPARE(desk.find<QComboBox>("condition").currentText(), QStringLiteral("Asthma"));

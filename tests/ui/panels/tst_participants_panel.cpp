@@ -4,6 +4,7 @@
 #include "ui/panels/remove_dialog.h"
 
 #include <QCheckBox>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -34,6 +35,8 @@ private Q_SLOTS:
     void keepsWhoWasChosenWhenSomebodyComesIn();
     void movesToAnotherStationWhereThereIsOne();
     void showsTheFiguresOfWhoIsChosen();
+    void keepsItsHeadingsWhole();
+    void tellsOfRegistrationsWhereThereAreSome();
 };
 
 namespace
@@ -118,6 +121,43 @@ void TestParticipantsPanel::showsTheFiguresOfWhoIsChosen()
     QVERIFY2(figures.text().contains(QStringLiteral("7.1")), qPrintable(figures.text()));
     panel.table.setCurrentIndex(panel.participants.index(0, 0)); // oneself
     QVERIFY(figures.text().isEmpty());
+}
+
+/// However narrow it is: then it is scrolled.
+void TestParticipantsPanel::keepsItsHeadingsWhole()
+{
+    Panel panel;
+    panel.node.decide(fact::RegistrationStated{{RegistrationState::Missing, {}, {}}},
+                      FakeSessionNode::kTrainee);
+    panel.panel.resize(240, 300);
+    panel.panel.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&panel.panel));
+    QCoreApplication::processEvents();
+    const QHeaderView& header = *panel.table.horizontalHeader();
+    int seen = 0;
+    for (int column = 0; column < header.count(); ++column) {
+        if (header.isSectionHidden(column))
+            continue;
+        ++seen;
+        QVERIFY2(
+            header.sectionSize(column) >= header.sectionSizeHint(column),
+            qPrintable(
+                panel.participants.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString()));
+    }
+    QCOMPARE(seen, 6);
+}
+
+void TestParticipantsPanel::tellsOfRegistrationsWhereThereAreSome()
+{
+    Panel panel;
+    QVERIFY(panel.table.isColumnHidden(ParticipantsModel::Registration));
+    panel.node.decide(fact::RegistrationStated{{RegistrationState::Missing, {}, {}}},
+                      FakeSessionNode::kTrainee);
+    QCoreApplication::sendPostedEvents();
+    QVERIFY(!panel.table.isColumnHidden(ParticipantsModel::Registration));
+    panel.node.decide(fact::ParticipantLeft{FakeSessionNode::kTrainee});
+    QCoreApplication::sendPostedEvents();
+    QVERIFY(panel.table.isColumnHidden(ParticipantsModel::Registration));
 }
 
 void TestParticipantsPanel::offersNothingBeforeSomebodyIsChosen()

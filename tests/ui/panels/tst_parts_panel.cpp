@@ -342,6 +342,37 @@ private Q_SLOTS:
         QVERIFY(history.isEmpty());
     }
 
+    /// As it was shown by a console that stopped.
+    void putsPartsAndCutAsTheyWere()
+    {
+        Shown shown;
+        SectionPanel section;
+        ChangeHistory history;
+        section.setScene(*shown.view);
+        section.setHistory(history);
+        shown.panel.setHistory(history);
+        const SceneSettings wanted{Section{Vec3::UnitX(), 0.2, Cut::AllButAirway},
+                                   {{kRib, {.style = PartStyle::Ghost, .labelled = true}}}};
+        section.put(wanted.section);
+        shown.panel.put(wanted.looks);
+        QVERIFY(shown.view->settings().looks == wanted.looks);
+        QVERIFY(std::abs(section.section()->distance - 0.2) < 1e-6);
+        QVERIFY(section.section()->normal_A == Vec3::UnitX());
+        QVERIFY(section.section()->cut == Cut::AllButAirway);
+        QVERIFY(shown.view->settings().section == section.section());
+        QCOMPARE(shown.item("First rib")->text(1), QStringLiteral("ghost, named"));
+        QCOMPARE(history.texts().size(), 2); // each is one change
+        section.put(section.section());
+        shown.panel.put(wanted.looks);
+        section.put(Section{Vec3{0.6, 0.8, 0.0}, 0.0, Cut::All}); // it has no such side
+        QCOMPARE(history.texts().size(), 2);
+        history.undo(2);
+        QVERIFY(shown.view->settings() == SceneSettings{});
+        section.put(wanted.section);
+        section.put(std::nullopt);
+        QVERIFY(!section.section());
+    }
+
     void cutsTheSceneOpen()
     {
         const Shown shown;

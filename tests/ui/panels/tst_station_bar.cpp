@@ -83,10 +83,10 @@ void TestStationBar::hasATabForEachStation()
 {
     Bar bar;
     QCOMPARE(bar.tabs.count(), 1);
-    QCOMPARE(bar.tabs.tabText(0), QStringLiteral("Station 1 (3)"));
+    QCOMPARE(bar.tabs.tabText(0), QStringLiteral("Station 1: 3 here"));
     bar.addRoom();
     QCOMPARE(bar.tabs.count(), 2);
-    QCOMPARE(bar.tabs.tabText(1), QStringLiteral("Room && hall (0)")); // no mnemonic
+    QCOMPARE(bar.tabs.tabText(1), QStringLiteral("Room && hall: 0 here")); // no mnemonic
     QCOMPARE(bar.tabs.currentIndex(), 0);
     QCOMPARE(bar.stations.shown(), FakeSessionNode::kStation); // nothing was chosen
     bar.stations.show(kRoom);
@@ -146,7 +146,7 @@ void TestStationBar::namesAStationAnew()
     QVERIFY(bar.field<QComboBox>("patient").isHidden());
     name.setText(QStringLiteral("Hall"));
     Bar::press(bar.field<QPushButton>("accept"));
-    QCOMPARE(bar.tabs.tabText(1), QStringLiteral("Hall (0)"));
+    QCOMPARE(bar.tabs.tabText(1), QStringLiteral("Hall: 0 here"));
 }
 
 void TestStationBar::closesOnTheSecondPressOnly()

@@ -1,4 +1,6 @@
 #include "engine/io/anatomy_set/anatomy_cache.h"
+#include "engine/io/fact_store/sql_fact_store.h"
+#include "engine/session/facts/fact_codec.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/soon.h"
 #include "tests/support/test_class.h"
@@ -11,12 +13,14 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListView>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QSignalSpy>
 #include <QTimer>
 
 #include <algorithm>
+#include <array>
 
 namespace carina::start_page_test
 {
@@ -48,6 +52,23 @@ struct Shown {
         return test::soon([this] { return patient.patient().has_value(); }, kMade);
     }
 };
+
+/// A session that was left, as it is stored.
+void storeSession(const QString& file, const char* name, SessionReach reach)
+{
+    std::uint64_t number = 0;
+    const auto record = [&number](StationId station, FactBody body) {
+        ++number;
+        return toRecord(Fact{FactNumber{number}, ProposalId{number}, ParticipantId{0}, station,
+                             SessionTime{}, SessionTime{}, std::move(body)});
+    };
+    const std::array facts{record(kNoStation, fact::SessionCreated{name, "00ff"}),
+                           record(StationId{0}, fact::StationAdded{"Station 1"})};
+    auto store = openFactStore(file.toStdString());
+    QVERIFY(store.has_value());
+    QVERIFY((*store)->append(facts).has_value());
+    keepReach(file, reach);
+}
 
 /// Presses a button of the question that comes up, for as long as it is there.
 void answerWith(const char* button)
@@ -159,6 +180,46 @@ private Q_SLOTS:
         QEvent back{QEvent::WindowActivate};
         QCoreApplication::sendEvent(&shown.page, &back);
         QVERIFY(isTold()); // at once
+    }
+
+    /// So that one press goes on with it, and a new session begins as if there were none.
+    void preselectsTheLastSessionThatCanBeResumed()
+    {
+        const test::ScratchFolder folder;
+        storeSession(folder.filePath("session-20260102-101112-000.sqlite"), "Early",
+                     SessionReach::ByLink);
+        const QString late = folder.filePath("session-20260103-101112-000.sqlite");
+        storeSession(late, "Late", SessionReach::Network);
+        folder.write("session-20260104-101112-000.sqlite", "no database");
+        StoredSessionsModel stored{folder.path()};
+        PlannedPatient patient{AnatomyCache::defaultFolder()};
+        StartPage page{
+            stored,
+            patient,
+            {.name = QStringLiteral("Ward 3"), .patient = QStringLiteral("child")},
+            [](const QString&, const PatientModel*) { return std::vector<ReadyLine>{}; }};
+        page.show();
+        QVERIFY(test::soon([&stored] { return stored.isComplete(); }));
+        auto& list = find<QListView>(page, "earlier");
+        QVERIFY(list.currentIndex().data().toString().contains(QStringLiteral("Late")));
+        QVERIFY(list.selectionModel()->isSelected(list.currentIndex()));
+        QVERIFY(page.plan().reach == SessionReach::ThisComputer);
+        const auto& asBefore = find<QLabel>(page, "asBefore");
+        QVERIFY(asBefore.isVisible());
+        QVERIFY(asBefore.text().contains(reachMeaning(SessionReach::Network)));
+        const QSignalSpy resumed{&page, &StartPage::resumeWanted};
+        const auto resumes = [&](SessionReach reach) {
+            find<QPushButton>(page, "resume").click();
+            return resumed.last()[0].toString() == late
+                   && resumed.last()[1].value<SessionReach>() == reach;
+        };
+        QVERIFY(resumes(SessionReach::Network)); // for those who were in it
+        find<QRadioButton>(page, "byLink").click();
+        QVERIFY(!asBefore.isVisible());
+        QVERIFY(resumes(SessionReach::ByLink)); // a person said so
+        Q_EMIT list.clicked(list.currentIndex());
+        QVERIFY(page.plan().reach == SessionReach::Network);
+        QVERIFY(resumes(SessionReach::Network));
     }
 
     /// In the order in which they are read: who can join stands above what begins the session.

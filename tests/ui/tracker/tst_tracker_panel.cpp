@@ -87,6 +87,9 @@ private Q_SLOTS:
         sight.reset();
         panel.look();
         QCOMPARE(trouble->text(), QStringLiteral("This program has no tracker."));
+        sight = TrackerSight{}; // of a site that is not registered
+        panel.look();
+        QVERIFY(trouble->text().contains(QStringLiteral("carina-registration")));
     }
 
     void tellsWhereInTheWorkingVolumeToolsAre()

@@ -3,6 +3,7 @@
 #include "tests/ui/trainee/trainee_desk.h"
 #include "widgets/scene/view/graphics.h"
 
+#include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTabBar>
@@ -60,6 +61,25 @@ private Q_SLOTS:
         }));
         shown.another().click();
         QCOMPARE(wanted.count(), 1);
+    }
+
+    void keepsTheMiddleOfThePictureFree()
+    {
+        Shown shown;
+        shown.node.decide(fact::PhaseChanged{SessionPhase::Ended});
+        shown.node.advance(std::chrono::seconds{1});
+        QVERIFY(soon([&] { return shown.another().isVisible(); }));
+        const QRect button = shown.another().geometry();
+        const QRect window = shown.window.rect();
+        QVERIFY(window.contains(button));
+        QVERIFY(button.top() > 3 * window.height() / 4);
+        int told = 0;
+        for (const QLabel* notice :
+             shown.window.findChildren<QLabel*>(QString{}, Qt::FindDirectChildrenOnly)) {
+            told += notice->isVisible() ? 1 : 0;
+            QVERIFY(!notice->isVisible() || !notice->geometry().intersects(button));
+        }
+        QCOMPARE(told, 1);
     }
 
     /// It was closed for good, or ended while this program was away.

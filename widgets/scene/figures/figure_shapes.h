@@ -28,13 +28,14 @@ struct FigureShapes {
 inline constexpr double kHeadTop = 0.115;   ///< of the head, above the eyes
 inline constexpr double kGazeLength = 0.25; ///< from the eyes
 inline constexpr double kRayLength = 0.3;   ///< from the origin
-/// About those of an adult's laryngoscope; no maker's figures were found for them.
+/// Sizes of a laryngoscope, of ours: about those of an adult's; no published figures were found.
 inline constexpr double kBladeLength = 0.13;
 inline constexpr double kHandleLength = 0.155;
 inline constexpr double kHandleRadius = 0.014;
 
 /// A laryngoscope's blade in the frame of FigureShapes::blade, metres: its tip at (0, rise,
-/// -reach), its underside half way lower than the line from heel to tip by `sag`.
+/// -reach), its underside half way lower than the line from heel to tip by `sag`. The sizes are of
+/// ours, as kBladeLength is; a calibrated blade is drawn with its own.
 struct BladeForm {
     double reach = kBladeLength;
     double rise = 0.012;

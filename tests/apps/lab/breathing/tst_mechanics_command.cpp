@@ -24,6 +24,7 @@ private Q_SLOTS:
     void listsWhatIsOutside();
     void saysWhichPatientsItTakes();
     void trapsMoreGasTheFasterItBreathes();
+    void tellsTheCourseOfATension();
     void describesAWaveform();
     void describesAPosition();
     void refusesBadArguments_data();
@@ -166,6 +167,32 @@ void TestMechanicsCommand::trapsMoreGasTheFasterItBreathes()
     };
     QVERIFY(autoPeep_cmH2O("12") > 0.5);
     QVERIFY(autoPeep_cmH2O("24") > 2.0 * autoPeep_cmH2O("12"));
+}
+
+/// Of no other condition. Gas only comes in, and what it does to the pressure grows with it; it is
+/// below that of the room in inspiration, where more comes in.
+void TestMechanicsCommand::tellsTheCourseOfATension()
+{
+    const QJsonObject printed = everyConditionOf("child");
+    for (const QJsonValue& condition : printed[QStringLiteral("conditions")].toArray()) {
+        const QJsonArray course = condition[QStringLiteral("course")].toArray();
+        const bool isTension =
+            condition[QStringLiteral("condition")] == QStringLiteral("tension_pneumothorax");
+        QCOMPARE(course.size(), isTension ? 4 : 0);
+        QJsonObject before;
+        for (const QJsonValue& point : course) {
+            for (const char* key : {"minutes", "pleural_gas_ml", "right_pleura_greatest_cmh2o",
+                                    "mediastinal_shift_greatest_mm"})
+                QVERIFY2(before.isEmpty()
+                             || point[QLatin1StringView{key}].toDouble()
+                                    > before[QLatin1StringView{key}].toDouble(),
+                         key);
+            QVERIFY(point[QStringLiteral("right_pleura_least_cmh2o")].toDouble() < 0.0);
+            QVERIFY(point[QStringLiteral("mediastinal_shift_least_mm")].toDouble()
+                    < point[QStringLiteral("mediastinal_shift_greatest_mm")].toDouble());
+            before = point.toObject();
+        }
+    }
 }
 
 void TestMechanicsCommand::describesAWaveform()

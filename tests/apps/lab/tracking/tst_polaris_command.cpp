@@ -1,6 +1,7 @@
 #include "apps/lab/commands.h"
 #include "engine/core/monotonic_clock.h"
 #include "engine/io/site/devices/tracker_file.h"
+#include "engine/net/devices/any_recording.h"
 #include "engine/net/devices/device_tracker.h"
 #include "tests/support/soon.h"
 #include "tests/support/test_class.h"
@@ -8,6 +9,7 @@
 #include <QJsonObject>
 #include <QTemporaryDir>
 
+#include <cmath>
 #include <filesystem>
 #include <thread>
 
@@ -18,13 +20,21 @@ namespace
 
 using namespace std::chrono_literals;
 
+constexpr double kExact = 1e-5; ///< metres: BX has single precision
+
 /// The program's device, which serves while this lives; its patient takes some seconds to make.
 class Served
 {
 public:
-    explicit Served(QStringList words)
+    /// @param recording that it sees; without one scripted hands
+    explicit Served(QStringList words, const TrackerSequence& recording = {})
     {
         words.prepend(m_folder.path());
+        if (!recording.tools.empty()) {
+            const QString file = m_folder.filePath(QStringLiteral("poses.csv"));
+            QVERIFY(writeAnyRecording(file.toStdString(), recording));
+            words << QStringLiteral("--recording") << file;
+        }
         m_thread = std::jthread{[words] { static_cast<void>(polarisCommand().run(words)); }};
     }
 
@@ -78,6 +88,40 @@ private Q_SLOTS:
         QCOMPARE((*tracker)->trouble(), std::string{});
     }
 
+    void showsTheToolsOfARecording()
+    {
+        const Vec3 p_TE{0.1, -0.2, -1.5};
+        TrackerSequence recording{{{.name = "Tube", .role = ToolRole::Tube},
+                                   {.name = "Pointer", .role = ToolRole::Tube}}};
+        for (int i = 0; i < 60; ++i) {
+            const SessionTime time{i * 16ms};
+            recording.tools[0].samples.push_back(
+                {.time = time, .X_FO = RigidTransform::translation(p_TE), .error = 0.0002});
+            recording.tools[1].samples.push_back({.time = time, .validity = Validity::Lost});
+        }
+        const Served served{{QStringLiteral("--seconds"), QStringLiteral("8")}, recording};
+        QVERIFY(test::soon([&] { return std::filesystem::exists(served.description()); }, 60s));
+        const auto description = readTrackerFile(served.description());
+        QVERIFY2(description, description ? "" : description.error().detail.c_str());
+        QCOMPARE(description->tools[1].role, ToolRole::Other); // no role twice
+        const auto tracker = DeviceTracker::make(*description, [] {
+            return std::optional{SessionTime{monotonicNow().time_since_epoch()}};
+        });
+        QVERIFY(tracker && (*tracker)->start());
+        const auto tools = (*tracker)->tools();
+        std::optional<PoseSample> tube;
+        QVERIFY(test::soon(
+            [&] {
+                tube = tools[0].history->newest();
+                return tube && tube->validity == Validity::Tracked;
+            },
+            20s));
+        QVERIFY((tube->X_FO.translation() - p_TE).norm() < kExact);
+        QVERIFY(std::abs(tube->error - 0.0002) < kExact);
+        const auto pointer = tools[1].history->newest();
+        QVERIFY(!pointer || pointer->validity == Validity::Lost);
+    }
+
     void refusesOtherWords()
     {
         const QTemporaryDir folder;
@@ -85,7 +129,11 @@ private Q_SLOTS:
              {QStringList{},
               {folder.path(), QStringLiteral("--wired"), QStringLiteral("bougie")},
               {folder.path(), QStringLiteral("--hide"), QStringLiteral("bougie")},
-              {folder.path(), QStringLiteral("--fault"), QStringLiteral("unplug")}}) {
+              {folder.path(), QStringLiteral("--fault"), QStringLiteral("unplug")},
+              {folder.path(), QStringLiteral("--fault"), QStringLiteral("wrong-rate"),
+               QStringLiteral("--tcp"), QStringLiteral("1")},
+              {folder.path(), QStringLiteral("--patient"), QStringLiteral("child"),
+               QStringLiteral("--recording"), QStringLiteral("poses.csv")}}) {
             const auto object = polarisCommand().run(words);
             QVERIFY(!object);
             QCOMPARE(object.error().code, Errc::WrongOption);

@@ -22,6 +22,8 @@ private Q_SLOTS:
     void saysWhatItCannotDraw();
     void leansOnTheOtherLung();
     void shiftsNoFurtherThanItMay();
+    void leavesALungThatTensionHasClosed_data();
+    void leavesALungThatTensionHasClosed();
     void neverJumps_data();
     void neverJumps();
     void drawsTheNearestOfWhatCannotBe();
@@ -156,6 +158,35 @@ void TestChestDrawing::shiftsNoFurtherThanItMay()
     QCOMPARE(drawnPose(childLungs(), shape, 0).mediastinalShift, -kDrawnShift);
 }
 
+void TestChestDrawing::leavesALungThatTensionHasClosed_data()
+{
+    QTest::addColumn<double>("shift_mm");
+    for (const double shift_mm : {5.0, 10.0, 15.0, 20.0, 23.0})
+        QTest::addRow("by %g mm", shift_mm) << shift_mm;
+}
+
+/// The mediastinum goes as far as the mechanics say beside a lung with a quarter of its gas: what
+/// it leaves is no reason to go back.
+void TestChestDrawing::leavesALungThatTensionHasClosed()
+{
+    QFETCH(double, shift_mm);
+    ChestShape shape = restingShape();
+    shape.lungs[0].gas = 0.255 * shape.lungs[0].healthy;
+    shape.lungs[0].room = 2.0 * shape.lungs[0].healthy;
+    shape.lungs[1].gas = 0.8 * shape.lungs[1].healthy;
+    shape.mediastinalShift = millimetres(shift_mm);
+    const LungPair& lungs = childLungs();
+    const ChestPose pose = drawnPose(lungs, shape, 0);
+    const double halfWidth_mm = 1e3 / lungs.field().frame().perMetre.u;
+    QVERIFY2(std::abs(pose.mediastinalShift * halfWidth_mm - shift_mm) < 1e-9,
+             qPrintable(QString::number(pose.mediastinalShift * halfWidth_mm)));
+    for (const Side side : {Side::Right, Side::Left})
+        QVERIFY(std::abs(volumeDrawn_ml(lungs, side, 0, pose)
+                         - inMillilitres(drawnVolume(lungs, shape, side)))
+                < kVolumeTolerance_ml);
+    QVERIFY(rangeTaken(pose) <= 1.0 + 1e-9);
+}
+
 void TestChestDrawing::neverJumps_data()
 {
     QTest::addColumn<double>("room_l");
@@ -191,7 +222,7 @@ void TestChestDrawing::drawsTheNearestOfWhatCannotBe()
     shape.lungs[1].gas = litres(9.0);
     shape.lungs[1].room = litres(9.0);
     const ChestPose pose = drawnPose(childLungs(), shape, 0);
-    QVERIFY(std::abs(pose.lungs[0].collapse - kMostCollapse) < 1e-6);
+    QVERIFY(std::abs(pose.lungs[0].collapse - kMostCollapseAlone) < 1e-6);
     QVERIFY(rangeTaken(pose) <= 1.0 + 1e-9);
     QVERIFY(volumeDrawn_ml(childLungs(), Side::Left, 0, pose) > 1500.0);
 }

@@ -84,27 +84,37 @@ void TestChestInSkin::staysInTheSkinAndWhole()
 void TestChestInSkin::movesAsideUnderTension_data()
 {
     QTest::addColumn<ConditionSide>("side");
-    QTest::newRow("right") << ConditionSide::Right;
-    QTest::newRow("left") << ConditionSide::Left;
+    QTest::addColumn<VentilationMode>("mode");
+    using enum VentilationMode;
+    QTest::newRow("right, breathing alone") << ConditionSide::Right << Spontaneous;
+    QTest::newRow("left, breathing alone") << ConditionSide::Left << Spontaneous;
+    QTest::newRow("right, ventilated") << ConditionSide::Right << VolumeControl;
+    QTest::newRow("left, ventilated") << ConditionSide::Left << VolumeControl;
 }
 
-/// At the end of expiration: the trachea by half of its width at least, to the other side, and the
-/// half of the diaphragm beneath the gas down, farther than the other.
+/// At the end of expiration, within a minute: the trachea by half of its width at least, to the
+/// other side, and the half of the diaphragm beneath the gas down. Where the patient breathes alone
+/// it is farther down than the other half; a ventilator that has filled the chest lowers both.
 void TestChestInSkin::movesAsideUnderTension()
 {
     constexpr double kSeen_mm = 8.0;
     QFETCH(ConditionSide, side);
+    QFETCH(VentilationMode, mode);
     const RespiratorySettings settings =
-        adultWith({ConditionKind::TensionPneumothorax, 1.0, side}, VentilationMode::VolumeControl);
-    const ChestPose pose =
-        drawnPose(adult().lungs(), endsOfSettledBreath(settings)[0], adult().level());
+        adultWith({ConditionKind::TensionPneumothorax, 1.0, side}, mode);
+    const ChestShape shape = endsOfSettledBreath(settings)[0];
+    const ChestPose pose = drawnPose(adult().lungs(), shape, adult().level());
     const bool isRight = side == ConditionSide::Right;
     const double aside_mm = 1e3 * (isRight ? 1.0 : -1.0) * adult().carinaMoved(pose).x();
-    QVERIFY2(aside_mm > kSeen_mm, qPrintable(QString::number(aside_mm)));
+    const double most_mm = 1e3 * kDrawnShift / adult().lungs().field().frame().perMetre.u;
+    const double asked_mm = std::min(std::abs(inMillimetres(shape.mediastinalShift)), most_mm);
+    QVERIFY2(aside_mm > kSeen_mm && aside_mm > 0.95 * asked_mm,
+             qPrintable(QStringLiteral("%1 of %2 mm").arg(aside_mm).arg(asked_mm)));
     const Length beneath = adult().descent(pose, isRight ? Side::Right : Side::Left);
     const Length beside = adult().descent(pose, isRight ? Side::Left : Side::Right);
+    const bool isLower = mode != VentilationMode::Spontaneous || beneath > 1.5 * beside;
     QVERIFY2(
-        inMillimetres(beneath) > kSeen_mm && beneath > 1.5 * beside,
+        inMillimetres(beneath) > kSeen_mm && isLower,
         qPrintable(
             QStringLiteral("%1 and %2 mm").arg(inMillimetres(beneath)).arg(inMillimetres(beside))));
 }

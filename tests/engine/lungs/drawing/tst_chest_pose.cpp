@@ -240,6 +240,9 @@ void TestChestPose::knowsHowMuchOfTheRangeIsTaken_data()
     QTest::newRow("face down") << LungPose{.diaphragm = 1.0, .gravity = -1.2} << 0.0 << 0.75;
     QTest::newRow("half collapsed") << LungPose{.diaphragm = 1.05, .collapse = 0.2} << 0.0 << 0.75;
     QTest::newRow("air trapped") << LungPose{.diaphragm = 1.05, .collapse = -0.275} << 0.0 << 0.75;
+    QTest::newRow("only collapsed") << LungPose{.collapse = 0.23} << 0.0 << 0.5;
+    QTest::newRow("only collapsed, shifted into it") << LungPose{.collapse = 0.23} << -0.1 << 0.75;
+    QTest::newRow("only collapsed, shifted away") << LungPose{.collapse = 0.46} << 0.3 << 1.0;
     QTest::newRow("shifted into it") << LungPose{.diaphragm = 1.05} << -0.2 << 0.75;
     QTest::newRow("shifted away") << LungPose{.diaphragm = 3.15} << 0.2 << 0.75;
     QTest::newRow("shifted too far") << LungPose{} << 0.4001 << inf;
@@ -273,7 +276,11 @@ void TestChestPose::endsWhereTheRangeDoes_data()
     QTest::newRow("shifted into it") << LungPose{} << kDown << 0.2 << -1.5 << 2.1;
     QTest::newRow("shifted away") << LungPose{} << kDown << -0.4 << -3.0 << 4.2;
     QTest::newRow("air trapped") << LungPose{.collapse = -0.275} << kDown << 0.0 << -1.5 << 2.1;
-    QTest::newRow("collapse") << LungPose{} << kShrink << 0.0 << -0.55 << 0.4;
+    QTest::newRow("collapse alone") << LungPose{} << kShrink << 0.0 << -0.55 << 0.46;
+    QTest::newRow("collapse alone, shifted into it")
+        << LungPose{} << kShrink << 0.2 << -0.275 << 0.23;
+    QTest::newRow("collapse of a lung that sags")
+        << LungPose{.gravity = 0.8} << kShrink << 0.0 << -0.275 << 0.2;
     QTest::newRow("collapse of half a breath")
         << LungPose{.diaphragm = 2.1} << kShrink << 0.0 << -0.275 << 0.2;
     QTest::newRow("gravity") << LungPose{} << LungPose{.gravity = 0.4} << 0.0 << -4.0 << 4.0;

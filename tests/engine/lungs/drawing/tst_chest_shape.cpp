@@ -5,6 +5,8 @@
 #include "tests/engine/lungs/mechanics/within.h"
 #include "tests/support/test_class.h"
 
+#include <algorithm>
+
 namespace carina::chest_shape_test
 {
 
@@ -40,6 +42,7 @@ private Q_SLOTS:
     void makesRoomForEmphysema();
     void followsTheWallWhereTheMediastinumGaveWay();
     void standsOutBesideAPneumothorax();
+    void shiftsAwayFromATension_data();
     void shiftsAwayFromATension();
     void shiftsTowardsAnAtelectasis();
     void shiftsFurtherInASmallerChest();
@@ -103,25 +106,39 @@ void TestChestShape::standsOutBesideAPneumothorax()
     QVERIFY(shape.mediastinalShift.si < 0.0); // away from it, to the right
 }
 
-/// Under a ventilator, by centimetres within minutes, 35 mm at the most.
+void TestChestShape::shiftsAwayFromATension_data()
+{
+    QTest::addColumn<VentilationMode>("mode");
+    QTest::addColumn<double>("least_mm");
+    QTest::newRow("ventilated") << VentilationMode::VolumeControl << 20.0;
+    QTest::newRow("breathing alone") << VentilationMode::Spontaneous << 10.0;
+}
+
+/// By more with each minute, a ventilated patient's by centimetres, 35 mm at the most.
 void TestChestShape::shiftsAwayFromATension()
 {
+    QFETCH(const VentilationMode, mode);
+    QFETCH(const double, least_mm);
     RespiratorySettings settings;
     settings.pattern = restingPattern(settings.build);
-    settings.ventilator.mode = VentilationMode::VolumeControl;
-    settings.conditions = {{ConditionKind::TensionPneumothorax, 1.0, ConditionSide::Right}};
+    settings.ventilator.mode = mode;
+    settings.conditions = {{ConditionKind::TensionPneumothorax, 0.3, ConditionSide::Right}};
     RespiratoryFold fold{settings};
     double shift = 0.0;
-    for (int minute = 0; minute < 4; ++minute) {
-        for (int i = 0; i < 30000; ++i)
+    for (int minute = 0; minute < 5; ++minute) {
+        double farthest = 0.0; // of its last ten seconds
+        for (int i = 0; i < 30000; ++i) {
             fold.step();
-        const double now =
-            inMillimetres(chestShape(settings.build, fold.system(), fold.content(), fold.moment())
-                              .mediastinalShift);
-        QVERIFY(now > shift);
-        shift = now;
+            if (i % 100 != 0 || i < 25000)
+                continue;
+            const ChestShape shape =
+                chestShape(settings.build, fold.system(), fold.content(), fold.moment());
+            farthest = std::max(farthest, inMillimetres(shape.mediastinalShift));
+        }
+        QVERIFY(farthest > shift);
+        shift = farthest;
     }
-    QVERIFY2(shift > 15.0 && shift <= 35.0, qPrintable(QString::number(shift)));
+    QVERIFY2(shift > least_mm && shift <= 35.0, qPrintable(QString::number(shift)));
 }
 
 void TestChestShape::shiftsTowardsAnAtelectasis()

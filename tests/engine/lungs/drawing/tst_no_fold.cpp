@@ -79,6 +79,21 @@ Corners cornersOf(int piece, const ChestField& field)
     return corners;
 }
 
+/// Those of a right lung that only collapses, which may be more, in one piece of what the collapse
+/// takes.
+Corners cornersAlone(int piece, const ChestField& field)
+{
+    const double least = double(piece) / kPieces;
+    const double most = double(piece + 1) / kPieces;
+    const Interval shrink{kMostCollapseAlone * least, kMostCollapseAlone * most};
+    Corners corners;
+    for (const double shift : {-kMostShift * (1.0 - least), 0.0, kMostShift})
+        corners.u.push_back(termsOf({}, shift, shrink, field));
+    corners.v.push_back(termsOf({}, 0.0, shrink, field));
+    corners.h = corners.v;
+    return corners;
+}
+
 Place cross(const Place& a, const Place& b)
 {
     return {a.v * b.h - a.h * b.v, a.h * b.u - a.u * b.h, a.u * b.v - a.v * b.u};
@@ -140,13 +155,18 @@ private Q_SLOTS:
     {
         QTest::addColumn<Vec3>("hilum");
         QTest::addColumn<int>("piece");
+        QTest::addColumn<bool>("onlyCollapses");
         for (const Vec3& hilum : kHila) {
             QTest::addRow("hila at %g, %g, %g; below the lungs", hilum.x(), hilum.y(), hilum.z())
-                << hilum << kBelow;
-            for (int piece = 0; piece < kPieces; ++piece)
+                << hilum << kBelow << false;
+            for (int piece = 0; piece < kPieces; ++piece) {
                 QTest::addRow("hila at %g, %g, %g; collapse and shift take up to %d/%d", hilum.x(),
                               hilum.y(), hilum.z(), piece + 1, kPieces)
-                    << hilum << piece;
+                    << hilum << piece << false;
+                QTest::addRow("hila at %g, %g, %g; collapse alone, up to %d/%d", hilum.x(),
+                              hilum.y(), hilum.z(), piece + 1, kPieces)
+                    << hilum << piece << true;
+            }
         }
     }
     void foldsNowhereInAnyPose();
@@ -157,13 +177,14 @@ void TestNoFold::foldsNowhereInAnyPose()
 {
     QFETCH(Vec3, hilum);
     QFETCH(int, piece);
+    QFETCH(bool, onlyCollapses);
     Box lungs_A;
     lungs_A.include(Vec3{-0.13, -0.10, -0.15});
     lungs_A.include(Vec3{0.13, 0.09, 0.10});
     const Vec3 left{0.13 * hilum.x(), -0.10 + 0.19 * hilum.y(), 0.10 - 0.25 * hilum.z()};
     const ChestField field{lungs_A, {-left.x(), left.y(), left.z()}, left};
     const ChestFrame<Interval> frame = exactly(field.frame());
-    const Corners corners = cornersOf(piece, field);
+    const Corners corners = onlyCollapses ? cornersAlone(piece, field) : cornersOf(piece, field);
     const Interval height = piece == kBelow ? Interval{1.0, 1.5} : Interval{-0.2, 1.0};
     std::vector<Place> cells{{{-1.2, 0.0}, {-0.2, 1.2}, height}};
     while (!cells.empty()) {

@@ -24,6 +24,9 @@ private Q_SLOTS:
     void collapsesAPneumothoraxToAQuarter();
     void bringsThePleuraToThePressureOfTheRoom();
     void opensATearForATension();
+    void tearsAsWideAsPulse_data();
+    void tearsAsWideAsPulse();
+    void leaksAtMostWhatPatientsLeak();
     void shutsOffAnAtelectasis();
     void givesAllToTheSideOfTheTube();
     void closesABronchusWholly();
@@ -83,11 +86,42 @@ void TestSidedCondition::opensATearForATension()
 {
     const RespiratorySystem system =
         with(ConditionKind::TensionPneumothorax, 0.5, ConditionSide::Left);
-    VERIFY_WITHIN(system.lungs[1].wall.si / system.lungs[1].valve.si, 80.0, 1e-9); // s
+    QVERIFY(system.lungs[1].valve.si > 0.0);
     QCOMPARE(system.lungs[1].relief.si, 0.0);
     QCOMPARE(system.lungs[0].valve.si, 0.0);
     QVERIFY(system.lungs[0].relief.si > 0.0);
     QVERIFY(system.lungs[1].curve == healthy().lungs[1].curve);
+}
+
+void TestSidedCondition::tearsAsWideAsPulse_data()
+{
+    QTest::addColumn<double>("severity");
+    QTest::newRow("mild") << 0.3;
+    QTest::newRow("moderate") << 0.6;
+    QTest::newRow("severe") << 0.9;
+    QTest::newRow("as wide as can be") << 1.0;
+}
+
+/// 50 / s^2 cmH2O s/L (Pulse), and half of it where both lungs are torn, the larger one wider.
+void TestSidedCondition::tearsAsWideAsPulse()
+{
+    QFETCH(const double, severity);
+    const RespiratorySystem system = with(ConditionKind::TensionPneumothorax, severity);
+    const double both = system.lungs[0].valve.si + system.lungs[1].valve.si;
+    VERIFY_WITHIN(inCmH2OSecondsPerLitre({1.0 / both}), 25.0 / (severity * severity), 1e-9);
+    VERIFY_WITHIN(system.lungs[0].valve.si / both, 0.525, 1e-12);
+}
+
+/// The largest leak of 38 patients under a ventilator was 900 ml in a breath, and more than 500 ml
+/// in eight of them (Chest 1986;90:321). Their airway is taken to be 10 cmH2O above the pleura on
+/// average, and a breath to last 60 s / 16.
+void TestSidedCondition::leaksAtMostWhatPatientsLeak()
+{
+    const RespiratorySystem system = with(ConditionKind::TensionPneumothorax, 1.0);
+    for (const LungMechanics& lung : system.lungs) {
+        const double leak_ml = inMillilitres({lung.valve.si * cmH2O(10.0).si * 60.0 / 16.0});
+        QVERIFY2(leak_ml > 500.0 && leak_ml < 900.0, qPrintable(QString::number(leak_ml)));
+    }
 }
 
 void TestSidedCondition::shutsOffAnAtelectasis()

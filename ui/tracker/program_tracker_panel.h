@@ -1,0 +1,44 @@
+#pragma once
+
+#include "models/station/tool_status.h"
+#include "models/tracker/pose_recording.h"
+
+#include <QWidget>
+
+#include <functional>
+#include <optional>
+
+class QVBoxLayout;
+
+namespace carina
+{
+
+/// The tracker of a program in a session, as far as its window shows it.
+struct ProgramTracker {
+    /// How it sees its tools now; std::nullopt for a program without one.
+    std::function<std::optional<TrackerSight>()> sight{};
+    PoseRecording* recording = nullptr; ///< of its poses; outlives the window
+    bool canBeGiven = false;            ///< whether a person may connect another
+    TreatmentChoice treatment{};        ///< of its poses
+};
+
+/// The tools of a program's tracker as they are seen now, and below them what a person may do with
+/// the tracker: choose how its poses are treated, record them, connect another one, go on without.
+class ProgramTrackerPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit ProgramTrackerPanel(const ProgramTracker& tracker, QWidget* parent = nullptr);
+
+Q_SIGNALS:
+    /// A person wants to connect a tracker, or another one.
+    void wanted();
+    /// A person wants to go on without the tracker.
+    void unwanted();
+
+private:
+    void offerAnother(QVBoxLayout& column, const ProgramTracker& tracker);
+};
+
+} // namespace carina

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
 #include <sys/resource.h>
@@ -13,7 +14,7 @@ namespace
 {
 
 /// A third of the share of a thread that was not lowered, where there is not enough for both.
-constexpr int kLess = 5;
+constexpr int kLowerBy = 5;
 
 /// The thread that keeps the first priority. Never destroyed: others may start threads to the end.
 class Starter
@@ -52,14 +53,26 @@ private:
 };
 
 std::atomic<Starter*> starter = nullptr;
+std::atomic<int> loweredTo = 0;
 
 } // namespace
 
 void makeWayForPromptThreads()
 {
-    starter = new Starter;
+    loweredTo = getpriority(PRIO_PROCESS, 0) + kLowerBy;
+    try {
+        starter = new Starter;
+    } catch (const std::system_error&) {
+        return; // no thread can be started: all keep the same priority
+    }
+    makeWay();
+}
+
+void makeWay()
+{
     // Of this thread alone. Where that fails, all have the same priority.
-    static_cast<void>(setpriority(PRIO_PROCESS, 0, getpriority(PRIO_PROCESS, 0) + kLess));
+    if (starter.load() != nullptr)
+        static_cast<void>(setpriority(PRIO_PROCESS, 0, loweredTo));
 }
 
 void startPromptly(const std::function<void()>& start)

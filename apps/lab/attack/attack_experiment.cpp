@@ -142,6 +142,10 @@ private:
                 return fail(Errc::HostSilent, "not all guests came in");
             workFor(kSlice, [] {});
         }
+        // The trainee, the observer and the instructor, too.
+        const auto all = std::size_t(m_settings.guests) + 3;
+        if (!waitFor([&] { return honestOnes().size() == all; }))
+            return fail(Errc::HostSilent, "not all guests were seen");
         return {};
     }
 

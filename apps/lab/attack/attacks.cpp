@@ -343,13 +343,16 @@ public:
             Target own = target;
             own.attacker += ' ' + std::to_string(number++);
             m_attacks.push_back(single.begin(own));
+            m_bringsNames.push_back(single.bringsNames);
         }
     }
 
     void step() override
     {
-        for (const auto& attack : m_attacks)
-            attack->step();
+        const bool allBegin = monotonicNow() >= m_namesFrom;
+        for (std::size_t i = 0; i < m_attacks.size(); ++i)
+            if (allBegin || !m_bringsNames[i])
+                m_attacks[i]->step();
     }
     [[nodiscard]] std::int64_t sent() const override
     {
@@ -372,7 +375,12 @@ public:
     }
 
 private:
+    /// In which the others come in, who would have to wait behind hundreds of names.
+    static constexpr Duration kHeadStart = std::chrono::milliseconds{700};
+
     std::vector<std::unique_ptr<Attack>> m_attacks;
+    std::vector<bool> m_bringsNames; // of each
+    LocalTime m_namesFrom = monotonicNow() + kHeadStart;
 };
 
 template <class Kind> std::unique_ptr<Attack> begin(const Target& target)
@@ -488,7 +496,8 @@ std::span<const AttackKind> attackKinds()
         AttackKind{.name = "names",
                    .what = "a trainee comes in under ever new names over one path",
                    .begin = begin<Names>,
-                   .mostFacts = kComings},
+                   .mostFacts = kComings,
+                   .bringsNames = true},
         AttackKind{.name = "garbage",
                    .what = "an observer sends bytes at random",
                    .begin = begin<Garbage>,

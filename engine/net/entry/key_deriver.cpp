@@ -1,5 +1,7 @@
 #include "engine/net/entry/key_deriver.h"
 
+#include "engine/core/prompt_thread.h"
+
 namespace carina
 {
 
@@ -17,6 +19,7 @@ KeyDeriver::~KeyDeriver()
 void KeyDeriver::derive(const JoinCode& code, const SessionKey& session, Done done)
 {
     m_pool.start([this, code, session, done = std::move(done)] {
+        makeWay(); // it takes a second, and the thread of the session began it
         QMetaObject::invokeMethod(
             this, [done, key = m_derive(code, session)] { done(key); }, Qt::QueuedConnection);
     });

@@ -6,6 +6,7 @@
 #include <QSslPreSharedKeyAuthenticator>
 
 #include <algorithm>
+#include <utility>
 
 namespace carina
 {
@@ -79,15 +80,30 @@ void HostTransport::serve(TransportListener& listener, LocalTime now)
 void HostTransport::read()
 {
     // All are read before the first is taken, for each counts as arrived when it was read.
-    if (m_drain)
-        for (RawDatagram& datagram : m_drain->take())
+    SocketDrain::Hold hold;
+    if (m_drain) {
+        hold = m_drain->hold();
+        if (std::exchange(m_hasNewEndpoints, false))
+            m_drain->setKnown(endpoints(), hold);
+        for (RawDatagram& datagram : m_drain->take(hold))
             arrive(std::move(datagram));
+    }
     for (std::size_t i = 0; i < kReadPerTurn; ++i) {
         auto datagram = readRaw(m_socket);
         if (!datagram)
             return;
         arrive(*std::move(datagram));
     }
+}
+
+std::vector<Endpoint> HostTransport::endpoints() const
+{
+    std::vector<Endpoint> all;
+    for (const Associations* associations : {&m_paths, &m_handshakes})
+        for (const auto& [from, association] : *associations)
+            all.push_back(from);
+    std::ranges::sort(all);
+    return all;
 }
 
 void HostTransport::arrive(RawDatagram datagram)
@@ -179,6 +195,7 @@ void HostTransport::greet(const Endpoint& from, const RawDatagram& hello, LocalT
     if (!association->dtls.doHandshake(&m_socket, hello.bytes))
         return;
     m_handshakes.insert_or_assign(from, std::move(association));
+    m_hasNewEndpoints = true;
     watch(now + kHandshakeTimeout);
     if (m_handshakes.size() > kMostHandshakes)
         dropHandshake();

@@ -95,6 +95,8 @@ private:
     void dropSilent(TransportListener& listener, LocalTime now);
     void read();
     void arrive(RawDatagram datagram);
+    /// Of all paths and handshakes, sorted.
+    [[nodiscard]] std::vector<Endpoint> endpoints() const;
     /// Notes an association that may be silent for too long from a time on.
     void watch(LocalTime from) { m_nobodySilentBefore = std::min(m_nobodySilentBefore, from); }
 
@@ -110,6 +112,7 @@ private:
     ArrivalQueue m_arrived;
     Associations m_handshakes;
     Associations m_paths;
+    bool m_hasNewEndpoints = false;                  // since the drain was last told
     std::map<PeerAddress, Association*> m_byAddress; // into m_paths
     PeerAddress m_lastAddress = 0;
     /// No association is silent for too long before this.

@@ -2,7 +2,9 @@
 
 #include "engine/core/monotonic_clock.h"
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
 #include <netinet/in.h>
 #include <poll.h>
@@ -69,7 +71,7 @@ void SocketDrain::work(const std::stop_token& stopping)
             continue;
         const LocalTime now = monotonicNow();
         if (now >= patientFrom)
-            m_thread.rest(kPatience, stopping);
+            m_thread.rest(kOwnersTurn, stopping);
         if (drain() >= kMany)
             patientFrom = now + kFlood;
     }
@@ -78,28 +80,45 @@ void SocketDrain::work(const std::stop_token& stopping)
 int SocketDrain::drain()
 {
     int read = 0;
+    bool isNews = false;
     for (; read < kMostAtOnce; ++read) {
-        auto datagram = readOne(int(m_socket));
-        if (!datagram)
+        const Hold hold{m_mutex};
+        const auto kept = readNext();
+        if (!kept)
             break;
-        if (datagram->bytes.isEmpty() || datagram->bytes.size() > kLongestRaw)
-            continue;
-        const std::lock_guard lock{m_mutex};
-        const Endpoint from = endpoint(datagram->from, datagram->port);
-        m_read.add(from, *std::move(datagram), true);
+        if (*kept)
+            isNews = isNews || !std::exchange(m_hasTold, true);
     }
-    if (read > 0)
+    if (isNews)
         m_onNews();
     return read;
 }
 
-std::vector<RawDatagram> SocketDrain::take()
+std::optional<bool> SocketDrain::readNext()
 {
-    const std::lock_guard lock{m_mutex};
+    auto datagram = readOne(int(m_socket));
+    if (!datagram)
+        return std::nullopt;
+    if (datagram->bytes.isEmpty() || datagram->bytes.size() > kLongestRaw)
+        return false;
+    const Endpoint from = endpoint(datagram->from, datagram->port);
+    const bool isKnown = std::ranges::binary_search(m_known, from);
+    m_read.add(from, *std::move(datagram), isKnown);
+    return true;
+}
+
+std::vector<RawDatagram> SocketDrain::take(const Hold& /*hold*/)
+{
+    m_hasTold = false;
     std::vector<RawDatagram> all;
     while (auto datagram = m_read.next())
         all.push_back(*std::move(datagram));
     return all;
+}
+
+void SocketDrain::setKnown(std::vector<Endpoint> known, const Hold& /*hold*/)
+{
+    m_known = std::move(known);
 }
 
 } // namespace carina

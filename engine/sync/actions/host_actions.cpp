@@ -44,7 +44,7 @@ Duration HostActions::lagOf(const Peer* author) const
     for (const auto& [address, peer] : m_peers)
         if (&peer != author)
             farthest = std::max(farthest, peer.delay);
-    return std::min((author ? author->delay : Duration{}) + farthest + kLagMargin,
+    return std::min((author ? author->delay : Duration{}) + farthest + m_longestWait + kLagMargin,
                     kLongestLocalLag);
 }
 

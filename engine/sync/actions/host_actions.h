@@ -75,6 +75,8 @@ public:
     [[nodiscard]] std::vector<WireRecord> takeDue(PeerAddress to, LocalTime now);
     [[nodiscard]] LocalTime nextDue() const;
 
+    /// For how long what goes out may wait at the host, which actions with a lag wait for, too.
+    void setLongestWait(Duration wait) { m_longestWait = wait; }
     [[nodiscard]] const SharedActions& shared() const { return m_actions; }
 
 private:
@@ -107,6 +109,7 @@ private:
     SharedActions m_actions;
     StrategyHost m_strategy;
     StrategyChoice m_choice;
+    Duration m_longestWait{};
     EventRepeater m_own{true};
     std::vector<EventCpo> m_handedOver; // continued or restored, not forwarded yet
     std::set<ObjectId> m_changed;

@@ -170,11 +170,12 @@ void SyncHost::advance(LocalTime now)
 
 void SyncHost::serve(LocalTime now)
 {
+    m_behind = countBehind();
+    m_actions.setLongestWait(longestWait());
     if (waitsForTicks() && now < m_streams.nextTick())
-        return;
+        return serveBetween(now);
     const bool tick = m_streams.isDue(now);
     const bool isForAnybody = tick || m_actions.nextDue() <= now;
-    m_behind = countBehind();
     if (tick)
         gatherStreams(now);
     for (auto& [address, peer] : m_peers)
@@ -184,11 +185,17 @@ void SyncHost::serve(LocalTime now)
         m_streams.served(now);
 }
 
+void SyncHost::serveBetween(LocalTime now)
+{
+    for (auto& [address, peer] : m_peers)
+        if (catchesUp(peer) && nextDueTo(peer) <= now)
+            sendDue(address, peer, false, now);
+}
+
 std::size_t SyncHost::countBehind() const
 {
-    return static_cast<std::size_t>(std::ranges::count_if(m_peers, [this](const auto& entry) {
-        return entry.second.facts.acknowledged().value + FactSender::kFirstWindow < m_log.size();
-    }));
+    return static_cast<std::size_t>(std::ranges::count_if(
+        m_peers, [this](const auto& entry) { return isBehind(entry.second); }));
 }
 
 bool SyncHost::maySendLog(Peer& peer, std::size_t bytes, bool isBehind, LocalTime now) const
@@ -211,9 +218,12 @@ LocalTime SyncHost::nextWake() const
         return LocalTime::min();
     LocalTime wake = std::min(
         {m_actions.nextDue(), m_streams.nextDue(), m_shown.nextDue(), m_nobodySilentBefore});
-    for (const auto& [address, peer] : m_peers)
-        wake = std::min(wake, nextDueTo(peer));
-    return waitsForTicks() ? std::max(wake, m_streams.nextTick()) : wake;
+    LocalTime between = LocalTime::max(); // ticks
+    for (const auto& [address, peer] : m_peers) {
+        LocalTime& earliest = catchesUp(peer) ? between : wake;
+        earliest = std::min(earliest, nextDueTo(peer));
+    }
+    return std::min(between, waitsForTicks() ? std::max(wake, m_streams.nextTick()) : wake);
 }
 
 void SyncHost::relayShown(LocalTime now)
@@ -335,7 +345,7 @@ Duration SyncHost::slowestPath() const
             m_rules.mayAct(peer.participant) ? kLongestPath : kLongestPathOfWatchers;
         slowest = std::max(slowest, std::min(roundTripOf(peer.link) / 2, longest));
     }
-    return slowest;
+    return slowest + longestWait();
 }
 
 void SyncHost::hello(PeerAddress from, const BundleHeader& header, const Hello& hello,

@@ -59,9 +59,11 @@ public:
     /// the time for which a name is held. A program that was restarted, or moved, is heard no more
     /// on its old path.
     static constexpr Duration kAliveBeside = std::chrono::milliseconds{500};
-    /// With more participants all that goes out waits for the next tick of the streams, so that each
-    /// fact, action and answer does not cost a datagram to everybody: 8 ms later on average.
+    /// With more participants all that goes out waits for the next tick of the streams, so that
+    /// each fact, action and answer does not cost a datagram to everybody: 8 ms later on average.
     static constexpr std::size_t kFewPeers = 32;
+    /// Who comes late does not wait for ticks while it catches up, if so many do at most.
+    static constexpr std::size_t kFewBehind = 8;
     /// How far a sample may be ahead of the session, beside half the round trip of its path: a
     /// clock is not better known than that.
     static constexpr Duration kLargestAhead = std::chrono::milliseconds{5};
@@ -217,6 +219,22 @@ private:
     /// Sends what is due to everybody.
     void serve(LocalTime now);
     [[nodiscard]] bool waitsForTicks() const { return m_peers.size() > kFewPeers; }
+    /// For how long what goes out may wait for a tick.
+    [[nodiscard]] Duration longestWait() const
+    {
+        return waitsForTicks() ? StreamTick::kPeriod : Duration{};
+    }
+    [[nodiscard]] bool isBehind(const Peer& peer) const
+    {
+        return peer.facts.acknowledged().value + FactSender::kFirstWindow < m_log.size();
+    }
+    /// Whether a peer is sent the log between ticks, too: of few who have not caught up.
+    [[nodiscard]] bool catchesUp(const Peer& peer) const
+    {
+        return m_behind <= kFewBehind && isBehind(peer);
+    }
+    /// Between ticks: sends what is due to those who catch up.
+    void serveBetween(LocalTime now);
     /// How many have not caught up.
     [[nodiscard]] std::size_t countBehind() const;
     /// Whether so many bytes of the log may be sent to a peer now.

@@ -31,24 +31,24 @@ bool HostStreams::take(const StreamSample& sample, const StreamSource& from, Ses
 void HostStreams::leave(ParticipantId participant)
 {
     m_slots.leave(participant);
-    m_waiting -= static_cast<std::size_t>(std::erase_if(m_outgoing, [&](const Waiting& entry) {
+    m_waiting -= static_cast<std::size_t>(std::erase_if(m_outgoing, [&](const Entry& entry) {
         return entry.second.owner == participant && entry.second.newest;
     }));
     std::erase_if(m_outgoing,
-                  [&](const Waiting& entry) { return entry.second.owner == participant; });
+                  [&](const Entry& entry) { return entry.second.owner == participant; });
 }
 
 bool HostStreams::isDue(LocalTime now) const { return m_waiting > 0 && m_tick.isDue(now); }
 
 LocalTime HostStreams::nextDue() const { return m_waiting > 0 ? m_tick.next() : LocalTime::max(); }
 
-std::vector<HostStreams::Waiting*> HostStreams::inTurn()
+std::vector<HostStreams::Entry*> HostStreams::inTurn()
 {
-    std::vector<Waiting*> waiting;
-    for (Waiting& entry : m_outgoing)
+    std::vector<Entry*> waiting;
+    for (Entry& entry : m_outgoing)
         if (entry.second.newest)
             waiting.push_back(&entry);
-    std::ranges::stable_sort(waiting, {}, [](const Waiting* entry) {
+    std::ranges::stable_sort(waiting, {}, [](const Entry* entry) {
         return std::pair{!entry->second.isFirst, entry->second.wentOut};
     });
     return waiting;
@@ -56,8 +56,10 @@ std::vector<HostStreams::Waiting*> HostStreams::inTurn()
 
 void HostStreams::earn(LocalTime now)
 {
+    // A tick that was missed is made up for, and what was not used is not saved up.
+    constexpr Duration kLongest = 2 * StreamTick::kPeriod;
     const double most = kMostBytes * toSeconds(kLongestWait);
-    const Duration since = std::min(now - std::exchange(m_earned, now), kLongestWait);
+    const Duration since = std::min(now - std::exchange(m_earnedUntil, now), kLongest);
     m_mayGoOut = std::clamp(m_mayGoOut, -most, 0.0) + kMostBytes * toSeconds(since);
 }
 
@@ -68,16 +70,23 @@ void HostStreams::gather(std::span<const StationId> stations, LocalTime now)
     for (const StationId station : stations)
         ++readers[station];
     const double everywhere = readers[kAllStations];
+    // A tick that comes a little early counts as the one that it is.
+    const LocalTime waitsSince = now - kLongestWait + StreamTick::kPeriod / 2;
+    const std::vector<Entry*> waiting = inTurn();
+    const auto others =
+        std::ranges::count_if(waiting, [](const Entry* entry) { return !entry->second.isFirst; });
+    auto share = (others + kLongestWaitInTicks - 1) / kLongestWaitInTicks;
     std::vector<StreamSample> samples;
-    for (Waiting* entry : inTurn()) {
+    for (Entry* entry : waiting) {
         Outgoing& outgoing = entry->second;
         const auto there = readers.find(outgoing.newest->station);
         const double bytes =
             double(kStreamCpoBytes) * (everywhere + (there == readers.end() ? 0.0 : there->second));
-        // A tick that comes a little early counts as the one that it is.
-        const bool waitedLong = now - outgoing.wentOut >= kLongestWait - StreamTick::kPeriod / 2;
-        if (!outgoing.isFirst && !waitedLong && m_mayGoOut < bytes)
+        const bool waitedLong = outgoing.wentOut != LocalTime{} && outgoing.wentOut <= waitsSince;
+        const bool goes = outgoing.isFirst || waitedLong || share > 0 || m_mayGoOut >= bytes;
+        if (!goes)
             continue;
+        share -= outgoing.isFirst ? 0 : 1;
         m_mayGoOut -= bytes;
         samples.push_back(*std::exchange(outgoing.newest, std::nullopt));
         outgoing.wentOut = now;

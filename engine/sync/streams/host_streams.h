@@ -5,6 +5,7 @@
 #include "engine/sync/streams/stream_tick.h"
 #include "engine/sync/wire/datagram.h"
 
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <span>
@@ -38,9 +39,11 @@ public:
     /// Bytes of samples in a second to all receivers together, of a host with 100 Mbit/s: 8 MB/s
     /// are 64 Mbit/s, and the rest is for what is around the samples, facts and actions.
     static constexpr double kMostBytes = 8e6;
-    /// From one sample of an object that goes out to the next at most, while there are any, so that
-    /// nobody's view of it waits for longer. What exceeds kMostBytes nevertheless goes out.
-    static constexpr Duration kLongestWait = 4 * StreamTick::kPeriod;
+    /// From one sample of an object that goes out to the next, while there are any: at the tick
+    /// nearest to it at the latest. What exceeds kMostBytes nevertheless goes out, at each tick a
+    /// quarter of those that wait.
+    static constexpr std::ptrdiff_t kLongestWaitInTicks = 4;
+    static constexpr Duration kLongestWait = kLongestWaitInTicks * StreamTick::kPeriod;
 
     void share(ObjectId object, ParticipantId owner);
     /// The streams of a participant have ended.
@@ -65,12 +68,12 @@ private:
         std::optional<StreamSample> newest; ///< that has not gone out
         ParticipantId owner;
         bool isFirst = false;
-        LocalTime wentOut{}; ///< the one before it
+        LocalTime wentOut{}; ///< its last sample that did
     };
-    using Waiting = std::pair<const ObjectId, Outgoing>;
+    using Entry = std::pair<const ObjectId, Outgoing>;
 
     /// Those with a sample: of the first, then of the others the one that waits longest.
-    [[nodiscard]] std::vector<Waiting*> inTurn();
+    [[nodiscard]] std::vector<Entry*> inTurn();
     /// Adds what may go out since the last tick.
     void earn(LocalTime now);
 
@@ -80,7 +83,7 @@ private:
     std::map<ObjectId, Outgoing> m_outgoing;
     std::size_t m_waiting = 0; // of these with a sample
     double m_mayGoOut = 0.0;   // bytes
-    LocalTime m_earned{};
+    LocalTime m_earnedUntil{};
     std::map<StationId, std::vector<StreamGroup>> m_groups; // of this tick
 };
 

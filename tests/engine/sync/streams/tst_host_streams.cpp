@@ -53,6 +53,7 @@ struct Crowd {
     std::map<ObjectId, int> lastSent; ///< at which tick
     int longestWait = 0;              ///< in ticks
     std::size_t samples = 0;          ///< that went out, to all readers
+    std::size_t mostAtOnce = 0;       ///< to one of them
 
     Crowd(std::uint16_t number, std::size_t readersHere) : objects{number}
     {
@@ -73,11 +74,13 @@ struct Crowd {
         streams.gather(readers, now);
         const auto records = streams.dueTo({kNobody, kHere});
         samples += countSamples(records) * readers.size();
+        mostAtOnce = std::max(mostAtOnce, countSamples(records));
         for (const WireRecord& record : records)
             for (const StreamCpo& cpo : std::get<StreamGroup>(record).streams) {
                 ++sent[cpo.object];
-                longestWait =
-                    std::max(longestWait, tick - std::exchange(lastSent[cpo.object], tick));
+                if (lastSent.contains(cpo.object))
+                    longestWait = std::max(longestWait, tick - lastSent[cpo.object]);
+                lastSent[cpo.object] = tick;
             }
         streams.served(now);
     }
@@ -141,6 +144,9 @@ private Q_SLOTS:
                 QVERIFY2(times >= 0.95 * each - 1.0 && times <= each + 1.0,
                          qPrintable(QString::number(times)));
         QVERIFY(crowd.longestWait <= 4);
+        const double bytes_s =
+            37.0 * double(crowd.samples) / (kTicks * toSeconds(StreamTick::kPeriod));
+        QVERIFY2(bytes_s <= 1.01 * HostStreams::kMostBytes, qPrintable(QString::number(bytes_s)));
     }
 
     /// Two such stations' worth at one: more than may go out, but nobody waits for longer.
@@ -153,6 +159,7 @@ private Q_SLOTS:
         for (const auto& [object, times] : crowd.sent)
             QVERIFY(times >= 240 / 4 - 1);
         QVERIFY(crowd.longestWait <= 4);
+        QVERIFY(crowd.mostAtOnce <= 64 / 4 + 8); // they have turns
     }
 
     /// A host that is late serves every second tick alone.
@@ -187,6 +194,7 @@ private Q_SLOTS:
     {
         Crowd crowd{64, 180};
         crowd.turn();
+        QVERIFY(crowd.streams.nextDue() < LocalTime::max());
         for (std::uint16_t i = 1; i <= 64; ++i)
             crowd.streams.leave(ownerOf(ObjectId{i}));
         QCOMPARE(crowd.streams.nextDue(), LocalTime::max());

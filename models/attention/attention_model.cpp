@@ -55,14 +55,19 @@ auto urgency(const Attention& each)
 
 QString percent(double share) { return QString::number(qRound(100.0 * share)); }
 
-/// "Pneumothorax, tension, right lung: developing, 88 % closed, mediastinum 6 mm aside".
+/// "Pneumothorax, tension, right lung: developing, lung 88 % closed, mediastinum 6 mm aside".
 QString developmentText(const Development& each)
 {
     const QString what = conditionText(each.condition.kind);
     const QString where = sideText(each.condition.side).toLower();
-    if (each.condition.kind == ConditionKind::TensionPneumothorax)
-        return AttentionModel::tr("%1, %2: developing, %3\u00a0% closed, mediastinum %4\u00a0mm "
-                                  "aside",
+    const bool isTension = each.condition.kind == ConditionKind::TensionPneumothorax;
+    if (isTension && inMillimetres(each.shift) < 1.0)
+        return AttentionModel::tr("%1, %2: developing, lung %3\u00a0% closed",
+                                  "disease; which lung; how much of it")
+            .arg(what, where, percent(each.share));
+    if (isTension)
+        return AttentionModel::tr("%1, %2: developing, lung %3\u00a0% closed, mediastinum "
+                                  "%4\u00a0mm aside",
                                   "disease; which lung; how much of it; how far")
             .arg(what, where, percent(each.share),
                  QString::number(qRound(inMillimetres(each.shift))));
@@ -262,7 +267,7 @@ void AttentionModel::addBrokenOff(const SessionState& state, SessionTime now, Re
         const QString to = nameIn(state, broken->shown.to);
         all.push_back({.concern = Concern::BrokenOff,
                        .text = atStation(state, id,
-                                         tr("No longer shown to %1 since this program stopped: %2",
+                                         tr("Shown to %1 until this program stopped: %2",
                                             "a person or everybody; what was shown")
                                              .arg(to.isEmpty() ? tr("everybody") : to,
                                                   lessonText(broken->shown.lesson, false))),

@@ -23,7 +23,6 @@ enum class Concern : std::uint8_t {
     TwoPrograms,    ///< two programs had one participant's token
     Asked,          ///< somebody asks for an object
     Away,           ///< a participant's program is not heard of
-    BrokenOff,      ///< others are no longer shown what this program showed before it stopped
     Unseen,         ///< a tool of a participant is not seen by their tracker
     Tracker,        ///< that of this program does not track
     NoPatient,      ///< the session's patient is not on this computer
@@ -31,6 +30,7 @@ enum class Concern : std::uint8_t {
     Clock,          ///< a clock that NTP or PTP disciplines contradicts the path
     BreathingStops, ///< over a time
     Developing,     ///< a disease
+    BrokenOff,      ///< others are no longer shown what this program showed before it stopped
 };
 
 struct Attention {

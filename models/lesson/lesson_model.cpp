@@ -114,10 +114,15 @@ std::optional<ShownLesson> LessonModel::brokenOff() const
     return station->second.brokenOff->shown;
 }
 
+bool LessonModel::canShowAgain() const
+{
+    return brokenOff() && canSwitch() && !isUnderWay(m_session.node());
+}
+
 void LessonModel::showAgain()
 {
     const auto before = brokenOff();
-    if (!before || !canSwitch() || isUnderWay(m_session.node()))
+    if (!before || !canShowAgain())
         return;
     m_picture = before->lesson;
     change({true, before->to, before->lesson.showsView});

@@ -55,6 +55,8 @@ public:
     /// What this person showed at this station and did not end (Station::brokenOff); nothing once
     /// something is shown there again.
     [[nodiscard]] std::optional<ShownLesson> brokenOff() const;
+    /// Whether showAgain would show it.
+    [[nodiscard]] bool canShowAgain() const;
     /// Shows that again, to whom it was shown. Whoever calls follow() makes the picture so first.
     void showAgain();
     /// What is shown to whom, after its mark: "● Shown to everybody: section, names". Empty while

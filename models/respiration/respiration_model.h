@@ -63,9 +63,10 @@ public:
     void setTube(Length innerDiameter) { set(innerDiameter); }
     void setPosition(BodyPosition position) { set(position); }
 
-    /// The diseases in force and, unless supine, the position: "COPD, both lungs, 0.60; prone".
+    /// The diseases in force and, unless supine, the position: "COPD, both lungs, severity 0.60;
+    /// prone".
     [[nodiscard]] QString inForceText() const;
-    /// The pending changes, one per line: "Condition → COPD, both lungs, 0.60"; empty if
+    /// The pending changes, one per line: "Condition → COPD, both lungs, severity 0.60"; empty if
     /// there are none.
     [[nodiscard]] QString travellingText() const;
     /// One sentence: why this person cannot change anything; empty if they can.

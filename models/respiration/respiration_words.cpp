@@ -89,7 +89,7 @@ QString conditionText(const LungCondition& condition)
 {
     if (condition.kind == ConditionKind::Normal)
         return conditionText(condition.kind);
-    return QCoreApplication::translate("Respiration", "%1, %2, %3",
+    return QCoreApplication::translate("Respiration", "%1, %2, severity\u00a0%3",
                                        "condition; which lung; severity, 0 to 1")
         .arg(conditionText(condition.kind), sideText(condition.side).toLower())
         .arg(condition.severity, 0, 'f', 2);

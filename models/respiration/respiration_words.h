@@ -15,7 +15,7 @@ namespace carina
 [[nodiscard]] QString positionText(BodyPosition position);
 
 /// With its severity last, of which a place that is too narrow shows least: "COPD, both lungs,
-/// 0.60"; "Normal".
+/// severity 0.60"; "Normal".
 [[nodiscard]] QString conditionText(const LungCondition& condition);
 /// The same of several, with " + " between them; "Normal" of none.
 [[nodiscard]] QString conditionText(const LungConditions& conditions);

@@ -137,7 +137,7 @@ QString ParticipantsModel::sameText(const Row& row)
         return *row.seesTheSame ? tr("✓ same") : tr("▲ differs");
     if (!row.isCompared)
         return kNothing;
-    return row.age_ms ? tr("◇ unknown") : tr("○ none");
+    return row.owns ? tr("◇ unknown") : tr("○ none");
 }
 
 QString ParticipantsModel::sameTip(const Row& row)
@@ -146,8 +146,8 @@ QString ParticipantsModel::sameTip(const Row& row)
         return figuresText(row);
     if (!row.isCompared)
         return {};
-    return row.age_ms ? tr("Their objects were not compared yet")
-                      : tr("Shares no tool and nothing else whose place could be compared");
+    return row.owns ? tr("Their objects were not compared yet")
+                    : tr("Shares no tool and nothing else whose place could be compared");
 }
 
 QString ParticipantsModel::cell(const Row& row, int column)
@@ -313,6 +313,9 @@ std::vector<ParticipantsModel::Row> ParticipantsModel::currentRows() const
         }
         if (participant.present && !participant.muted) {
             row.isCompared = id != node.self();
+            row.owns = std::ranges::any_of(state->objects(), [owner = id](const auto& entry) {
+                return entry.second.owner == owner;
+            });
             addNetwork(figures, row);
         }
         rows.push_back(std::move(row));

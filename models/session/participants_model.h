@@ -71,6 +71,7 @@ private:
         std::optional<double> delay_ms{};  ///< to or from this program, one way
         std::optional<bool> seesTheSame{}; ///< as far as is known
         bool isCompared = false; ///< somebody else is here, whose objects would be compared
+        bool owns = false;       ///< an object
 
         friend bool operator==(const Row&, const Row&) = default;
     };

@@ -296,7 +296,8 @@ std::optional<TrackerSight> SharedTools::trackerSight() const
     if (!m_laid || !m_hardware.tracker)
         return std::nullopt;
     TrackerSight sight{.trouble = chinProbe().trackerTrouble(),
-                       .usualVolume = usualVolume(*m_hardware.tracker)};
+                       .usualVolume = usualVolume(*m_hardware.tracker),
+                       .isPlaced = m_laid->tracking != nullptr};
     const auto now = m_node.now();
     if (m_laid->tracking && now)
         sight.tools = toolStatus(m_laid->tracking->tracker(), *now);

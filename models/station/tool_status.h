@@ -47,6 +47,7 @@ struct TrackerSight {
     QString trouble{}; ///< what keeps it from tracking, as a sentence; empty where nothing does
     std::vector<ToolStatus> tools{};
     KnownVolume usualVolume = KnownVolume::None; ///< of such a tracker
+    bool isPlaced = true; ///< its site is registered, so that tools are tracked
 };
 
 /// How poses are treated, and what is called with another treatment that a person chooses; nothing

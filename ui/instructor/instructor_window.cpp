@@ -302,12 +302,8 @@ void InstructorWindow::showPlaceOf(const Attention& attention)
                                                                    : *m_ui->breathingDock);
         return;
     }
-    if (attention.concern == Concern::BrokenOff) {
-        m_models.stations.show(attention.station);
-        if (liesAt(*m_models.session.node().state(), attention.station, stationScene().patient()))
-            m_teacher->showAgain(*m_ui->parts, *m_ui->section);
-        return;
-    }
+    if (attention.concern == Concern::BrokenOff)
+        return showAgain(attention.station);
     if (attention.concern == Concern::Tracker) {
         // Not from within the press of a button: a dialog opens.
         QMetaObject::invokeMethod(this, &InstructorWindow::trackerWanted, Qt::QueuedConnection);
@@ -323,6 +319,17 @@ void InstructorWindow::showPlaceOf(const Attention& attention)
     }
     PanelDocks::bring(*m_ui->participantsDock);
     m_ui->participants->choose(attention.participant);
+}
+
+void InstructorWindow::showAgain(StationId station)
+{
+    m_models.stations.show(station);
+    if (m_models.lesson.canShowAgain()
+        && liesAt(*m_models.session.node().state(), station, stationScene().patient()))
+        return m_teacher->showAgain(*m_ui->parts, *m_ui->section);
+    m_ui->statusBar->showMessage(
+        tr("Not shown yet: press Show again once the station's patient is drawn"),
+        kRefusalShown_ms);
 }
 
 void InstructorWindow::refresh()

@@ -107,6 +107,7 @@ private:
     void toggleFullScreen();
     void showProjector(bool shown);
     void showPlaceOf(const Attention& attention);
+    void showAgain(StationId station);
     void refreshInvitation();
     void refresh();
     void refreshStatus();

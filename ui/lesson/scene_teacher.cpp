@@ -27,8 +27,8 @@ void SceneTeacher::pointAt(std::optional<std::uint16_t> part)
 void SceneTeacher::showAgain(PartsPanel& parts, SectionPanel& section)
 {
     const auto before = m_model.brokenOff();
-    if (!before)
-        return;
+    if (!before || !m_model.canShowAgain())
+        return; // nothing is changed
     const SceneSettings settings = settingsOf(before->lesson, m_scene.parts());
     section.put(settings.section);
     parts.put(settings.looks);

@@ -356,7 +356,7 @@ void ConditionPanel::refreshConditions()
         const QString text = conditionText(conditions[std::size_t(row)]);
         m_conditions->item(row)->setText(text);
         m_conditions->item(row)->setToolTip(
-            shownAsIs(tr("%1: the number is its severity, 0 to 1").arg(text)));
+            shownAsIs(tr("%1 (0 is healthy, 1 the most severe)").arg(text)));
     }
     if (m_conditions->currentRow() < 0 && (isMore || !m_isAdding)) {
         m_conditions->setCurrentRow(m_isAdding ? count - 1 : 0);

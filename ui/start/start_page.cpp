@@ -71,7 +71,8 @@ StartPage::StartPage(StoredSessionsModel& stored, PlannedPatient& patient, const
       m_ready{new QGridLayout},
       m_picture{new PatientPicture},
       m_missing{lineOfWords("missing")},
-      m_problem{new MessageLine}
+      m_problem{new MessageLine},
+      m_isReachChosen{begin.reach != SessionReach::ThisComputer}
 {
     setWindowTitle(tr("Carina instructor"));
     m_problem->setObjectName(QStringLiteral("problem"));
@@ -232,10 +233,9 @@ QGroupBox* StartPage::whatIsReady()
 
 SessionPlan StartPage::plan() const
 {
-    const bool isImported = m_who->currentData().toString() == kFolder;
     return {.name = m_name->text().trimmed(),
             .patient = patientWords(),
-            .folder = isImported ? m_folder : QString{},
+            .folder = m_who->currentData().toString() == kFolder ? m_folder : QString{},
             .site = m_site->text().trimmed(),
             .reach = reach()};
 }
@@ -315,20 +315,20 @@ void StartPage::chooseEarlier()
         const StoredSession& session = m_stored.at(m_list->currentIndex().row());
         m_reach->button(int(session.reach))->setChecked(true);
         m_isReachChosen = true;
+        m_chosen = session.file;
     }
     refresh();
 }
 
-/// The last one that can be resumed, which a new session has nothing to do with: who can join that
-/// stays as it is.
+/// What a person chose, else the last to be resumed; who can join a new one stays as it is.
 void StartPage::preselectEarlier()
 {
+    const QScopedValueRollback preselecting{m_isPreselecting, true};
     for (int row = 0; row < m_stored.rowCount() && !m_list->currentIndex().isValid(); ++row)
         if (const QModelIndex index = m_stored.index(row);
-            m_stored.flags(index) & Qt::ItemIsEnabled) {
-            const QScopedValueRollback preselecting{m_isPreselecting, true};
+            (m_stored.flags(index) & Qt::ItemIsEnabled)
+            && (m_chosen.isEmpty() || m_stored.at(row).file == m_chosen))
             m_list->setCurrentIndex(index);
-        }
 }
 
 void StartPage::resume()
@@ -359,15 +359,15 @@ void StartPage::refresh()
     m_resume->setEnabled(!m_isBusy && !chosenFile().isEmpty());
     m_meaning->setText(reachMeaning(reach()));
     m_asBefore->setVisible(reachOfEarlier() != reach());
-    m_asBefore->setText(tr("It is resumed as it was: %1").arg(reachMeaning(reachOfEarlier())));
+    m_asBefore->setText(
+        tr("For the session chosen here, as it was last: %1").arg(reachMeaning(reachOfEarlier())));
     refreshReadiness();
 }
 
 void StartPage::refreshReadiness()
 {
     const auto& patient = m_patient.patient();
-    const auto lines =
-        m_readiness(m_site->text().trimmed(), patient ? patient->model.get() : nullptr);
+    const auto lines = m_readiness(plan().site, patient ? patient->model.get() : nullptr);
     for (int row = 0; row < int(lines.size()); ++row) {
         const ReadyLine& line = lines[std::size_t(row)];
         const auto put = [&](int column, const QString& words) {

@@ -100,8 +100,10 @@ private:
     MessageLine* m_problem;
     bool m_isBusy = false;
     bool m_isPreselecting = false;
-    /// Whether a person said who can join, or chose an earlier session, which said it.
-    bool m_isReachChosen = false;
+    /// Whether a person said who can join, also as the program was started, or chose an earlier
+    /// session, which said it.
+    bool m_isReachChosen;
+    QString m_chosen; ///< file of the earlier session that a person chose last
 };
 
 } // namespace carina

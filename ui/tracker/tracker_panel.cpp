@@ -55,7 +55,7 @@ QString troubleText(const std::optional<TrackerSight>& sight)
 {
     if (!sight)
         return TrackerPanel::tr("This program has no tracker.");
-    if (sight->trouble.isEmpty() && sight->tools.empty())
+    if (sight->trouble.isEmpty() && !sight->isPlaced)
         return TrackerPanel::tr("Nothing is tracked now: the tools of a tracker are seen once the "
                                 "site is registered with it (carina-registration).");
     return sight->trouble;

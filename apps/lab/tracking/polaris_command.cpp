@@ -277,9 +277,10 @@ Result<SeenPose> scriptedHands(const Words& words)
     };
 }
 
+/// kWiredTool would be taken for the wired one.
 bool canBePartNumber(const std::string& name)
 {
-    return !name.empty() && name.size() <= kLongestName
+    return !name.empty() && name != kWiredTool && name.size() <= kLongestName
            && std::ranges::all_of(name, [](char each) { return each >= ' ' && each <= '~'; });
 }
 

@@ -23,7 +23,8 @@ namespace carina
 ///   the range (rangeTaken) that a shift takes is not available to the lung it is shifted into.
 ///
 /// Where all of this does not fit into the range in which the field keeps its orientation, the lung
-/// leaves chest wall and diaphragm, towards rest, as far as its volume requires; then the
+/// leaves chest wall and diaphragm, towards rest, as far as its volume requires (a lung that does
+/// nothing but collapse, farther: kMostCollapseAlone); then the
 /// mediastinum moves back, as it does where it sinks into a lung that trapped gas has made so large
 /// that it would come through the skin. A volume that is still out of reach is drawn as the nearest
 /// possible one.

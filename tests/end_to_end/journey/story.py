@@ -33,7 +33,7 @@ PANELS = ["Condition", "Move", "Parts", "Tracker", "Breathing", "Waveforms", "Pa
 CONSOLE, TRAINEE, JOINING = "Carina instructor", "Carina trainee", "Join a session"
 WINDOWS = ("frame", "dialog", "filler")
 PAUSED, CONNECTING = "Paused", "Connecting to the instructor"
-NOT_SHOWN = "No longer shown to everybody"
+NOT_SHOWN = "Shown to everybody until"
 
 
 class Story:

@@ -168,7 +168,7 @@ private Q_SLOTS:
         comesInAnew();
         QCOMPARE(console.texts(),
                  QStringList{QStringLiteral(
-                     "No longer shown to everybody since this program stopped: section, view")});
+                     "Shown to everybody until this program stopped: section, view")});
         QCOMPARE(console.actions(), QStringList{QStringLiteral("Show again")});
         const QSignalSpy shown{&console.model, &AttentionModel::showWanted};
         console.model.act(console.model.all().front());
@@ -177,7 +177,7 @@ private Q_SLOTS:
         QCOMPARE(console.texts(), QStringList{});
         comesInAnew();
         QCOMPARE(console.texts().size(), 1);
-        QVERIFY(console.texts().front().startsWith(QStringLiteral("No longer shown to Tom ")));
+        QVERIFY(console.texts().front().startsWith(QStringLiteral("Shown to Tom until ")));
         console.node.advance(AttentionModel::kBrokenOffTold);
         console.look();
         QCOMPARE(console.texts(), QStringList{});
@@ -258,9 +258,17 @@ private Q_SLOTS:
         console.node.advance(seconds{5});
         console.look();
         QCOMPARE(console.texts().size(), 1);
-        const QString text = console.texts().front();
-        QVERIFY2(text.startsWith(QStringLiteral("Pneumothorax, tension, right lung: developing, ")),
+        const QString begun =
+            QStringLiteral("Pneumothorax, tension, right lung: developing, lung ");
+        QString text = console.texts().front();
+        QVERIFY2(text.startsWith(begun) && text.contains(QStringLiteral("\u00a0% closed")),
                  qPrintable(text));
+        QVERIFY2(!text.contains(QStringLiteral(" 0\u00a0mm")), qPrintable(text));
+        console.node.advance(seconds{55});
+        console.look();
+        QCOMPARE(console.texts().size(), 1);
+        text = console.texts().front();
+        QVERIFY2(text.startsWith(begun), qPrintable(text));
         QVERIFY2(text.contains(QStringLiteral("\u00a0% closed, mediastinum ")), qPrintable(text));
         QVERIFY2(text.endsWith(QStringLiteral("\u00a0mm aside")), qPrintable(text));
         console.sets({});

@@ -149,10 +149,12 @@ private Q_SLOTS:
         LessonModel again{desk.session, kStation};
         ChangeHistory history;
         again.setHistory(history);
+        QVERIFY(again.canShowAgain());
         again.showAgain();
         QVERIFY(desk.shown() == before);
         QVERIFY(again.isOn() && !again.brokenOff() && again.target() == kTom);
         const int proposed = desk.node.proposed;
+        QVERIFY(!again.canShowAgain());
         again.showAgain(); // pressed twice
         QCOMPARE(desk.node.proposed, proposed);
         history.undo();

@@ -122,7 +122,7 @@ void TestRespirationModel::setsAndTellsWhatTravels()
     QVERIFY(only(console.model.conditions()) == kRightPneumothorax);
     QCOMPARE(console.model.inForceText(), QStringLiteral("Normal")); // until it has travelled
     QCOMPARE(console.model.travellingText(),
-             QStringLiteral("Condition → Pneumothorax, simple, right lung, 0.40"));
+             QStringLiteral("Condition → Pneumothorax, simple, right lung, severity\u00a00.40"));
     VentilatorSettings ventilator;
     ventilator.mode = VentilationMode::VolumeControl;
     ventilator.peep = cmH2O(8.0);
@@ -137,7 +137,7 @@ void TestRespirationModel::setsAndTellsWhatTravels()
     console.settle();
     QVERIFY(console.model.travellingText().isEmpty());
     QCOMPARE(console.model.inForceText(),
-             QStringLiteral("Pneumothorax, simple, right lung, 0.40; left lateral"));
+             QStringLiteral("Pneumothorax, simple, right lung, severity\u00a00.40; left lateral"));
     QVERIFY(only(console.decided().conditions) == kRightPneumothorax);
     QVERIFY(console.decided().ventilator == ventilator);
     QCOMPARE(console.decided().tube, millimetres(6.5));

@@ -295,10 +295,12 @@ void TestParticipantsModel::saysWhoHasNothingToCompare()
     const auto tip = [&table](int row) { return table.cell(row, Column::Same, Qt::ToolTipRole); };
     QCOMPARE(table.cell(kInstructorRow, Column::Same), kNoValue); // oneself
     QVERIFY(tip(kInstructorRow).isEmpty());
-    QCOMPARE(table.cell(kTraineeRow, Column::Same), QStringLiteral("○ none"));
-    QVERIFY(tip(kTraineeRow).contains(QStringLiteral("no tool")));
-    QCOMPARE(table.cell(kTraineeRow, Column::Same, Qt::AccessibleTextRole),
+    QCOMPARE(table.cell(kObserverRow, Column::Same), QStringLiteral("○ none"));
+    QVERIFY(tip(kObserverRow).contains(QStringLiteral("no tool")));
+    QCOMPARE(table.cell(kObserverRow, Column::Same, Qt::AccessibleTextRole),
              QStringLiteral("Objects: none"));
+    // Who owns a tube, also before the first sample of it came.
+    QCOMPARE(table.cell(kTraineeRow, Column::Same), QStringLiteral("◇ unknown"));
     table.node.reports = {{ObjectId{1}, milliseconds{41}}};
     table.deliver();
     QCOMPARE(table.cell(kTraineeRow, Column::Same), QStringLiteral("◇ unknown"));

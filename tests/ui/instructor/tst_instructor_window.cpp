@@ -360,7 +360,7 @@ private Q_SLOTS:
         shown.find<QSlider>("slider").setValue(70);
         shown.attention.look();
         const auto& text = shown.find<QLabel>("attention");
-        QVERIFY2(text.accessibleName().startsWith(QStringLiteral("No longer shown to Tom")),
+        QVERIFY2(text.accessibleName().startsWith(QStringLiteral("Shown to Tom until")),
                  qPrintable(text.accessibleName()));
         shown.find<QPushButton>("attend").click();
         const auto isShown = [&shown, &lesson] {
@@ -375,6 +375,23 @@ private Q_SLOTS:
         QVERIFY(isShown());
         shown.attention.look();
         QVERIFY(shown.attention.all().empty());
+    }
+
+    /// And says so, and leaves the picture as it is.
+    void showsNothingAgainThatCannotBeShown()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        shown.find<QComboBox>("what").setCurrentIndex(2);
+        const SceneSettings settings = shown.find<SceneView>("scene").settings();
+        Attention matter;
+        matter.concern = Concern::BrokenOff;
+        matter.station = FakeSessionNode::kStation;
+        Q_EMIT shown.attention.showWanted(matter);
+        QVERIFY(shown.find<QStatusBar>("statusBar")
+                    .currentMessage()
+                    .startsWith(QStringLiteral("Not shown yet")));
+        QVERIFY(shown.find<SceneView>("scene").settings() == settings);
     }
 
     void showsWhoIsMeant()

@@ -152,9 +152,10 @@ void TestConditionPanel::addsAndRemovesConditionsByKeyboardAlone()
     const LungCondition left{ConditionKind::SimplePneumothorax, 0.5, ConditionSide::Left};
     QVERIFY(desk.decided().conditions == (LungConditions{asthma, left}));
     QCOMPARE(list.count(), 2);
-    QCOMPARE(list.item(1)->text(), QStringLiteral("Pneumothorax, simple, left lung, 0.50"));
-    QVERIFY(list.item(1)->toolTip().contains(QStringLiteral("left lung, 0.50")));
-    QVERIFY(list.item(1)->toolTip().contains(QStringLiteral("severity")));
+    QCOMPARE(list.item(1)->text(),
+             QStringLiteral("Pneumothorax, simple, left lung, severity\u00a00.50"));
+    QVERIFY(list.item(1)->toolTip().contains(QStringLiteral("left lung, severity\u00a00.50")));
+    QVERIFY(list.item(1)->toolTip().contains(QStringLiteral("0 is healthy")));
     list.setFocus();
     QTest::keyClick(&list, Qt::Key_Up);
     QCOMPARE(desk.find<QComboBox>("condition").currentText(), QStringLiteral("Asthma"));

@@ -222,6 +222,34 @@ private Q_SLOTS:
         QVERIFY(resumes(SessionReach::Network));
     }
 
+    /// As when it could not be resumed, after which all are read anew.
+    void keepsTheEarlierSessionThatAPersonChose()
+    {
+        const test::ScratchFolder folder;
+        storeSession(folder.filePath("session-20260102-101112-000.sqlite"), "Early",
+                     SessionReach::Network);
+        storeSession(folder.filePath("session-20260103-101112-000.sqlite"), "Late",
+                     SessionReach::Network);
+        StoredSessionsModel stored{folder.path()};
+        PlannedPatient patient{AnatomyCache::defaultFolder()};
+        StartPage page{
+            stored,
+            patient,
+            {.patient = QStringLiteral("child"), .reach = SessionReach::ByLink},
+            [](const QString&, const PatientModel*) { return std::vector<ReadyLine>{}; }};
+        QVERIFY(test::soon([&stored] { return stored.isComplete(); }));
+        auto& list = find<QListView>(page, "earlier");
+        QVERIFY(list.currentIndex().data().toString().contains(QStringLiteral("Late")));
+        const QSignalSpy resumed{&page, &StartPage::resumeWanted};
+        find<QPushButton>(page, "resume").click();
+        QVERIFY(resumed.last()[1].value<SessionReach>() == SessionReach::ByLink); // as started
+        list.setCurrentIndex(stored.index(1));
+        stored.read();
+        QVERIFY(test::soon([&stored] { return stored.isComplete(); }));
+        QVERIFY(list.currentIndex().data().toString().contains(QStringLiteral("Early")));
+        QVERIFY(page.plan().reach == SessionReach::Network);
+    }
+
     /// In the order in which they are read: who can join stands above what begins the session.
     void asksWhoCanJoinBeforeItBegins()
     {

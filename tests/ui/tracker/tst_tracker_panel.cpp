@@ -87,7 +87,10 @@ private Q_SLOTS:
         sight.reset();
         panel.look();
         QCOMPARE(trouble->text(), QStringLiteral("This program has no tracker."));
-        sight = TrackerSight{}; // of a site that is not registered
+        sight = TrackerSight{}; // before the program knows the session time
+        panel.look();
+        QVERIFY(trouble->text().isEmpty());
+        sight = TrackerSight{.isPlaced = false};
         panel.look();
         QVERIFY(trouble->text().contains(QStringLiteral("carina-registration")));
     }

@@ -125,6 +125,13 @@ private Q_SLOTS:
     void refusesOtherWords()
     {
         const QTemporaryDir folder;
+        TrackerSequence wired{{{.name = "wired 1", .role = ToolRole::Tube}}}; // the device's name
+        for (int i = 0; i < 3; ++i)
+            wired.tools[0].samples.push_back(
+                {.time = SessionTime{i * 16ms},
+                 .X_FO = RigidTransform::translation(Vec3{0.0, 0.0, -1.0})});
+        const QString file = folder.filePath(QStringLiteral("wired.csv"));
+        QVERIFY(writeAnyRecording(file.toStdString(), wired));
         for (const QStringList& words :
              {QStringList{},
               {folder.path(), QStringLiteral("--wired"), QStringLiteral("bougie")},
@@ -133,7 +140,8 @@ private Q_SLOTS:
               {folder.path(), QStringLiteral("--fault"), QStringLiteral("wrong-rate"),
                QStringLiteral("--tcp"), QStringLiteral("1")},
               {folder.path(), QStringLiteral("--patient"), QStringLiteral("child"),
-               QStringLiteral("--recording"), QStringLiteral("poses.csv")}}) {
+               QStringLiteral("--recording"), QStringLiteral("poses.csv")},
+              {folder.path(), QStringLiteral("--recording"), file}}) {
             const auto object = polarisCommand().run(words);
             QVERIFY(!object);
             QCOMPARE(object.error().code, Errc::WrongOption);

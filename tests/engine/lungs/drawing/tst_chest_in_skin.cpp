@@ -94,7 +94,8 @@ void TestChestInSkin::movesAsideUnderTension_data()
 
 /// At the end of expiration, within a minute: the trachea by half of its width at least, to the
 /// other side, and the half of the diaphragm beneath the gas down. Where the patient breathes alone
-/// it is farther down than the other half; a ventilator that has filled the chest lowers both.
+/// it is farther down than the other half; a ventilator that has filled the chest lowers both as
+/// far as they are drawn, which the shape of each half makes a little different.
 void TestChestInSkin::movesAsideUnderTension()
 {
     constexpr double kSeen_mm = 8.0;
@@ -112,9 +113,9 @@ void TestChestInSkin::movesAsideUnderTension()
              qPrintable(QStringLiteral("%1 of %2 mm").arg(aside_mm).arg(asked_mm)));
     const Length beneath = adult().descent(pose, isRight ? Side::Right : Side::Left);
     const Length beside = adult().descent(pose, isRight ? Side::Left : Side::Right);
-    const bool isLower = mode != VentilationMode::Spontaneous || beneath > 1.5 * beside;
+    const double times = mode == VentilationMode::Spontaneous ? 1.5 : 0.8;
     QVERIFY2(
-        inMillimetres(beneath) > kSeen_mm && isLower,
+        inMillimetres(beneath) > kSeen_mm && beneath > times * beside,
         qPrintable(
             QStringLiteral("%1 and %2 mm").arg(inMillimetres(beneath)).arg(inMillimetres(beside))));
 }

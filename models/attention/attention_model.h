@@ -28,9 +28,9 @@ enum class Concern : std::uint8_t {
     NoPatient,      ///< the session's patient is not on this computer
     Registration,   ///< cannot be relied on
     Clock,          ///< a clock that NTP or PTP disciplines contradicts the path
+    BrokenOff,      ///< others are no longer shown what this program showed before it stopped
     BreathingStops, ///< over a time
     Developing,     ///< a disease
-    BrokenOff,      ///< others are no longer shown what this program showed before it stopped
 };
 
 struct Attention {

@@ -375,8 +375,9 @@ public:
     }
 
 private:
-    /// In which the others come in, who would have to wait behind hundreds of names.
-    static constexpr Duration kHeadStart = std::chrono::milliseconds{700};
+    /// In which the others come in, who would have to wait behind these names, or find the places
+    /// of their address taken by them.
+    static constexpr Duration kHeadStart = std::chrono::milliseconds{1500};
 
     std::vector<std::unique_ptr<Attack>> m_attacks;
     std::vector<bool> m_bringsNames; // of each
@@ -482,7 +483,8 @@ std::span<const AttackKind> attackKinds()
                    .begin = beginCrowd,
                    .mostFacts = kComings + kCrowd,
                    .factsPerS = kCrowdPerS,
-                   .leastPerS = kLeastOfMany},
+                   .leastPerS = kLeastOfMany,
+                   .bringsNames = true},
         AttackKind{.name = "strangers",
                    .what =
                        "datagrams over paths with an observer's code over which nobody comes in",
@@ -528,7 +530,8 @@ std::span<const AttackKind> attackKinds()
                    .begin = beginTurns,
                    .mostFacts = kComings + kTurns,
                    .factsPerS = kCrowdPerS,
-                   .leastPerS = kLeastOfMany},
+                   .leastPerS = kLeastOfMany,
+                   .bringsNames = true},
         AttackKind{.name = "hungry",
                    .what = "a trainee says without end that it has nothing of the log",
                    .begin = beginHungry,

@@ -80,10 +80,11 @@ private Q_SLOTS:
             return newest && newest->validity != Validity::Lost;
         };
         QVERIFY(test::soon([&] { return isSeen(tube); }, 20s));
-        QVERIFY(test::soon(
-            [&] { return (*tracker)->trouble().ends_with("tube: nothing is plugged in for it"); },
-            20s));
-        QVERIFY(!isSeen(tube) && isSeen(stylus));
+        const auto isUnplugged = [&] {
+            return (*tracker)->trouble().ends_with("tube: nothing is plugged in for it")
+                   && !isSeen(tube) && isSeen(stylus);
+        };
+        QVERIFY(test::soon(isUnplugged, 20s));
         QVERIFY(test::soon([&] { return isSeen(tube); }, 20s));
         QCOMPARE((*tracker)->trouble(), std::string{});
     }

@@ -82,7 +82,7 @@ std::optional<RawDatagram> readRaw(QUdpSocket& socket)
             return std::nullopt; // nothing more is there
         if (size < 0)
             ++faults; // such as a port of a peer that nobody listens at
-        if (size <= 0 || size > kLongestRaw)
+        if (!isSizeOfRaw(size))
             continue;
         datagram.bytes = QByteArray{buffer.data(), size}; // no longer: thousands may wait
         datagram.from = normalised(datagram.from);

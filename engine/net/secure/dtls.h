@@ -31,6 +31,9 @@ void answerPsk(QSslPreSharedKeyAuthenticator& question, const std::string& ident
 
 /// Bytes of a datagram that Carina sends, at most.
 inline constexpr qsizetype kLongestRaw = 1200;
+/// Whether a datagram of this size can be one of Carina's. For an empty one QDtls would fail an
+/// assertion.
+[[nodiscard]] constexpr bool isSizeOfRaw(qsizetype size) { return size > 0 && size <= kLongestRaw; }
 
 /// A datagram as received. Its source address is normalised.
 struct RawDatagram {
@@ -39,8 +42,8 @@ struct RawDatagram {
     std::uint16_t port = 0;
     LocalTime arrived{};
 };
-/// The next datagram of a socket; nothing where there is none. Empty datagrams, for which QDtls
-/// would fail an assertion, and ones longer than Carina sends are skipped.
+/// The next datagram of a socket; nothing where there is none. Those whose size none of Carina's
+/// has are skipped.
 [[nodiscard]] std::optional<RawDatagram> readRaw(QUdpSocket& socket);
 
 [[nodiscard]] std::span<const std::uint8_t> octets(const QByteArray& bytes);

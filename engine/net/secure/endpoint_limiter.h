@@ -10,7 +10,7 @@ namespace carina
 
 /// Rate limit of ClientHellos with a valid cookie for each address and port: a burst of 8, then 2 a
 /// second, so that one port takes at most a sixteenth of what its address has at once, and a
-/// twenty-fifth afterwards. A client begins each handshake from a port of its own.
+/// fiftieth afterwards. A client begins each handshake from a port of its own.
 class EndpointLimiter
 {
 public:

@@ -99,7 +99,7 @@ std::optional<bool> SocketDrain::readNext()
     auto datagram = readOne(int(m_socket));
     if (!datagram)
         return std::nullopt;
-    if (datagram->bytes.isEmpty() || datagram->bytes.size() > kLongestRaw)
+    if (!isSizeOfRaw(datagram->bytes.size()))
         return false;
     const Endpoint from = endpoint(datagram->from, datagram->port);
     const bool isKnown = std::ranges::binary_search(m_known, from);

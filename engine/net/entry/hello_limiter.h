@@ -8,8 +8,9 @@ namespace carina
 {
 
 /// Rate limit of ClientHellos with a valid cookie, because each costs the host more than its
-/// sender. Each source has a burst of 128, then 50 a second, as a whole class may share one
-/// address; all sources together have a burst of 256, then 200 a second.
+/// sender. Each source has a burst of 128, then 100 a second: a whole class may share one address,
+/// with somebody who takes what there is. All sources together have a burst of 256, then 200 a
+/// second.
 ///
 /// Where more than half of the burst of all is used up, the sources of the last 10 s have turns:
 /// each of n has one ClientHello in 10 n ms, and all of them 100 a second. The other half is for
@@ -17,7 +18,7 @@ namespace carina
 class HelloLimiter
 {
 public:
-    static constexpr BurstRate kRate = SourceLimiter::kRate;
+    static constexpr BurstRate kRate{128, std::chrono::milliseconds{10}};
     static constexpr BurstRate kRateOfAll{256, std::chrono::milliseconds{5}};
     /// How long a source is known as one that has turns: 1000 have one in this time.
     static constexpr Duration kRemembered = std::chrono::seconds{10};

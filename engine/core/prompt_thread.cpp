@@ -13,8 +13,8 @@ namespace carina
 namespace
 {
 
-/// A third of the share of a thread that was not lowered, where there is not enough for both.
-constexpr int kLowerBy = 5;
+/// A tenth of the share of a thread that was not lowered, where there is not enough for both.
+constexpr int kLowerBy = 10;
 
 /// The thread that keeps the first priority. Never destroyed: others may start threads to the end.
 class Starter

@@ -343,15 +343,15 @@ public:
             Target own = target;
             own.attacker += ' ' + std::to_string(number++);
             m_attacks.push_back(single.begin(own));
-            m_bringsNames.push_back(single.bringsNames);
+            m_keepsOut.push_back(single.keepsOut);
         }
     }
 
     void step() override
     {
-        const bool allBegin = monotonicNow() >= m_namesFrom;
+        const bool allBegin = monotonicNow() >= m_allFrom;
         for (std::size_t i = 0; i < m_attacks.size(); ++i)
-            if (allBegin || !m_bringsNames[i])
+            if (allBegin || !m_keepsOut[i])
                 m_attacks[i]->step();
     }
     [[nodiscard]] std::int64_t sent() const override
@@ -375,13 +375,13 @@ public:
     }
 
 private:
-    /// In which the others come in, who would have to wait behind these names, or find the places
-    /// of their address taken by them.
+    /// In which the others come in, who would have to wait behind the handshakes and names of
+    /// these, or find the places of their address taken by them.
     static constexpr Duration kHeadStart = std::chrono::milliseconds{1500};
 
     std::vector<std::unique_ptr<Attack>> m_attacks;
-    std::vector<bool> m_bringsNames; // of each
-    LocalTime m_namesFrom = monotonicNow() + kHeadStart;
+    std::vector<bool> m_keepsOut; // of each
+    LocalTime m_allFrom = monotonicNow() + kHeadStart;
 };
 
 template <class Kind> std::unique_ptr<Attack> begin(const Target& target)
@@ -469,7 +469,8 @@ std::span<const AttackKind> attackKinds()
                    .what = "an observer opens paths and says no Hello",
                    .begin = begin<IdlePaths>,
                    .mostFacts = kComings,
-                   .mostPaths = kIdlePaths},
+                   .mostPaths = kIdlePaths,
+                   .keepsOut = true},
         AttackKind{.name = "false-tube",
                    .what = "a trainee streams a second tube, 12 ms ahead of the session",
                    .begin = begin<FalseTube>,
@@ -484,7 +485,7 @@ std::span<const AttackKind> attackKinds()
                    .mostFacts = kComings + kCrowd,
                    .factsPerS = kCrowdPerS,
                    .leastPerS = kLeastOfMany,
-                   .bringsNames = true},
+                   .keepsOut = true},
         AttackKind{.name = "strangers",
                    .what =
                        "datagrams over paths with an observer's code over which nobody comes in",
@@ -499,7 +500,7 @@ std::span<const AttackKind> attackKinds()
                    .what = "a trainee comes in under ever new names over one path",
                    .begin = begin<Names>,
                    .mostFacts = kComings,
-                   .bringsNames = true},
+                   .keepsOut = true},
         AttackKind{.name = "garbage",
                    .what = "an observer sends bytes at random",
                    .begin = begin<Garbage>,
@@ -531,7 +532,7 @@ std::span<const AttackKind> attackKinds()
                    .mostFacts = kComings + kTurns,
                    .factsPerS = kCrowdPerS,
                    .leastPerS = kLeastOfMany,
-                   .bringsNames = true},
+                   .keepsOut = true},
         AttackKind{.name = "hungry",
                    .what = "a trainee says without end that it has nothing of the log",
                    .begin = beginHungry,

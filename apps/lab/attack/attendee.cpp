@@ -1,5 +1,7 @@
 #include "apps/lab/attack/attendee.h"
 
+#include <utility>
+
 namespace carina::lab
 {
 namespace
@@ -27,11 +29,13 @@ bool Attendee::attends()
     const LocalTime now = monotonicNow();
     if (!m_intruder.takesPart() && now >= m_nextHello) {
         m_nextHello = now + kHelloAgain;
-        m_join = ProposalId{m_random()};
+        if (std::exchange(m_isNewRun, false))
+            m_join = ProposalId{m_random()};
         m_intruder.hello(m_name, m_join, ++m_connection, Intruder::Has::WhatItHeard);
     }
     if (!m_intruder.takesPart())
         return false;
+    m_isNewRun = true; // where it comes in again
     m_intruder.acknowledge();
     return true;
 }

@@ -33,7 +33,8 @@ private:
     std::string m_name;
     std::mt19937_64 m_random;
     Intruder m_intruder;
-    ProposalId m_join;
+    ProposalId m_join; // of this run, as a program's that asks until it is in
+    bool m_isNewRun = true;
     std::uint32_t m_connection = 1;
     LocalTime m_nextHello{};
 };

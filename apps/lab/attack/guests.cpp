@@ -1,17 +1,20 @@
 #include "apps/lab/attack/guests.h"
 
+#include "apps/lab/attack/attendee.h"
 #include "apps/lab/attack/derived_once.h"
 #include "apps/lab/commands.h"
 #include "apps/lab/drift/launcher_pipe.h"
 #include "engine/core/monotonic_clock.h"
-#include "engine/net/node/session_node.h"
 
 #include <QCoreApplication>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QTimer>
 
 #include <array>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include <sys/resource.h>
 
@@ -24,7 +27,7 @@ using namespace std::chrono_literals;
 
 constexpr std::array kRoles{Role::Instructor, Role::Trainee, Role::Observer};
 constexpr Duration kPatience = 30s; ///< until one is in
-constexpr Duration kLook = 10ms;
+constexpr auto kLook = 10ms;
 constexpr int kGoing_ms = 5000;
 // Of ten guests one is an instructor, two are observers, and the others trainees: so 234 guests,
 // the attackers and who comes new are fewer of each role than may be present from one address
@@ -82,23 +85,40 @@ tl::unexpected<Error> leftAlone()
     return fail(Errc::Cancelled, "guests: the program that started this one has ended.");
 }
 
-Result<std::unique_ptr<SessionNode>> guest(const Orders& orders, int number,
-                                           const DeriveKey& derive)
+/// Guests in the event loop of this thread, as many clients as there are people.
+class Attendance
 {
-    const Role role = roleOfGuest(number);
-    auto node = SessionNode::join({.port = orders.port,
-                                   .participantName = Guests::nameOf(number),
-                                   .role = role,
-                                   .code = orders.codes.at(role),
-                                   .derive = derive});
-    const LocalTime end = monotonicNow() + kPatience;
-    while (node && (*node)->self() == kNobody) {
-        if (monotonicNow() > end)
-            return fail(Errc::HostSilent, Guests::nameOf(number) + " did not come in");
-        std::this_thread::sleep_for(kLook);
+public:
+    explicit Attendance(const Orders& orders) : m_orders{orders} {}
+
+    [[nodiscard]] bool isComplete() const { return m_in == m_orders.count; }
+    /// Waits for the next, and serves those who are there.
+    Result<void> step()
+    {
+        const LocalTime now = monotonicNow();
+        if (!isComplete() && m_in == int(m_guests.size())) {
+            const Role role = roleOfGuest(m_in);
+            m_guests.push_back(std::make_unique<Attendee>(
+                WayIn{m_orders.port, role, m_orders.codes.at(role), m_derive},
+                Guests::nameOf(m_in)));
+            m_asksSince = now;
+        }
+        for (const auto& guest : m_guests)
+            guest->attends();
+        if (!isComplete() && m_guests.back()->intruder().takesPart())
+            ++m_in;
+        else if (!isComplete() && now > m_asksSince + kPatience)
+            return fail(Errc::HostSilent, Guests::nameOf(m_in) + " did not come in");
+        return {};
     }
-    return node;
-}
+
+private:
+    Orders m_orders;
+    DeriveKey m_derive = derivedOnce();
+    std::vector<std::unique_ptr<Attendee>> m_guests;
+    int m_in = 0; // of these; all but the last
+    LocalTime m_asksSince{};
+};
 
 Result<QJsonObject> attend(const Words&)
 {
@@ -112,20 +132,20 @@ Result<QJsonObject> attend(const Words&)
     const auto orders = ordersOf(*line);
     if (!orders)
         return tl::unexpected(orders.error());
-    const DeriveKey derive = derivedOnce();
-    std::vector<std::unique_ptr<SessionNode>> guests;
-    for (int i = 0; i < orders->count; ++i) {
-        auto next = guest(*orders, i, derive);
-        if (!next)
-            return tl::unexpected(next.error());
-        guests.push_back(*std::move(next));
-    }
-    LauncherPipe::say("ready");
-    while (!launcher.isClosed()) {
+    Attendance attendance{*orders};
+    Result<void> stepped;
+    bool hasSaid = false;
+    QTimer look;
+    look.callOnTimeout([&] {
         static_cast<void>(launcher.line());
-        std::this_thread::sleep_for(kLook);
-    }
-    return leftAlone();
+        stepped = attendance.step();
+        if (attendance.isComplete() && !std::exchange(hasSaid, true))
+            LauncherPipe::say("ready");
+    });
+    look.start(kLook);
+    while (!launcher.isClosed() && stepped)
+        QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    return stepped ? leftAlone() : tl::unexpected(stepped.error());
 }
 
 } // namespace
@@ -134,8 +154,8 @@ Guests::Guests(std::uint16_t port, const JoinCodes& codes, int count)
 {
     m_process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
     m_process.setChildProcessModifier([] {
-        constexpr int kLeast = 19; // there are hundreds, who have their share by their number
-        setpriority(PRIO_PROCESS, 0, kLeast);
+        constexpr int kLowerBy = 5; // a third of the share of the host's and the attackers' threads
+        setpriority(PRIO_PROCESS, 0, kLowerBy);
     });
     m_process.start(QCoreApplication::applicationFilePath(), {QStringLiteral("guests")});
     m_process.write(lineOf({port, count, codes}));

@@ -156,12 +156,12 @@ void ConsoleSession::setStation(StationId station)
 }
 
 /// Tools are shared where their owner is: who demonstrates with them does it at the station that is
-/// shown.
+/// shown. It is no change that they would take back.
 void ConsoleSession::comeWithTools()
 {
     const StationId shown = m_stations.shown();
     if (m_tools.tracker() && !hasEnded() && ownStation(node()) != shown && !isMoving(node()))
-        m_stations.move(node().self(), shown);
+        node().propose(shown, fact::ParticipantMoved{node().self()});
 }
 
 void ConsoleSession::openStations(const std::vector<WantedStation>& wanted)

@@ -7,11 +7,21 @@ namespace carina
 {
 
 void ChangeHistory::add(const QObject& owner, const QString& text, std::function<void()> takeBack,
-                        int topic)
+                        int topic, StationId station)
 {
     if (m_changes.size() == kMost)
         m_changes.erase(m_changes.begin());
-    m_changes.push_back({&owner, text, std::move(takeBack), topic});
+    m_changes.push_back({&owner, text, std::move(takeBack), topic, station});
+    Q_EMIT changed();
+}
+
+void ChangeHistory::setStations(StationId shown, std::map<StationId, QString> open)
+{
+    m_shown = shown;
+    m_open = std::move(open);
+    std::erase_if(m_changes, [this](const Change& change) {
+        return change.station != kNoStation && !m_open.contains(change.station);
+    });
     Q_EMIT changed();
 }
 
@@ -51,8 +61,16 @@ QStringList ChangeHistory::texts() const
 {
     QStringList texts;
     for (auto change = m_changes.rbegin(); change != m_changes.rend(); ++change)
-        texts << change->text;
+        texts << textOf(*change);
     return texts;
+}
+
+QString ChangeHistory::textOf(const Change& change) const
+{
+    const auto station = m_open.find(change.station);
+    if (change.station == m_shown || station == m_open.end())
+        return change.text;
+    return tr("%1: %2", "a station; what was changed there").arg(station->second, change.text);
 }
 
 void ChangeHistory::undo(int count)

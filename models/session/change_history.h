@@ -1,16 +1,19 @@
 #pragma once
 
+#include "engine/core/ids.h"
+
 #include <QObject>
 #include <QStringList>
 
 #include <functional>
+#include <map>
 #include <vector>
 
 namespace carina
 {
 
 /// The changes that this person made in the session, over all panels, in their order: what one undo
-/// takes back, the last first.
+/// takes back, the last first, at whichever station each was made.
 class ChangeHistory : public QObject
 {
     Q_OBJECT
@@ -21,8 +24,13 @@ public:
     /// Adds a change. @param owner whose change it is, for retitle and forget
     /// @param text what it was: "Tidal volume → 400 ml"
     /// @param topic which of the owner's things it is about, for forget
+    /// @param station where it was made; kNoStation for what is of none, or of several
     void add(const QObject& owner, const QString& text, std::function<void()> takeBack,
-             int topic = 0);
+             int topic = 0, StationId station = kNoStation);
+    /// Tells which stations are open, by their names, and which of them is shown. From now on what
+    /// was changed at another one is called after it; what was changed at one that is not open is
+    /// forgotten.
+    void setStations(StationId shown, std::map<StationId, QString> open);
     /// The owner's last change goes on, as a slider that is dragged: it is called so from now on.
     void retitle(const QObject& owner, const QString& text);
     /// Whether the last change of all is the owner's and about this thing; it is called so then.
@@ -33,7 +41,7 @@ public:
     void forget(const QObject& owner, int topic);
 
     [[nodiscard]] bool isEmpty() const { return m_changes.empty(); }
-    /// What each change was, the last first.
+    /// What each change was, the last first: "Room 5: Tidal volume → 400 ml".
     [[nodiscard]] QStringList texts() const;
     /// Takes back the last changes, so many of them.
     void undo(int count = 1);
@@ -53,9 +61,14 @@ private:
         QString text;
         std::function<void()> takeBack;
         int topic = 0;
+        StationId station = kNoStation;
     };
 
+    [[nodiscard]] QString textOf(const Change& change) const;
+
     std::vector<Change> m_changes;
+    StationId m_shown = kNoStation;
+    std::map<StationId, QString> m_open;
 };
 
 } // namespace carina

@@ -6,7 +6,9 @@
 #include "engine/session/facts/plain_name.h"
 #include "engine/session/participant_limits.h"
 #include "models/errors/error_text.h"
+#include "models/objects/object_words.h"
 #include "models/patient/new_patient.h"
+#include "models/session/proposed.h"
 
 #include <algorithm>
 #include <utility>
@@ -43,8 +45,26 @@ StationsModel::StationsModel(SessionModel& session, QObject* parent)
 void StationsModel::show(StationId station)
 {
     const bool isOpen = std::ranges::find(m_open, station, &Row::id) != m_open.end();
-    if (isOpen && std::exchange(m_shown, station) != station)
-        Q_EMIT shownChanged(station);
+    if (!isOpen || std::exchange(m_shown, station) == station)
+        return;
+    tellHistory();
+    Q_EMIT shownChanged(station);
+}
+
+void StationsModel::setHistory(ChangeHistory& history)
+{
+    m_history = &history;
+    tellHistory();
+}
+
+void StationsModel::tellHistory()
+{
+    if (!m_history)
+        return;
+    std::map<StationId, QString> names;
+    for (const Row& row : m_open)
+        names.emplace(row.id, row.name);
+    m_history->setStations(m_shown, std::move(names));
 }
 
 void StationsModel::setForAll(bool all)
@@ -130,7 +150,38 @@ void StationsModel::add(const QString& name, const QString& patient, After after
 
 void StationsModel::rename(StationId station, const QString& name)
 {
-    m_session.node().propose(station, fact::StationRenamed{name.trimmed().toStdString()});
+    const QString given = name.trimmed();
+    if (const QString before = nameOf(station); m_history && given != before)
+        m_history->add(
+            *this, tr("Name of the station → %1").arg(given),
+            [this, station, before, given] { takeBackName(station, before, given); }, 0, station);
+    m_session.node().propose(station, fact::StationRenamed{given.toStdString()});
+}
+
+void StationsModel::takeBackName(StationId station, const QString& before, const QString& given)
+{
+    const bool isUnderWay = isProposed<fact::StationRenamed>(
+        m_session.node(), [&given](const fact::StationRenamed& proposed) {
+            return proposed.name == given.toStdString();
+        });
+    proposeBack(station, fact::StationRenamed{before.toStdString()},
+                isUnderWay ? QString{} : whyNameStays(station, before, given));
+}
+
+/// Empty where the name can be taken back.
+QString StationsModel::whyNameStays(StationId station, const QString& before,
+                                    const QString& given) const
+{
+    const QString now = nameOf(station);
+    if (!m_session.node().state()->isOpen(station))
+        return tr("Not undone: the station %1 has been closed.").arg(now);
+    if (now == before)
+        return tr("Nothing to undo: the station is called %1 again.").arg(now);
+    if (now != given)
+        return tr("Not undone: somebody has called the station %1 since.").arg(now);
+    return faultOfName(before, station).isEmpty()
+               ? QString{}
+               : tr("Not undone: another station is called %1 now.").arg(before);
 }
 
 void StationsModel::close(StationId station)
@@ -141,20 +192,71 @@ void StationsModel::close(StationId station)
     if (other == m_open.end())
         return;
     if (ownStation(node) == station)
-        move(node.self(), other->id);
+        bring(node.self(), other->id);
     node.propose(station, fact::StationClosed{});
+}
+
+void StationsModel::bring(ParticipantId participant, StationId station)
+{
+    m_session.node().propose(station, fact::ParticipantMoved{participant});
 }
 
 void StationsModel::move(ParticipantId participant, StationId station)
 {
-    m_session.node().propose(station, fact::ParticipantMoved{participant});
+    const auto state = m_session.node().state();
+    if (const StationId from = state->stationOf(participant); m_history && from != station)
+        m_history->add(
+            *this,
+            tr("%1 → moved to %2", "a participant; a station")
+                .arg(participantWord(*state, participant), nameOf(station)),
+            [this, participant, from, station] { takeBackMove(participant, from, station); });
+    bring(participant, station);
+}
+
+void StationsModel::takeBackMove(ParticipantId participant, StationId from, StationId to)
+{
+    const bool isUnderWay = isProposed<fact::ParticipantMoved>(
+        m_session.node(), [participant](const fact::ParticipantMoved& proposed) {
+            return proposed.participant == participant;
+        });
+    proposeBack(from, fact::ParticipantMoved{participant},
+                isUnderWay ? QString{} : whyMoveStays(participant, from, to));
+}
+
+/// Empty where the participant can go back.
+QString StationsModel::whyMoveStays(ParticipantId participant, StationId from, StationId to) const
+{
+    const auto state = m_session.node().state();
+    const QString who = participantWord(*state, participant);
+    const StationId now = state->stationOf(participant);
+    if (!state->isPresent(participant))
+        return tr("Not undone: %1 has left the session.").arg(who);
+    if (now == from)
+        return tr("Nothing to undo: %1 is at %2 again.", "a participant; a station")
+            .arg(who, nameOf(now));
+    if (now != to)
+        return tr("Not undone: %1 is at %2 now.", "a participant; a station").arg(who, nameOf(now));
+    return state->isOpen(from)
+               ? QString{}
+               : tr("Not undone: the station %1 has been closed.").arg(nameOf(from));
+}
+
+/// @param why it is not to be; empty where it is
+void StationsModel::proposeBack(StationId station, FactBody body, const QString& why)
+{
+    if (why.isEmpty())
+        m_session.node().propose(station, std::move(body));
+    else if (m_history)
+        m_history->refuse(why);
 }
 
 void StationsModel::refresh()
 {
     std::vector<Row> open = openStations(*m_session.node().state());
-    if (std::exchange(m_open, open) != open)
+    if (std::exchange(m_open, open) != open) {
+        tellHistory();
         Q_EMIT changed();
+    }
     tellForAll();
     layPatients();
     const bool isShownOpen = std::ranges::find(m_open, m_shown, &Row::id) != m_open.end();

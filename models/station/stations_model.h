@@ -1,7 +1,10 @@
 #pragma once
 
 #include "engine/anatomy/patient/patient_dimensions.h"
+#include "models/session/change_history.h"
 #include "models/session/session_model.h"
+
+#include <QPointer>
 
 #include <vector>
 
@@ -25,6 +28,10 @@ public:
 
     /// Shows this program's own station first. @pre session outlives this.
     explicit StationsModel(SessionModel& session, QObject* parent = nullptr);
+
+    /// Adds names and moves to a history from now on, and tells it which stations there are. What
+    /// cannot be taken back stays, and the history says why.
+    void setHistory(ChangeHistory& history);
 
     /// Those that are open, in the order of their numbers.
     [[nodiscard]] const std::vector<Row>& open() const { return m_open; }
@@ -53,6 +60,8 @@ public:
     void rename(StationId station, const QString& name);
     /// Closes a station; who runs this program goes to another one, if they were at it.
     void close(StationId station);
+    /// Taken back, it brings them where they were with the tools that they carry; what else they
+    /// owned there they had to leave, and do not get again.
     void move(ParticipantId participant, StationId station);
 
 Q_SIGNALS:
@@ -72,8 +81,18 @@ private:
     void refresh();
     void layPatients();
     void tellForAll();
+    void tellHistory();
+    void bring(ParticipantId participant, StationId station);
+    void takeBackName(StationId station, const QString& before, const QString& given);
+    void takeBackMove(ParticipantId participant, StationId from, StationId to);
+    [[nodiscard]] QString whyNameStays(StationId station, const QString& before,
+                                       const QString& given) const;
+    [[nodiscard]] QString whyMoveStays(ParticipantId participant, StationId from,
+                                       StationId to) const;
+    void proposeBack(StationId station, FactBody body, const QString& why);
 
     SessionModel& m_session;
+    QPointer<ChangeHistory> m_history;
     std::vector<Row> m_open;
     StationId m_shown = kNoStation;
     bool m_forAll = false;

@@ -48,6 +48,7 @@ InstructorWindow::InstructorWindow(const ConsoleModels& models, KeptConsole& kep
     m_models.lesson.setHistory(m_history);
     m_models.conduct.setHistory(m_history);
     m_models.attention.setHistory(m_history);
+    m_models.stations.setHistory(m_history);
     m_ui->parts->setHistory(m_history);
     m_ui->section->setHistory(m_history);
     m_ui->pane->setModels(m_models.stations, m_models.attention);

@@ -8,6 +8,8 @@
 
 #include <QSignalSpy>
 
+#include <array>
+
 namespace carina::stations_model_test
 {
 
@@ -15,6 +17,7 @@ using test::FakeSessionNode;
 
 constexpr StationId kFirst = FakeSessionNode::kStation;
 constexpr StationId kRoom{1};
+constexpr StationId kThird{2};
 
 class TestStationsModel : public QObject
 {
@@ -34,6 +37,11 @@ private Q_SLOTS:
     void changesAllOnlyWhereThereAreSeveral();
     void movesParticipants();
     void followsItsOwnParticipant();
+    void namesAndMovesAreTakenBack();
+    void takesBackWhatIsStillUnderWay();
+    void saysWhyItIsNotTakenBack_data();
+    void saysWhyItIsNotTakenBack();
+    void remembersNoMoveThatNobodyChose();
 };
 
 namespace
@@ -50,7 +58,53 @@ struct Console {
         node.addStation("Room 5");
         deliver();
     }
+    void moveTom(StationId station) { stations.move(FakeSessionNode::kTrainee, station); }
 };
+
+/// What is done, and what happens since.
+struct Step {
+    const char* name;
+    void (*make)(Console&);
+    void (*since)(Console&);
+    const char* told;
+};
+constexpr std::array kSteps{
+    Step{"somebody gave it another name",
+         [](Console& console) { console.stations.rename(kFirst, QStringLiteral("Hall")); },
+         [](Console& console) { console.node.decide(fact::StationRenamed{"Yard"}); },
+         "Not undone: somebody has called the station Yard since."},
+    Step{"it has its name again",
+         [](Console& console) { console.stations.rename(kFirst, QStringLiteral("Hall")); },
+         [](Console& console) { console.node.decide(fact::StationRenamed{"Station 1"}); },
+         "Nothing to undo: the station is called Station 1 again."},
+    Step{"another has its name",
+         [](Console& console) { console.stations.rename(kFirst, QStringLiteral("Hall")); },
+         [](Console& console) { console.node.decideAt(kRoom, fact::StationRenamed{"Station 1"}); },
+         "Not undone: another station is called Station 1 now."},
+    Step{"who was moved has left", [](Console& console) { console.moveTom(kRoom); },
+         [](Console& console) {
+             console.node.decide(fact::ParticipantLeft{FakeSessionNode::kTrainee});
+         },
+         "Not undone: Tom has left the session."},
+    Step{"who was moved is back", [](Console& console) { console.moveTom(kRoom); },
+         [](Console& console) {
+             console.node.decide(fact::ParticipantMoved{FakeSessionNode::kTrainee});
+         },
+         "Nothing to undo: Tom is at Station 1 again."},
+    Step{"who was moved is elsewhere", [](Console& console) { console.moveTom(kRoom); },
+         [](Console& console) {
+             console.node.addStation("Hall");
+             console.node.decideAt(kThird, fact::ParticipantMoved{FakeSessionNode::kTrainee});
+         },
+         "Not undone: Tom is at Hall now."},
+    Step{"there is no way back", [](Console& console) { console.moveTom(kRoom); },
+         [](Console& console) {
+             for (const ParticipantId who :
+                  {FakeSessionNode::kInstructor, FakeSessionNode::kObserver})
+                 console.node.decideAt(kRoom, fact::ParticipantMoved{who});
+             console.node.decide(fact::StationClosed{});
+         },
+         "Not undone: the station Station 1 has been closed."}};
 
 } // namespace
 
@@ -236,6 +290,89 @@ void TestStationsModel::followsItsOwnParticipant()
     console.node.announce();
     Console::deliver();
     QCOMPARE(own.id(), kNoStation);
+}
+
+void TestStationsModel::namesAndMovesAreTakenBack()
+{
+    Console console;
+    console.addRoom();
+    ChangeHistory history;
+    console.stations.setHistory(history);
+    console.stations.rename(kRoom, QStringLiteral(" Hall "));
+    console.moveTom(kRoom);
+    Console::deliver();
+    QCOMPARE(history.texts(), (QStringList{QStringLiteral("Tom → moved to Hall"),
+                                           QStringLiteral("Hall: Name of the station → Hall")}));
+    console.stations.show(kRoom);
+    QCOMPARE(history.texts().last(), QStringLiteral("Name of the station → Hall"));
+    history.undo();
+    QCOMPARE(console.stations.stationOf(FakeSessionNode::kTrainee), kFirst);
+    QCOMPARE(console.node.state()->objects().at(FakeSessionNode::kTube).station, kFirst);
+    history.undo();
+    QCOMPARE(console.stations.nameOf(kRoom), QStringLiteral("Room 5"));
+    QVERIFY(history.isEmpty());
+    console.stations.rename(kRoom, QStringLiteral("Room 5")); // as it is
+    console.moveTom(kFirst);
+    QVERIFY(history.isEmpty());
+}
+
+void TestStationsModel::takesBackWhatIsStillUnderWay()
+{
+    Console console;
+    console.addRoom();
+    ChangeHistory history;
+    console.stations.setHistory(history);
+    const QSignalSpy refused{&history, &ChangeHistory::refused};
+    console.node.hostGoesAway();
+    console.stations.rename(kRoom, QStringLiteral("Hall"));
+    console.moveTom(kRoom);
+    history.undo(2);
+    QVERIFY(refused.isEmpty());
+    console.node.hostComesBack();
+    QCOMPARE(console.stations.nameOf(kRoom), QStringLiteral("Room 5"));
+    QCOMPARE(console.stations.stationOf(FakeSessionNode::kTrainee), kFirst);
+    QVERIFY(!console.node.refusal());
+}
+
+void TestStationsModel::saysWhyItIsNotTakenBack_data()
+{
+    QTest::addColumn<int>("place");
+    for (int place = 0; place < int(kSteps.size()); ++place)
+        QTest::newRow(kSteps[std::size_t(place)].name) << place;
+}
+
+void TestStationsModel::saysWhyItIsNotTakenBack()
+{
+    QFETCH(const int, place);
+    const Step& step = kSteps[std::size_t(place)];
+    Console console;
+    console.addRoom();
+    ChangeHistory history;
+    console.stations.setHistory(history);
+    const QSignalSpy refused{&history, &ChangeHistory::refused};
+    step.make(console);
+    step.since(console);
+    QVERIFY(!console.node.refusal());
+    Console::deliver();
+    const int proposed = console.node.proposed;
+    history.undo();
+    QCOMPARE(refused.size(), 1);
+    QCOMPARE(refused.last().front().toString(), QString::fromUtf8(step.told));
+    QCOMPARE(console.node.proposed, proposed);
+    QVERIFY(history.isEmpty());
+}
+
+void TestStationsModel::remembersNoMoveThatNobodyChose()
+{
+    Console console;
+    console.addRoom();
+    ChangeHistory history;
+    console.stations.setHistory(history);
+    for (const ParticipantId who : {FakeSessionNode::kTrainee, FakeSessionNode::kObserver})
+        console.node.decideAt(kRoom, fact::ParticipantMoved{who});
+    console.stations.close(kFirst);
+    QCOMPARE(console.stations.stationOf(FakeSessionNode::kInstructor), kRoom);
+    QVERIFY(history.isEmpty());
 }
 
 CARINA_TEST(TestStationsModel)

@@ -69,8 +69,10 @@ void BreathingModel::setStation(StationId station)
 {
     if (std::exchange(m_stations.shown, station) == station)
         return;
+    for (const BreathingParameter parameter : kBreathingParameters) // what waits goes now
+        if (const auto& latest = m_wishes[std::size_t(parameter)].latest)
+            propose(parameter, *latest);
     m_wishes = {};
-    m_steps.clear();
     refresh();
     Q_EMIT changed();
 }
@@ -171,24 +173,28 @@ void BreathingModel::set(BreathingParameter parameter, double value)
     // A drag is one change: only its first step is what undo goes back to.
     const QString text = textOf(parameter, value);
     const Setting wanted{m_stations.target(), value, m_over};
-    if (pending(parameter) && m_steps.lastIsAbout(std::size_t(parameter)))
+    if (pending(parameter) && m_steps.lastIsAbout(std::size_t(parameter), wanted.station))
         m_steps.goOn(wanted, text);
     else
-        m_steps.add(std::size_t(parameter), wanted, before, text, [this] { undo(); });
+        m_steps.add(std::size_t(parameter), wanted, before, text, [this](const auto& step) {
+            goBackTo(static_cast<BreathingParameter>(step.thing), step.before);
+        });
     ask(parameter, wanted);
 }
 
 void BreathingModel::undo()
 {
-    const auto step = m_steps.takeLast();
-    if (!step)
-        return;
-    const auto parameter = static_cast<BreathingParameter>(step->thing);
-    for (const Setting& before : step->before)
-        if (before.station == m_stations.shown)
-            ask(parameter, before);
+    if (const auto step = m_steps.takeLast())
+        goBackTo(static_cast<BreathingParameter>(step->thing), step->before);
+}
+
+void BreathingModel::goBackTo(BreathingParameter parameter, const std::vector<Setting>& before)
+{
+    for (const Setting& at : before)
+        if (at.station == m_stations.shown)
+            ask(parameter, at);
         else
-            propose(parameter, before);
+            propose(parameter, at);
 }
 
 void BreathingModel::ask(BreathingParameter parameter, const Setting& setting)

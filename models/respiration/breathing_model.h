@@ -39,7 +39,8 @@ public:
     /// @pre session outlives this.
     BreathingModel(SessionModel& session, StationId station, QObject* parent = nullptr);
 
-    /// Shows the patient of another station from now on. What was changed before cannot be undone.
+    /// Shows the patient of another station from now on. What was changed before is undone where it
+    /// was changed.
     void setStation(StationId station);
     /// Adds its changes to a history from now on, by which alone they are to be undone.
     void setHistory(ChangeHistory& history) { m_steps.setHistory(history); }
@@ -100,6 +101,7 @@ private:
     [[nodiscard]] std::vector<Setting> present(BreathingParameter parameter) const;
     [[nodiscard]] double askedAt(StationId station, BreathingParameter parameter) const;
     [[nodiscard]] bool isSo(BreathingParameter parameter, StationId station, double value) const;
+    void goBackTo(BreathingParameter parameter, const std::vector<Setting>& before);
     void ask(BreathingParameter parameter, const Setting& setting);
     [[nodiscard]] bool isUnderWay(BreathingParameter parameter, double sent) const;
     void propose(BreathingParameter parameter, const Setting& setting);

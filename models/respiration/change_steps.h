@@ -6,6 +6,7 @@
 #include <QPointer>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <optional>
 #include <utility>
@@ -36,18 +37,28 @@ public:
     void setHistory(ChangeHistory& history) { m_history = &history; }
     [[nodiscard]] bool hasHistory() const { return !m_history.isNull(); }
     [[nodiscard]] bool isEmpty() const { return m_steps.empty(); }
-    [[nodiscard]] bool lastIsAbout(std::size_t thing) const
+    /// @param station where it was set, or kAllStations
+    [[nodiscard]] bool lastIsAbout(std::size_t thing, StationId station) const
     {
-        return !m_steps.empty() && m_steps.back().thing == thing;
+        return !m_steps.empty() && m_steps.back().thing == thing
+               && m_steps.back().set.station == station;
     }
 
-    /// @param takeBack what the history calls
+    /// @param takeBack sets what was there before; called by the history
     void add(std::size_t thing, const Setting& set, std::vector<Setting> before,
-             const QString& text, std::function<void()> takeBack)
+             const QString& text, std::function<void(const Step&)> takeBack)
     {
-        m_steps.push_back({thing, set, std::move(before), ++m_number});
-        if (m_history)
-            m_history->add(m_owner, text, std::move(takeBack), m_number);
+        const int number = ++m_number;
+        m_steps.push_back({thing, set, std::move(before), number});
+        if (!m_history)
+            return;
+        m_history->add(
+            m_owner, text,
+            [this, number, takeBack = std::move(takeBack)] {
+                if (const auto step = take(number))
+                    takeBack(*step);
+            },
+            number, set.station == kAllStations ? kNoStation : set.station);
     }
     /// The last step goes on to another value, as a slider that is dragged. @pre !isEmpty()
     void goOn(const Setting& set, const QString& text)
@@ -58,17 +69,7 @@ public:
     }
     [[nodiscard]] std::optional<Step> takeLast()
     {
-        if (m_steps.empty())
-            return std::nullopt;
-        Step last = std::move(m_steps.back());
-        m_steps.pop_back();
-        return last;
-    }
-    void clear()
-    {
-        m_steps.clear();
-        if (m_history)
-            m_history->forget(m_owner);
+        return m_steps.empty() ? std::nullopt : take(m_steps.back().number);
     }
 
     /// Drops the steps that were decided over, at the stations where they were.
@@ -92,6 +93,16 @@ public:
     }
 
 private:
+    [[nodiscard]] std::optional<Step> take(int number)
+    {
+        const auto step = std::ranges::find(m_steps, number, &Step::number);
+        if (step == m_steps.end())
+            return std::nullopt;
+        Step taken = std::move(*step);
+        m_steps.erase(step);
+        return taken;
+    }
+
     const QObject& m_owner;
     QPointer<ChangeHistory> m_history;
     std::vector<Step> m_steps;

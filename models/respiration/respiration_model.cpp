@@ -63,8 +63,10 @@ void RespirationModel::setStation(StationId station)
 {
     if (std::exchange(m_stations.shown, station) == station)
         return;
+    for (const Wish& wish : m_wishes) // what waits goes now
+        if (wish.latest)
+            propose(*wish.latest);
     m_wishes = {};
-    m_steps.clear();
     refresh();
     Q_EMIT changed();
 }
@@ -217,23 +219,27 @@ void RespirationModel::set(const Decision& decision)
     // A drag is one change: only its first step is what undo goes back to.
     const QString text = tr(kThingNames[thing]).arg(std::visit(DecisionText{}, decision));
     const Setting wanted{m_stations.target(), decision};
-    if (pending(thing) && m_steps.lastIsAbout(thing))
+    if (pending(thing) && m_steps.lastIsAbout(thing, wanted.station))
         m_steps.goOn(wanted, text);
     else
-        m_steps.add(thing, wanted, before, text, [this] { undo(); });
+        m_steps.add(thing, wanted, before, text,
+                    [this](const auto& step) { goBackTo(step.before); });
     ask(wanted);
 }
 
 void RespirationModel::undo()
 {
-    const auto step = m_steps.takeLast();
-    if (!step)
-        return;
-    for (const Setting& before : step->before)
-        if (before.station == m_stations.shown)
-            ask(before);
+    if (const auto step = m_steps.takeLast())
+        goBackTo(step->before);
+}
+
+void RespirationModel::goBackTo(const std::vector<Setting>& before)
+{
+    for (const Setting& at : before)
+        if (at.station == m_stations.shown)
+            ask(at);
         else
-            propose(before);
+            propose(at);
 }
 
 void RespirationModel::ask(const Setting& setting)

@@ -32,7 +32,8 @@ public:
     /// @pre session outlives this.
     RespirationModel(SessionModel& session, StationId station, QObject* parent = nullptr);
 
-    /// Shows the patient of another station from now on. What was changed before cannot be undone.
+    /// Shows the patient of another station from now on. What was changed before is undone where it
+    /// was changed.
     void setStation(StationId station);
     /// Adds its changes to a history from now on, by which alone they are to be undone.
     void setHistory(ChangeHistory& history) { m_steps.setHistory(history); }
@@ -114,6 +115,7 @@ private:
     [[nodiscard]] bool isDecided(StationId station, const Decision& decision) const;
     [[nodiscard]] std::optional<LungConditions> with(std::size_t place, ConditionKind kind) const;
     void set(const Decision& decision);
+    void goBackTo(const std::vector<Setting>& before);
     void ask(const Setting& setting);
     void propose(const Setting& setting);
     void refresh();

@@ -27,6 +27,8 @@ private Q_SLOTS:
     void signalsOnlyWhatChanged();
     void boundsABreathByThePatient();
     void goesToAnotherStation();
+    void endsADragThatAnotherStationInterrupts();
+    void keepsAChangeApartFromThatOfAnotherStation();
     void changesAllStationsByOneFact();
     void undoesAtEachStationWhatWasThere();
     void leavesTheOtherValueOfEachBag();
@@ -267,12 +269,66 @@ void TestBreathingModel::goesToAnotherStation()
     console.breathing.setStation(kRoom);
     QVERIFY(changes.count() >= 1);
     COMPARE_NEAR(console.rate(), inPerMinute(BreathingPattern{}.rate));
-    QVERIFY(!console.breathing.canUndo()); // it would be of the other station
+    QVERIFY(console.breathing.canUndo()); // what is of the other station
     console.breathing.set(Rate, 33.0);
     console.settle();
     COMPARE_NEAR(console.rate(), 33.0);
     console.breathing.setStation(FakeSessionNode::kStation);
     COMPARE_NEAR(console.rate(), 25.0);
+    const double before = inPerMinute(BreathingPattern{}.rate);
+    console.breathing.undo();
+    console.settle();
+    COMPARE_NEAR(console.rateAt(kRoom), before);
+    COMPARE_NEAR(console.rate(), 25.0);
+    console.breathing.undo();
+    console.settle();
+    COMPARE_NEAR(console.rate(), before);
+    QVERIFY(!console.breathing.canUndo());
+}
+
+/// At what it was dragged to last, which is undone as any other.
+void TestBreathingModel::endsADragThatAnotherStationInterrupts()
+{
+    Console console;
+    console.node.addStation("Room 5");
+    const double before = console.rate();
+    console.node.hostGoesAway();
+    console.breathing.set(Rate, 20.0);
+    console.breathing.set(Rate, 40.0);
+    console.breathing.setStation(kRoom);
+    console.node.hostComesBack();
+    console.settle();
+    COMPARE_NEAR(console.rateAt(FakeSessionNode::kStation), 40.0);
+    console.breathing.undo();
+    console.settle();
+    COMPARE_NEAR(console.rateAt(FakeSessionNode::kStation), before);
+    COMPARE_NEAR(console.rate(), before);
+}
+
+/// Also while what was just taken back is on its way.
+void TestBreathingModel::keepsAChangeApartFromThatOfAnotherStation()
+{
+    Console console;
+    console.node.addStation("Room 5");
+    const double before = console.rate();
+    console.breathing.setStation(kRoom);
+    console.breathing.set(Rate, 20.0);
+    console.settle();
+    console.breathing.setStation(FakeSessionNode::kStation);
+    console.breathing.set(Rate, 22.0);
+    console.settle();
+    console.breathing.undo();
+    console.breathing.set(Rate, 24.0);
+    console.settle();
+    console.settle();
+    COMPARE_NEAR(console.rate(), 24.0);
+    console.breathing.undo();
+    console.settle();
+    COMPARE_NEAR(console.rate(), before);
+    COMPARE_NEAR(console.rateAt(kRoom), 20.0);
+    console.breathing.undo();
+    console.settle();
+    COMPARE_NEAR(console.rateAt(kRoom), before);
 }
 
 void TestBreathingModel::changesAllStationsByOneFact()

@@ -20,6 +20,7 @@ private Q_SLOTS:
     void showsWhatIsInForce();
     void setsAndTellsWhatTravels();
     void changesAllStationsAndUndoesEach();
+    void endsADragThatAnotherStationInterrupts();
     void choosesAConditionWithASeverityToBeSeen();
     void putsATubeIntoOneBronchus();
     void keepsOneProposalUnderWayWhileASeverityIsDragged();
@@ -108,11 +109,36 @@ void TestRespirationModel::changesAllStationsAndUndoesEach()
     console.model.setForAll(false);
     console.model.setStation(kRoom);
     QCOMPARE(console.model.position(), BodyPosition::Supine);
-    QVERIFY(!console.model.canUndo());
+    QVERIFY(console.model.canUndo()); // what is of the other station
     console.model.setPosition(BodyPosition::RightLateral);
     console.settle();
     QCOMPARE(at(FakeSessionNode::kStation), BodyPosition::Prone);
     QCOMPARE(at(kRoom), BodyPosition::RightLateral);
+    console.model.undo();
+    console.settle();
+    QCOMPARE(at(FakeSessionNode::kStation), BodyPosition::Prone);
+    QCOMPARE(at(kRoom), BodyPosition::Supine);
+    console.model.undo();
+    console.settle();
+    QCOMPARE(at(FakeSessionNode::kStation), BodyPosition::Supine);
+}
+
+/// At what it was dragged to last, which is undone as any other.
+void TestRespirationModel::endsADragThatAnotherStationInterrupts()
+{
+    Console console;
+    console.node.addStation("Room 5");
+    console.node.hostGoesAway();
+    for (const double severity : {0.1, 0.2, 0.3})
+        console.model.setCondition(0, {ConditionKind::Asthma, severity, {}});
+    console.model.setStation(StationId{1});
+    console.node.hostComesBack();
+    console.settle();
+    QCOMPARE(only(console.decided().conditions).severity, 0.3);
+    console.model.undo();
+    console.settle();
+    QVERIFY(console.decided().conditions.empty());
+    QVERIFY(console.model.conditions().empty());
 }
 
 void TestRespirationModel::setsAndTellsWhatTravels()

@@ -1,6 +1,7 @@
 #include "models/respiration/breathing_model.h"
 #include "models/respiration/respiration_model.h"
 #include "models/session/change_history.h"
+#include "models/station/stations_model.h"
 #include "tests/models/fake_session_node.h"
 #include "tests/support/test_class.h"
 
@@ -13,10 +14,13 @@ namespace
 {
 
 constexpr std::chrono::milliseconds kLead{100};
+constexpr StationId kFirst = FakeSessionNode::kStation;
+constexpr StationId kRoom{1};
 
 struct Desk {
     FakeSessionNode node;
     SessionModel session{node};
+    StationsModel stations{session};
     BreathingModel breathing{session, FakeSessionNode::kStation};
     RespirationModel respiration{session, FakeSessionNode::kStation};
     ChangeHistory history;
@@ -25,6 +29,21 @@ struct Desk {
     {
         breathing.setHistory(history);
         respiration.setHistory(history);
+        stations.setHistory(history);
+        QObject::connect(&stations, &StationsModel::shownChanged, &history, [this](StationId now) {
+            breathing.setStation(now);
+            respiration.setStation(now);
+        });
+    }
+    void addRoom()
+    {
+        node.addStation("Room 5");
+        settle();
+    }
+    void setRate(double rate)
+    {
+        breathing.set(BreathingParameter::Rate, rate);
+        settle();
     }
     void settle()
     {
@@ -32,12 +51,14 @@ struct Desk {
         node.announce();
         QCoreApplication::sendPostedEvents();
     }
-    [[nodiscard]] RespiratorySettings settings() const
+    [[nodiscard]] RespiratorySettings settings(StationId station = kFirst) const
     {
         const auto state = node.state();
-        return state->stations()
-            .at(FakeSessionNode::kStation)
-            .respiration.settingsAt(SessionTime::max());
+        return state->stations().at(station).respiration.settingsAt(SessionTime::max());
+    }
+    [[nodiscard]] int rateAt(StationId station) const
+    {
+        return qRound(inPerMinute(settings(station).pattern.rate));
     }
 };
 
@@ -52,7 +73,9 @@ private Q_SLOTS:
     void takesBackTheLastOfAllPanels();
     void namesADragByItsEnd();
     void takesBackDownToAChange();
-    void forgetsWhatIsOfAnotherStation();
+    void undoesAtTheStationWhereItWasMade();
+    void forgetsWhatIsOfAStationThatWasClosed();
+    void namesNoStationOfWhatIsOfNone();
 };
 
 void TestChangeHistory::takesBackTheLastOfAllPanels()
@@ -104,14 +127,68 @@ void TestChangeHistory::takesBackDownToAChange()
     QCOMPARE(desk.history.texts().size(), 1);
 }
 
-void TestChangeHistory::forgetsWhatIsOfAnotherStation()
+/// Whichever is shown by then.
+void TestChangeHistory::undoesAtTheStationWhereItWasMade()
 {
     Desk desk;
-    desk.node.addStation("Room 5");
-    desk.breathing.set(BreathingParameter::Rate, 30.0);
+    desk.addRoom();
+    const int before = desk.rateAt(kFirst);
+    desk.setRate(30.0);
+    desk.respiration.setPosition(BodyPosition::Prone);
     desk.settle();
-    desk.breathing.setStation(StationId{1});
+    desk.stations.show(kRoom);
+    desk.setRate(25.0);
+    QCOMPARE(desk.history.texts(),
+             (QStringList{QStringLiteral("Breathing rate → 25\u00a0/min"),
+                          QStringLiteral("Station 1: Position → Prone"),
+                          QStringLiteral("Station 1: Breathing rate → 30\u00a0/min")}));
+    desk.stations.show(kFirst); // a glance back
+    QCOMPARE(desk.history.texts(),
+             (QStringList{QStringLiteral("Room 5: Breathing rate → 25\u00a0/min"),
+                          QStringLiteral("Position → Prone"),
+                          QStringLiteral("Breathing rate → 30\u00a0/min")}));
+    desk.history.undo();
+    desk.settle();
+    QCOMPARE(desk.rateAt(kRoom), before);
+    QCOMPARE(desk.rateAt(kFirst), 30);
+    desk.stations.show(kRoom);
+    desk.history.undo(2);
+    desk.settle();
+    QCOMPARE(desk.settings().position, BodyPosition::Supine);
+    QCOMPARE(desk.rateAt(kFirst), before);
+    QCOMPARE(desk.rateAt(kRoom), before);
     QVERIFY(desk.history.isEmpty());
+    QVERIFY(!desk.node.refusal());
+}
+
+void TestChangeHistory::forgetsWhatIsOfAStationThatWasClosed()
+{
+    Desk desk;
+    desk.addRoom();
+    const int before = desk.rateAt(kFirst);
+    desk.setRate(30.0);
+    desk.stations.show(kRoom);
+    desk.setRate(25.0);
+    desk.node.decideAt(kRoom, fact::StationClosed{});
+    desk.settle();
+    QCOMPARE(desk.history.texts(), QStringList{QStringLiteral("Breathing rate → 30\u00a0/min")});
+    desk.history.undo();
+    desk.settle();
+    QCOMPARE(desk.rateAt(kFirst), before);
+    QVERIFY(desk.history.isEmpty());
+}
+
+void TestChangeHistory::namesNoStationOfWhatIsOfNone()
+{
+    ChangeHistory history;
+    const QObject owner;
+    history.add(owner, QStringLiteral("a"), [] {});
+    history.add(
+        owner, QStringLiteral("b"), [] {}, 0, kRoom);
+    history.setStations(kFirst, {{kFirst, QStringLiteral("Hall")}, {kRoom, QStringLiteral("%2")}});
+    QCOMPARE(history.texts(), (QStringList{QStringLiteral("%2: b"), QStringLiteral("a")}));
+    history.setStations(kFirst, {{kFirst, QStringLiteral("Hall")}});
+    QCOMPARE(history.texts(), QStringList{QStringLiteral("a")});
 }
 
 CARINA_TEST(TestChangeHistory)

@@ -34,7 +34,8 @@ public:
     /// @pre session outlives this.
     LessonModel(SessionModel& session, StationId station, QObject* parent = nullptr);
 
-    /// Speaks of another station from now on; what is shown at the former one ends.
+    /// Speaks of another station from now on; what is shown at the former one ends, and with it
+    /// what could be undone about it: the picture to be shown is that of the other station now.
     void setStation(StationId station);
     /// Adds its changes to a history from now on, by which they are undone.
     void setHistory(ChangeHistory& history) { m_history = &history; }

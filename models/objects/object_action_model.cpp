@@ -71,11 +71,10 @@ bool isSameMotion(const ShownObject& shown, const ObjectAction& action)
 } // namespace
 
 ObjectActionModel::ObjectActionModel(SharedObjectModel& object, QObject* parent)
-    : QObject{parent}, m_object{object}, m_station{object.station()}
+    : QObject{parent}, m_object{object}
 {
     connect(&m_object, &SharedObjectModel::changed, this, [this] {
-        followStation();
-        forgetOthers();
+        forgetLost();
         returnTaken();
         Q_EMIT changed();
     });
@@ -195,10 +194,11 @@ QString ObjectActionModel::stepText() const
 void ObjectActionModel::remember(ObjectId object, const QString& what)
 {
     const auto state = m_object.session().node().state();
+    const SharedObject& moved = state->objects().at(object);
     if (m_history)
         m_history->add(
-            *this, what.arg(objectWord(state->objects().at(object))),
-            [this, object] { undoOf(object); }, object.value);
+            *this, what.arg(objectWord(moved)), [this, object] { undoOf(object); }, object.value,
+            moved.station);
     const auto shown = shownOf(object);
     std::vector<ActedPose>& steps = m_steps[object];
     steps.push_back(shown ? shown->acted : ActedPose{});
@@ -206,30 +206,21 @@ void ObjectActionModel::remember(ObjectId object, const QString& what)
         steps.erase(steps.begin());
 }
 
-/// What others did since cannot be undone by a pose from before.
-void ObjectActionModel::forgetOthers()
+/// What others did since cannot be undone by a pose from before, and at a station that was closed
+/// nothing is undone.
+void ObjectActionModel::forgetLost()
 {
     const auto state = m_object.session().node().state();
     const ParticipantId self = m_object.session().node().self();
     std::erase_if(m_steps, [&](const auto& entry) {
         const auto object = state->objects().find(entry.first);
-        const bool isOthers = object == state->objects().end()
-                              || (object->second.owner != self && object->second.owner != kNobody);
-        if (isOthers && m_history)
+        const bool isLost = object == state->objects().end()
+                            || !state->isOpen(object->second.station)
+                            || (object->second.owner != self && object->second.owner != kNobody);
+        if (isLost && m_history)
             m_history->forget(*this, entry.first.value);
-        return isOthers;
+        return isLost;
     });
-}
-
-/// What was done at another station is not undone from here.
-void ObjectActionModel::followStation()
-{
-    if (std::exchange(m_station, m_object.station()) == m_object.station())
-        return;
-    m_steps.clear();
-    m_returns.clear();
-    if (m_history)
-        m_history->forget(*this);
 }
 
 bool ObjectActionModel::canUndo() const

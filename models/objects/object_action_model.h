@@ -16,8 +16,8 @@ namespace carina
 /// The actions of a person on the chosen shared object: rotate it about or translate it along an
 /// axis of the anatomy frame A, or scale it, at constant speed until stopped; reset it to its
 /// original pose, or put it back; and undo these, the last first, as long as nobody else has had
-/// it since, also by the history of the session. Motion started by other participants is shown as
-/// well.
+/// it since, also by the history of the session, whichever station is shown by then. Motion started
+/// by other participants is shown as well.
 class ObjectActionModel : public QObject
 {
     Q_OBJECT
@@ -93,8 +93,7 @@ private:
     void remember(ObjectId object, const QString& what);
     void undoOf(ObjectId object);
     void bringTo(ObjectId object, const ActedPose& pose);
-    void followStation();
-    void forgetOthers();
+    void forgetLost();
     void returnTaken();
     [[nodiscard]] QString stepText() const;
     [[nodiscard]] ObjectAction chosenAction() const;
@@ -115,7 +114,6 @@ private:
         std::optional<ActedPose> to; ///< nothing: to its original place, which is a step
     };
     std::vector<Return> m_returns;
-    StationId m_station; ///< of the steps
     QPointer<ChangeHistory> m_history;
 };
 

@@ -60,19 +60,13 @@ QString refusalOf(const SessionState& state, ParticipantId author, const SharedO
 
 } // namespace
 
-void ObjectHandOver::forget()
-{
-    if (m_history)
-        m_history->forget(m_owner);
-}
-
 void ObjectHandOver::pass(const SharedObject& object, ParticipantId to)
 {
     if (m_history)
         m_history->add(
             m_owner, textOf(object, to),
             [this, id = object.id, from = object.owner, to] { takeBack(id, from, to); },
-            object.id.value);
+            object.id.value, object.station);
     m_node.propose(object.station, fact::ObjectHandedOver{object.id, to, object.epoch});
 }
 

@@ -23,8 +23,6 @@ public:
 
     /// Adds them to a history from now on. @pre it takes nothing back once this is gone
     void setHistory(ChangeHistory& history) { m_history = &history; }
-    /// The history cannot take back what was done until now.
-    void forget();
 
     /// Proposes the change. @param to kNobody puts it back into its place
     void pass(const SharedObject& object, ParticipantId to);

@@ -27,10 +27,8 @@ SharedObjectModel::SharedObjectModel(SessionModel& session, StationId station, Q
 
 void SharedObjectModel::setStation(StationId station)
 {
-    if (std::exchange(m_station, station) == station)
-        return;
-    m_handOver.forget(); // what was done at another station is not taken back from here
-    Q_EMIT changed();
+    if (std::exchange(m_station, station) != station)
+        Q_EMIT changed();
 }
 
 std::vector<SharedObjectModel::Named<ObjectId>> SharedObjectModel::objects() const

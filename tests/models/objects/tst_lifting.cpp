@@ -2,6 +2,7 @@
 #include "models/objects/object_action_model.h"
 #include "models/objects/object_words.h"
 #include "models/patient/shared_patient.h"
+#include "models/station/stations_model.h"
 #include "tests/models/fake_session_node.h"
 #include "tests/support/test_class.h"
 
@@ -35,7 +36,8 @@ private Q_SLOTS:
     void theHistoryTakesBackStepsOfAllObjects();
     void theHistoryLiftsOutAgainWhatWasPutBack();
     void theHistoryForgetsWhatAnotherHad();
-    void theHistoryForgetsWhatIsOfAnotherStation();
+    void theHistoryTakesBackWhatIsOfAnotherStation();
+    void theHistoryForgetsWhatIsOfAStationThatWasClosed();
     void aTraineePutsBackWhatIsTheirs();
     void anInstructorPutsBackEverythingAndThePatient();
     void takesNothingOverThatAnotherTookMeanwhile();
@@ -48,6 +50,7 @@ namespace
 using std::chrono::seconds;
 
 constexpr StationId kStation = FakeSessionNode::kStation;
+constexpr StationId kRoom{1};
 constexpr ParticipantId kTom = FakeSessionNode::kTrainee;
 constexpr ParticipantId kIna = FakeSessionNode::kInstructor;
 constexpr ParticipantId kHost = FakeSessionNode::kHost;
@@ -381,15 +384,47 @@ void TestLifting::theHistoryForgetsWhatAnotherHad()
                                            QStringLiteral("Airway → lifted out")}));
 }
 
-void TestLifting::theHistoryForgetsWhatIsOfAnotherStation()
+void TestLifting::theHistoryTakesBackWhatIsOfAnotherStation()
 {
     Seat seat{kIna};
+    seat.node.addStation("Room 5");
+    StationsModel stations{seat.session};
     ChangeHistory history;
     seat.model.setHistory(history);
-    seat.node.addStation("Room 5");
+    stations.setHistory(history);
     seat.lift(kLungs);
     seat.move();
-    seat.object.setStation(StationId{1});
+    stations.show(kRoom);
+    seat.object.setStation(kRoom);
+    QCoreApplication::sendPostedEvents();
+    QCOMPARE(history.texts(), (QStringList{QStringLiteral("Station 1: Lungs: moved along x"),
+                                           QStringLiteral("Station 1: Lungs → lifted out")}));
+    history.undo();
+    QVERIFY(seat.isAt(kLungs, 0.0));
+    history.undo();
+    QVERIFY(seat.ownerOf(kLungs) == kNobody);
+    QVERIFY(history.isEmpty());
+    QVERIFY(!seat.node.refusal());
+}
+
+void TestLifting::theHistoryForgetsWhatIsOfAStationThatWasClosed()
+{
+    Seat seat{kIna};
+    seat.node.addStation("Room 5");
+    ChangeHistory history;
+    seat.model.setHistory(history);
+    seat.lift(kLungs);
+    seat.move();
+    QVERIFY(seat.model.canUndo());
+    for (const ParticipantId who : {kIna, kTom, FakeSessionNode::kObserver})
+        seat.node.decideAt(kRoom, fact::ParticipantMoved{who});
+    seat.node.decideAt(kStation, fact::StationClosed{});
+    QVERIFY(!seat.node.refusal());
+    QCoreApplication::sendPostedEvents();
+    QVERIFY(!seat.model.canUndo());
+    QCOMPARE(history.texts(), QStringList{QStringLiteral("Lungs → lifted out")}); // says why not
+    StationsModel stations{seat.session};
+    stations.setHistory(history);
     QVERIFY(history.isEmpty());
 }
 

@@ -27,7 +27,7 @@ private Q_SLOTS:
     void givesThePatientBackAfterEverythingWasPutBack();
     void saysWhyItStays_data();
     void saysWhyItStays();
-    void forgetsWhatIsOfAnotherStation();
+    void takesBackWhatIsOfAnotherStation();
 };
 
 namespace
@@ -277,12 +277,15 @@ void TestObjectHandOver::saysWhyItStays()
     QVERIFY(desk.history.isEmpty()); // the next undo is about the change before
 }
 
-void TestObjectHandOver::forgetsWhatIsOfAnotherStation()
+void TestObjectHandOver::takesBackWhatIsOfAnotherStation()
 {
     Desk desk;
     desk.takeOver(kPatient);
     desk.object.setStation(kOtherStation);
+    desk.undo();
+    QVERIFY(desk.ownerOf(kPatient) == kTom);
     QVERIFY(desk.history.isEmpty());
+    QVERIFY(desk.refused.isEmpty());
 }
 
 CARINA_TEST(TestObjectHandOver)

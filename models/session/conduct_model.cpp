@@ -1,6 +1,10 @@
 #include "models/session/conduct_model.h"
 
+#include "engine/session/conduct_rules.h"
 #include "engine/session/facts/fact_rules.h"
+#include "models/session/proposed.h"
+
+#include <utility>
 
 namespace carina
 {
@@ -46,14 +50,34 @@ bool ConductModel::isShortEnough(const QString& reason)
 void ConductModel::setMuted(ParticipantId participant, bool muted)
 {
     const QString name = standingOf(participant).name;
-    const auto takeBack = [this, participant, muted] {
-        if (standingOf(participant).isMuted == muted) // else somebody decided since
-            decide(fact::ParticipantMuted{participant, !muted});
-    };
     if (m_history)
         m_history->add(*this, muted ? tr("%1 → muted").arg(name) : tr("%1 → not muted").arg(name),
-                       takeBack);
+                       [this, participant, muted] { takeBackMute(participant, muted); });
     decide(fact::ParticipantMuted{participant, muted});
+}
+
+/// What is under way is judged by the host before what takes it back.
+void ConductModel::takeBackMute(ParticipantId participant, bool muted)
+{
+    const fact::ParticipantMuted back{participant, !muted};
+    const bool isUnderWay = isProposed<fact::ParticipantMuted>(
+        m_session.node(), [participant](const fact::ParticipantMuted& proposed) {
+            return proposed.participant == participant;
+        });
+    decideBack(back, isUnderWay ? QString{} : whyMuteStays(back));
+}
+
+/// Empty where it can be taken back.
+QString ConductModel::whyMuteStays(const fact::ParticipantMuted& back) const
+{
+    const Standing standing = standingOf(back.participant);
+    if (standing.isMuted == back.muted)
+        return standing.isMuted
+                   ? tr("Nothing to undo: %1 is muted again.").arg(standing.name)
+                   : tr("Nothing to undo: %1 is not muted any more.").arg(standing.name);
+    const auto state = m_session.node().state();
+    const auto may = checkNamed(*state, back).and_then([&] { return checkConduct(*state, back); });
+    return may ? QString{} : tr("Not undone: nobody but %1 instructs now.").arg(standing.name);
 }
 
 void ConductModel::remove(ParticipantId participant, const QString& reason, bool ban)
@@ -67,11 +91,32 @@ void ConductModel::setLocked(bool locked)
 {
     if (m_history)
         m_history->add(*this, locked ? tr("Session → locked") : tr("Session → unlocked"),
-                       [this, locked] {
-                           if (isLocked() == locked)
-                               decide(fact::SessionLocked{!locked});
-                       });
+                       [this, locked] { takeBackLock(locked); });
     decide(fact::SessionLocked{locked});
+}
+
+void ConductModel::takeBackLock(bool locked)
+{
+    const bool isUnderWay = isProposed<fact::SessionLocked>(
+        m_session.node(), [](const fact::SessionLocked& /*any*/) { return true; });
+    decideBack(fact::SessionLocked{!locked}, isUnderWay ? QString{} : whyLockStays(locked));
+}
+
+QString ConductModel::whyLockStays(bool locked) const
+{
+    if (isLocked() == locked)
+        return {};
+    return isLocked() ? tr("Nothing to undo: the session is locked again.")
+                      : tr("Nothing to undo: the session is not locked any more.");
+}
+
+/// @param why it is not to be; empty where it is
+void ConductModel::decideBack(FactBody body, const QString& why)
+{
+    if (why.isEmpty())
+        decide(std::move(body));
+    else if (m_history)
+        m_history->refuse(why);
 }
 
 void ConductModel::changeCode(Role role) { decide(fact::RoleCodeChanged{role}); }

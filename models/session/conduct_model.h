@@ -34,7 +34,8 @@ public:
     [[nodiscard]] Standing standingOf(ParticipantId participant) const;
     [[nodiscard]] bool isLocked() const;
 
-    /// Adds what is muted and locked to a history from now on.
+    /// Adds what is muted and locked to a history from now on. What somebody decided otherwise
+    /// since, or the host would refuse, is not taken back, and the history says why.
     void setHistory(ChangeHistory& history) { m_history = &history; }
 
     /// Whether a reason for a removal fits into its fact.
@@ -53,6 +54,11 @@ Q_SIGNALS:
 
 private:
     void decide(FactBody body);
+    void takeBackMute(ParticipantId participant, bool muted);
+    void takeBackLock(bool locked);
+    [[nodiscard]] QString whyMuteStays(const fact::ParticipantMuted& back) const;
+    [[nodiscard]] QString whyLockStays(bool locked) const;
+    void decideBack(FactBody body, const QString& why);
 
     SessionModel& m_session;
     QPointer<ChangeHistory> m_history;

@@ -4,6 +4,8 @@
 
 #include <QSignalSpy>
 
+#include <array>
+
 namespace carina::conduct_model_test
 {
 
@@ -19,6 +21,10 @@ private Q_SLOTS:
     void removesAndTakesABanBack();
     void locksAndUnlocks();
     void isTakenBackUnlessSomebodyDecidedSince();
+    void saysWhyItStays_data();
+    void saysWhyItStays();
+    void mutesNotTheLastInstructorByUndo();
+    void takesBackWhatIsStillUnderWay();
     void knowsWhichReasonsFit();
 };
 
@@ -29,7 +35,21 @@ struct Desk {
     FakeSessionNode node;
     SessionModel session{node};
     ConductModel model{session};
+    ChangeHistory history;
+    QSignalSpy refused{&history, &ChangeHistory::refused};
 
+    Desk() { model.setHistory(history); }
+    /// Why the last change stayed.
+    [[nodiscard]] QString reason() const
+    {
+        return refused.isEmpty() ? QString{} : refused.last().front().toString();
+    }
+    void mute(bool muted) { model.setMuted(FakeSessionNode::kTrainee, muted); }
+    /// By another.
+    void decideMute(bool muted)
+    {
+        node.decide(fact::ParticipantMuted{FakeSessionNode::kTrainee, muted});
+    }
     [[nodiscard]] Participant tom() const
     {
         return node.state()->participants().at(FakeSessionNode::kTrainee);
@@ -39,6 +59,34 @@ struct Desk {
         return model.standingOf(FakeSessionNode::kTrainee);
     }
 };
+
+/// What is done, and what somebody decides since.
+struct Decided {
+    const char* name;
+    void (*make)(Desk&);
+    void (*since)(Desk&);
+    const char* told;
+};
+constexpr std::array kDecided{
+    Decided{"muted", [](Desk& desk) { desk.mute(true); },
+            [](Desk& desk) { desk.decideMute(false); },
+            "Nothing to undo: Tom is not muted any more."},
+    Decided{"not muted",
+            [](Desk& desk) {
+                desk.decideMute(true);
+                desk.mute(false);
+            },
+            [](Desk& desk) { desk.decideMute(true); }, "Nothing to undo: Tom is muted again."},
+    Decided{"locked", [](Desk& desk) { desk.model.setLocked(true); },
+            [](Desk& desk) { desk.node.decide(fact::SessionLocked{false}); },
+            "Nothing to undo: the session is not locked any more."},
+    Decided{"unlocked",
+            [](Desk& desk) {
+                desk.node.decide(fact::SessionLocked{true});
+                desk.model.setLocked(false);
+            },
+            [](Desk& desk) { desk.node.decide(fact::SessionLocked{true}); },
+            "Nothing to undo: the session is locked again."}};
 
 } // namespace
 
@@ -100,20 +148,64 @@ void TestConductModel::locksAndUnlocks()
 void TestConductModel::isTakenBackUnlessSomebodyDecidedSince()
 {
     Desk desk;
-    ChangeHistory history;
-    desk.model.setHistory(history);
-    desk.model.setMuted(FakeSessionNode::kTrainee, true);
+    desk.mute(true);
     desk.model.setLocked(true);
-    QCOMPARE(history.texts(),
+    QCOMPARE(desk.history.texts(),
              (QStringList{QStringLiteral("Session → locked"), QStringLiteral("Tom → muted")}));
-    history.undo(2);
+    desk.history.undo(2);
     QVERIFY(!desk.model.isLocked());
     QVERIFY(!desk.tom().muted);
-    desk.model.setLocked(true);
-    desk.node.decide(fact::SessionLocked{false}); // by another
+    QVERIFY(desk.refused.isEmpty());
+}
+
+void TestConductModel::saysWhyItStays_data()
+{
+    QTest::addColumn<int>("place");
+    for (int place = 0; place < int(kDecided.size()); ++place)
+        QTest::newRow(kDecided[std::size_t(place)].name) << place;
+}
+
+void TestConductModel::saysWhyItStays()
+{
+    QFETCH(const int, place);
+    const Decided& decided = kDecided[std::size_t(place)];
+    Desk desk;
+    decided.make(desk);
+    decided.since(desk);
     const int proposed = desk.node.proposed;
-    history.undo();
+    desk.history.undo();
+    QCOMPARE(desk.reason(), QString::fromUtf8(decided.told));
     QCOMPARE(desk.node.proposed, proposed);
+    QVERIFY(desk.history.isEmpty()); // the next undo is about the change before
+}
+
+void TestConductModel::mutesNotTheLastInstructorByUndo()
+{
+    constexpr ParticipantId kIvo{4};
+    Desk desk;
+    desk.node.decide(fact::ParticipantJoined{{}, Role::Instructor, "Ivo"});
+    desk.model.setMuted(kIvo, true);
+    desk.model.setMuted(kIvo, false);
+    desk.node.decide(fact::ParticipantMuted{FakeSessionNode::kInstructor, true});
+    QVERIFY(!desk.node.refusal());
+    const int proposed = desk.node.proposed;
+    desk.history.undo();
+    QCOMPARE(desk.reason(), QStringLiteral("Not undone: nobody but Ivo instructs now."));
+    QCOMPARE(desk.node.proposed, proposed);
+}
+
+void TestConductModel::takesBackWhatIsStillUnderWay()
+{
+    Desk desk;
+    desk.node.hostGoesAway();
+    desk.mute(true);
+    desk.model.setLocked(true);
+    desk.history.undo(2);
+    QVERIFY(desk.refused.isEmpty());
+    desk.node.hostComesBack();
+    QVERIFY(!desk.tom().muted);
+    QVERIFY(!desk.model.isLocked());
+    QVERIFY(!desk.node.refusal());
 }
 
 void TestConductModel::knowsWhichReasonsFit()

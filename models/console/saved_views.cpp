@@ -55,8 +55,33 @@ void SavedViews::save(SavedView view)
 
 void SavedViews::remove(const QString& name)
 {
-    if (std::erase_if(m_views, [&](const SavedView& view) { return view.name == name; }) > 0)
-        keep();
+    const auto found = std::ranges::find(m_views, name, &SavedView::name);
+    if (found == m_views.end())
+        return;
+    if (m_history)
+        m_history->add(*this, tr("View %1 → deleted").arg(name),
+                       [this, view = *found, place = std::size_t(found - m_views.begin())] {
+                           bringBack(view, place);
+                       });
+    m_views.erase(found);
+    keep();
+}
+
+void SavedViews::bringBack(const SavedView& view, std::size_t place)
+{
+    const bool isThere = std::ranges::find(m_views, view.name, &SavedView::name) != m_views.end();
+    QString why;
+    if (isThere)
+        why = tr("Not undone: another view is called %1 now.").arg(view.name);
+    else if (m_views.size() >= kMost)
+        why = tr("Not undone: there are %1 views, as many as there can be.").arg(kMost);
+    if (!why.isEmpty()) {
+        if (m_history)
+            m_history->refuse(why);
+        return;
+    }
+    m_views.insert(m_views.begin() + std::ptrdiff_t(std::min(place, m_views.size())), view);
+    keep();
 }
 
 void SavedViews::keep()

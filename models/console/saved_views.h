@@ -1,8 +1,10 @@
 #pragma once
 
 #include "engine/geometry/rigid_transform.h"
+#include "models/session/change_history.h"
 
 #include <QObject>
+#include <QPointer>
 #include <QString>
 
 #include <cstddef>
@@ -39,6 +41,10 @@ public:
     /// @pre kept outlives this.
     explicit SavedViews(KeptConsole& kept, QObject* parent = nullptr);
 
+    /// Adds what is deleted to a history from now on. Where it cannot come back, the history says
+    /// why.
+    void setHistory(ChangeHistory& history) { m_history = &history; }
+
     [[nodiscard]] const std::vector<SavedView>& all() const { return m_views; }
     /// One sentence: why a view cannot be saved under this name; empty if it can.
     [[nodiscard]] QString faultOf(const QString& name) const;
@@ -51,9 +57,11 @@ Q_SIGNALS:
     void changed();
 
 private:
+    void bringBack(const SavedView& view, std::size_t place);
     void keep();
 
     KeptConsole& m_kept;
+    QPointer<ChangeHistory> m_history;
     std::vector<SavedView> m_views;
 };
 

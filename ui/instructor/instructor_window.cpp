@@ -51,6 +51,7 @@ InstructorWindow::InstructorWindow(const ConsoleModels& models, KeptConsole& kep
     m_models.stations.setHistory(m_history);
     m_ui->parts->setHistory(m_history);
     m_ui->section->setHistory(m_history);
+    m_savedViews.setHistory(m_history);
     m_ui->pane->setModels(m_models.stations, m_models.attention);
     m_ui->pane->show(*m_models.patient.patient(), view);
     fillPanels(tracker);

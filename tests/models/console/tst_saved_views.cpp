@@ -5,6 +5,7 @@
 #include <QSignalSpy>
 
 #include <cmath>
+#include <vector>
 
 namespace carina::saved_views_test
 {
@@ -63,6 +64,49 @@ private Q_SLOTS:
         views.remove(QStringLiteral("A"));
         QCOMPARE(KeptConsole{folder.path()}.views().size(), std::size_t{1});
         QCOMPARE(views.all()[0].name, QStringLiteral("B"));
+    }
+
+    void comeBackByUndo()
+    {
+        const test::ScratchFolder folder;
+        KeptConsole kept{folder.path()};
+        ChangeHistory history;
+        SavedViews views{kept};
+        views.setHistory(history);
+        for (const char* name : {"A", "B", "C"})
+            views.save(named(QLatin1String{name}));
+        const std::vector<SavedView> before = views.all();
+        views.remove(QStringLiteral("B"));
+        views.remove(QStringLiteral("none"));
+        QCOMPARE(history.texts(), QStringList{QStringLiteral("View B → deleted")});
+        history.undo();
+        QVERIFY(views.all() == before); // in its place
+        QVERIFY(KeptConsole{folder.path()}.views() == before);
+    }
+
+    void stayDeletedWhereTheyHaveNoPlace()
+    {
+        KeptConsole kept{{}};
+        ChangeHistory history;
+        SavedViews views{kept};
+        views.setHistory(history);
+        const QSignalSpy refused{&history, &ChangeHistory::refused};
+        views.save(named(QStringLiteral("A")));
+        views.remove(QStringLiteral("A"));
+        SavedView another = named(QStringLiteral("A"));
+        another.p_A_eye.x() = 2.0;
+        views.save(another);
+        history.undo();
+        QCOMPARE(refused.last().front().toString(),
+                 QStringLiteral("Not undone: another view is called A now."));
+        QVERIFY(views.all() == std::vector{another});
+        views.remove(QStringLiteral("A"));
+        for (std::size_t number = 0; number < SavedViews::kMost; ++number)
+            views.save(named(QString::number(number)));
+        history.undo();
+        QCOMPARE(refused.last().front().toString(),
+                 QStringLiteral("Not undone: there are 20 views, as many as there can be."));
+        QCOMPARE(views.all().size(), SavedViews::kMost);
     }
 
     void needANameAndRoom()

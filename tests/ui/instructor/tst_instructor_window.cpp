@@ -3,6 +3,7 @@
 #include "tests/ui/instructor/console_desk.h"
 #include "ui/instructor/projector_window.h"
 #include "ui/lesson/lesson_scene.h"
+#include "ui/panels/parts_panel.h"
 #include "widgets/checked_spin_box.h"
 #include "widgets/scene/view/graphics.h"
 #include "widgets/scene/view/scene_view.h"
@@ -25,6 +26,8 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 
@@ -38,6 +41,10 @@ using test::FakeSessionNode;
 using test::soon;
 
 constexpr ParticipantId kTom = FakeSessionNode::kTrainee;
+constexpr ParticipantId kOlga = FakeSessionNode::kObserver;
+constexpr StationId kRoom{1};
+constexpr ObjectId kPatient = FakeSessionNode::kPatient;
+constexpr ObjectId kLungs{3};
 constexpr std::size_t kPanels = 9;
 
 /// A console as it is once it was shown and laid out.
@@ -84,7 +91,105 @@ struct Shown : ConsoleDesk {
         node.decide(fact::PhaseChanged{phase});
         QCoreApplication::sendPostedEvents();
     }
+    /// What was done takes effect.
+    void takeEffect()
+    {
+        node.advance(std::chrono::milliseconds{100});
+        node.announce();
+        QCoreApplication::sendPostedEvents();
+    }
+    void pressUndo()
+    {
+        QApplication::setActiveWindow(&window); // the display has no window manager
+        QTest::keySequence(&window, QKeySequence{QKeySequence::Undo});
+        takeEffect();
+    }
 };
+
+/// Something that a person changes in the console, and how it is.
+struct Deed {
+    const char* name;
+    void (*make)(Shown&);
+    QString (*state)(Shown&);
+};
+
+QString numbered(int value) { return QString::number(value); }
+
+/// One for each place that has changes, and more where it has several kinds.
+constexpr std::array kDeeds{
+    Deed{"breathing", [](Shown& shown) { shown.breathing.set(BreathingParameter::Rate, 30.0); },
+         [](Shown& shown) {
+             return numbered(qRound(shown.breathing.value(BreathingParameter::Rate)));
+         }},
+    Deed{"condition", [](Shown& shown) { shown.respiration.setPosition(BodyPosition::Prone); },
+         [](Shown& shown) { return numbered(int(shown.respiration.position())); }},
+    Deed{"the patient is turned",
+         [](Shown& shown) {
+             shown.object.choose(kPatient);
+             shown.actions.start();
+             shown.node.advance(std::chrono::seconds{1});
+             shown.actions.stop();
+         },
+         [](Shown& shown) {
+             shown.object.choose(kPatient);
+             return shown.actions.placeText();
+         }},
+    Deed{"the lungs are lifted out",
+         [](Shown& shown) {
+             shown.object.choose(kLungs);
+             shown.object.lift();
+         },
+         [](Shown& shown) {
+             const auto state = shown.node.state();
+             return numbered(state->objects().at(kLungs).owner.value);
+         }},
+    Deed{"they are given to who asks",
+         [](Shown& shown) {
+             shown.node.decide(fact::ObjectWanted{kLungs, true}, kTom);
+             shown.attention.look();
+             const std::vector<Attention> all = shown.attention.all();
+             const auto asked = std::ranges::find(all, Concern::Asked, &Attention::concern);
+             QVERIFY(asked != all.end());
+             shown.attention.act(*asked);
+         },
+         [](Shown& shown) {
+             const auto state = shown.node.state();
+             return numbered(state->objects().at(kLungs).owner == kTom);
+         }},
+    Deed{"a part is highlighted",
+         [](Shown& shown) {
+             PartLooks looks;
+             looks[shown.find<SceneView>("scene").parts().front().id].highlighted = true;
+             shown.find<PartsPanel>("parts").put(looks);
+         },
+         [](Shown& shown) { return numbered(int(shown.find<SceneView>("scene").looks().size())); }},
+    Deed{"a cut", [](Shown& shown) { shown.find<QComboBox>("what").setCurrentIndex(2); },
+         [](Shown& shown) { return numbered(shown.find<QComboBox>("what").currentIndex()); }},
+    Deed{"mute", [](Shown& shown) { shown.conduct.setMuted(kOlga, true); },
+         [](Shown& shown) { return numbered(shown.conduct.standingOf(kOlga).isMuted); }},
+    Deed{"lock", [](Shown& shown) { shown.conduct.setLocked(true); },
+         [](Shown& shown) { return numbered(shown.conduct.isLocked()); }},
+    Deed{"a name", [](Shown& shown) { shown.stations.rename(kRoom, QStringLiteral("Hall")); },
+         [](Shown& shown) { return shown.stations.nameOf(kRoom); }},
+    Deed{"a move", [](Shown& shown) { shown.stations.move(kOlga, kRoom); },
+         [](Shown& shown) { return numbered(shown.stations.stationOf(kOlga).value); }},
+    Deed{"a view is deleted",
+         [](Shown& shown) {
+             QMenu& menu = *shown.find<QToolButton>("savedViews").menu();
+             Q_EMIT menu.aboutToShow();
+             menu.actions().last()->menu()->actions().front()->trigger();
+         },
+         [](Shown& shown) { return numbered(int(shown.keeper.views().size())); }},
+    Deed{"a lesson", [](Shown& shown) { shown.lesson.setOn(true); },
+         [](Shown& shown) { return numbered(shown.lesson.isOn()); }}};
+
+QStringList statesOf(Shown& shown)
+{
+    QStringList all;
+    for (const Deed& deed : kDeeds)
+        all += QString::fromUtf8(deed.name) + QStringLiteral(": ") + deed.state(shown);
+    return all;
+}
 
 QString textOf(const QWidget& control)
 {
@@ -552,6 +657,35 @@ private Q_SLOTS:
         for (const auto& [key, controls] : keys)
             QVERIFY2(controls.size() == 1,
                      qPrintable(key + QStringLiteral(": ") + controls.join(QStringLiteral(", "))));
+    }
+
+    /// The last first, whichever panel it was in.
+    void takesBackByOneKeyWhatWasChangedAnywhere()
+    {
+        const test::ScratchFolder kept;
+        KeptConsole{kept.path()}.keepViews(
+            {{QStringLiteral("Above"), {0.0, -0.4, 1.9}, {0.0, 0.0, 1.3}, {0.0, 0.0, 1.0}}});
+        Shown shown{kept};
+        shown.node.sharePatient(FakeSessionNode::kInstructor);
+        shown.node.decide(fact::ObjectShared{{}, kNobody, ObjectKind::OrganGroup, "lungs"});
+        shown.node.addStation("Room 5");
+        shown.takeEffect();
+        const auto& undo = shown.find<QToolButton>("undoChange");
+        QVERIFY(!undo.isEnabled());
+        std::vector<QStringList> states;
+        for (const Deed& deed : kDeeds) {
+            states.push_back(statesOf(shown));
+            deed.make(shown);
+            shown.takeEffect();
+            QVERIFY2(statesOf(shown) != states.back(), deed.name);
+        }
+        for (auto before = states.rbegin(); before != states.rend(); ++before) {
+            QVERIFY(undo.isEnabled());
+            shown.pressUndo();
+            QCOMPARE(statesOf(shown), *before);
+        }
+        QVERIFY(!undo.isEnabled()); // nothing is left
+        QVERIFY(!shown.node.refusal());
     }
 
     void goesFullScreenAndBack()

@@ -6,6 +6,8 @@
 
 #include <QJsonDocument>
 
+#include <algorithm>
+
 namespace carina::lab::drift_command_test
 {
 namespace
@@ -180,6 +182,23 @@ private Q_SLOTS:
         QVERIFY(!object);
         QVERIFY2(object.error().detail.find(named.toStdString()) != std::string::npos,
                  object.error().detail.c_str());
+    }
+
+    void listsTheScenariosForAWrongName_data()
+    {
+        QTest::addColumn<QByteArray>("words");
+        QTest::newRow("one scenario") << QByteArray{"--scenario moon"};
+        QTest::newRow("a table") << QByteArray{"--live --table --scenario moon"};
+    }
+    void listsTheScenariosForAWrongName()
+    {
+        QFETCH(const QByteArray, words);
+        const auto object = drift(words.constData());
+        QVERIFY(!object);
+        const std::string& told = object.error().detail;
+        const std::string list = told.substr(std::min(told.find("scenarios "), told.size()));
+        for (const std::string_view name : scenarioNames())
+            QVERIFY2(list.find(name) != list.npos, name.data());
     }
 
     void helpNamesEveryStrategyAndScenario()

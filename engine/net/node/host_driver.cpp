@@ -21,7 +21,6 @@ constexpr ParticipantId kSelf{0};
 /// Shortest interval of storing actions, so that rapid actions do not keep the disk busy.
 constexpr Duration kKeepInterval = std::chrono::milliseconds{100};
 constexpr Duration kWatchInterval = std::chrono::milliseconds{500};
-constexpr const char* kFirstStationName = "Station 1";
 
 std::uint64_t hostRandom() { return QRandomGenerator::system()->generate64(); }
 
@@ -153,8 +152,9 @@ Result<void> HostDriver::begin(const HostSettings& settings, const std::string& 
                                LocalTime now)
 {
     return decideByHost(kNoStation, fact::SessionCreated{settings.sessionName, sessionId}, now)
-        .and_then(
-            [&] { return decideByHost(kNoStation, fact::StationAdded{kFirstStationName}, now); });
+        .and_then([&] {
+            return decideByHost(kNoStation, fact::StationAdded{settings.firstStation}, now);
+        });
 }
 
 Result<void> HostDriver::chooseStrategy(const HostSettings& settings, LocalTime now)

@@ -102,10 +102,12 @@ Result<std::unique_ptr<SessionNode>> SessionNode::host(const HostSettings& setti
                                                        std::unique_ptr<FactStore> store)
 {
     const auto valid =
-        checkBody(fact::SessionCreated{settings.sessionName, newSessionId()}).and_then([&] {
-            return checkBody(
-                fact::ParticipantJoined{{}, Role::Instructor, settings.participantName});
-        });
+        checkBody(fact::SessionCreated{settings.sessionName, newSessionId()})
+            .and_then([&] {
+                return checkBody(
+                    fact::ParticipantJoined{{}, Role::Instructor, settings.participantName});
+            })
+            .and_then([&] { return checkBody(fact::StationAdded{settings.firstStation}); });
     if (!valid)
         return tl::unexpected(valid.error());
     return ThreadedNode::start([&](NodeBoard& board, LocalTime now) -> Result<ThreadedNode::Parts> {

@@ -83,6 +83,7 @@ struct HostSettings {
     std::string participantName; ///< of the instructor who hosts
     std::uint16_t port = 0;      ///< UDP, and TCP for anatomy; 0 takes a free one
     bool open = false;           ///< reachable from other computers; else from this one only
+    std::string firstStation = "Station 1"; ///< name of the station that a new session begins with
     /// How acted-on objects are kept alike; nothing: as before, by the session clock at first.
     std::optional<StrategyKind> strategy{};
     /// File for codes, keys and tokens, beside the store; empty: in memory only.
@@ -118,8 +119,8 @@ using PoseSource = std::function<std::optional<PoseSample>()>;
 class SessionNode
 {
 public:
-    /// Opens a session, or resumes the one in the store with its session time. Name and station of
-    /// a session are those of its first start.
+    /// Opens a session, or resumes the one in the store with its session time. Name and first
+    /// station of a session are those of its first start.
     ///
     /// @pre a QCoreApplication exists.
     /// @returns AddressInUse with the port; OutOfRange for a name that checkBody refuses; errors of

@@ -3,6 +3,7 @@
 
 #include <QUdpSocket>
 
+#include <array>
 #include <atomic>
 #include <ctime>
 
@@ -32,6 +33,21 @@ private Q_SLOTS:
         // Everything that shows is on disk.
         QCOMPARE(disk.facts.size(), std::size_t{state->lastApplied().value});
         QVERIFY(disk.anchor.has_value());
+    }
+
+    /// In the language of who hosts it; a session that is resumed keeps its own.
+    void namesTheFirstStationAsItWasTold()
+    {
+        MemoryDisk disk;
+        for (const char* name : {"Poste 1", "Platz 1"}) {
+            HostSettings settings = hostSettings(disk);
+            settings.firstStation = name;
+            const auto node = SessionNode::host(settings, std::make_unique<MemoryStore>(disk));
+            QVERIFY(node);
+            const auto state = (*node)->state();
+            QCOMPARE(state->stations().size(), std::size_t{1});
+            QCOMPARE(state->stations().at(kStation).name, std::string{"Poste 1"});
+        }
     }
 
     void sessionsDifferInTimeAndName()
@@ -132,10 +148,15 @@ private Q_SLOTS:
     {
         MemoryDisk disk;
         const std::string tooLong(300, 'x');
-        for (const auto& [session, person] :
-             {std::pair{tooLong, std::string{"Dr Hall"}}, {std::string{"Course"}, tooLong}}) {
-            const auto hosted =
-                SessionNode::host({session, person, 0}, std::make_unique<MemoryStore>(disk));
+        using Names = std::array<std::string, 3>;
+        for (const auto& [session, person, station] :
+             {Names{tooLong, "Dr Hall", "Hall"}, Names{"Course", tooLong, "Hall"},
+              Names{"Course", "Dr Hall", tooLong}}) {
+            HostSettings settings = hostSettings(disk);
+            settings.sessionName = session;
+            settings.participantName = person;
+            settings.firstStation = station;
+            const auto hosted = SessionNode::host(settings, std::make_unique<MemoryStore>(disk));
             QVERIFY(!hosted);
             QCOMPARE(hosted.error().code, Errc::OutOfRange);
         }

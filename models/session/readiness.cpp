@@ -36,6 +36,7 @@ public:
         return days < 1 ? tr("today") : tr("%n days ago", nullptr, int(days));
     }
 
+    /// No tracker is asked here: only the simulated one is known to be there.
     static QString tracker(const QString& siteFile, const Site& site)
     {
         if (!site.devices.empty())
@@ -43,21 +44,30 @@ public:
         const QString described =
             QFileInfo{siteFile}.absoluteDir().filePath(QStringLiteral("tracker.json"));
         if (!QFileInfo::exists(described))
-            return site.tracker.empty()
-                       ? tr("○ none is chosen yet: carina-registration asks for it")
-                       : tr("✓ %1, with which the site was registered")
-                             .arg(QString::fromStdString(site.tracker));
+            return registeredWith(QString::fromStdString(site.tracker));
         const auto choice = describedIn(described.toStdString());
-        return choice ? tr("✓ %1 is described; a trainee's program connects to it")
+        return choice ? tr("○ %1 is described, and was not asked yet; a trainee's program "
+                           "connects to it")
                             .arg(trackerName(*choice))
                       : tr("▲ %1").arg(errorText(choice.error()));
+    }
+
+    /// @param name of the tracker, as the site has it
+    static QString registeredWith(const QString& name)
+    {
+        if (name.isEmpty())
+            return tr("○ none is chosen yet: carina-registration asks for it");
+        if (name == trackerIdentity(TrackerChoice{SimulatedDevice{}}))
+            return tr("✓ %1: a part of this program").arg(name);
+        return tr("○ %1, with which the site was registered, was not asked yet").arg(name);
     }
 
     static QString devices(const Result<std::optional<TrackerChoice>>& named)
     {
         if (!named)
             return tr("▲ %1").arg(errorText(named.error()));
-        return tr("✓ %1: the site names it; a trainee's program connects to it")
+        return tr("○ %1: the site names it, and it was not asked yet; a trainee's program connects "
+                  "to it")
             .arg(*named ? trackerName(**named) : QString{});
     }
 

@@ -16,7 +16,8 @@ class PatientModel;
 /// One thing that a session depends on, and how it stands.
 struct ReadyLine {
     QString name{};
-    QString state{}; ///< a sentence behind its mark: ✓ ready, ○ not there and not needed, ▲ look
+    /// A sentence behind its mark: ✓ ready, ○ not there and not needed, or not asked yet, ▲ look.
+    QString state{};
 
     friend bool operator==(const ReadyLine&, const ReadyLine&) = default;
 };

@@ -1,6 +1,7 @@
 #include "models/session/readiness.h"
 
 #include "engine/io/site/site_file.h"
+#include "models/tracker/tracker_choice.h"
 #include "tests/models/registration/made_site.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_class.h"
@@ -59,7 +60,43 @@ private Q_SLOTS:
         const QString told = stateOf(lines, "Registration");
         QVERIFY2(told.startsWith(QStringLiteral("✓")), qPrintable(told));
         QVERIFY2(told.contains(QStringLiteral("3 days ago")), qPrintable(told));
-        QVERIFY(stateOf(lines, "Tracker").contains(QString::fromStdString(kTracker)));
+    }
+
+    /// Which may be switched off, or at another place.
+    void ticksNoTrackerThatNobodyAsked()
+    {
+        const ScratchFolder folder;
+        const QString site = folder.filePath("site.json");
+        QVERIFY(writeSiteFile(site.toStdString(), verifiedSite()));
+        const auto state = [&] {
+            return stateOf(
+                readiness({.site = site, .folder = folder.path(), .today = kThreeDaysLater}),
+                "Tracker");
+        };
+        QVERIFY2(state().startsWith(QStringLiteral("○")), qPrintable(state()));
+        QVERIFY2(state().contains(QString::fromStdString(kTracker)), qPrintable(state()));
+        QVERIFY2(state().contains(QStringLiteral("not asked yet")), qPrintable(state()));
+        static_cast<void>(
+            folder.write("tracker.json", R"({"schema": "carina.tracker/1", "kind": "openigtlink",
+            "address": "192.0.2.7:18944", "tools": [{"name": "Head", "role": "head"}]})"));
+        QVERIFY2(state().startsWith(QStringLiteral("○")), qPrintable(state()));
+        QVERIFY2(state().contains(QStringLiteral("192.0.2.7:18944")), qPrintable(state()));
+        QVERIFY2(state().contains(QStringLiteral("not asked yet")), qPrintable(state()));
+    }
+
+    void ticksTheSimulatedTracker()
+    {
+        const ScratchFolder folder;
+        const QString site = folder.filePath("site.json");
+        const QString name = trackerIdentity(TrackerChoice{SimulatedDevice{}});
+        Site registered = verifiedSite();
+        registered.tracker = name.toStdString();
+        QVERIFY(writeSiteFile(site.toStdString(), registered));
+        const QString told =
+            stateOf(readiness({.site = site, .folder = folder.path(), .today = kThreeDaysLater}),
+                    "Tracker");
+        QVERIFY2(told.startsWith(QStringLiteral("✓")), qPrintable(told));
+        QVERIFY2(told.contains(name), qPrintable(told));
     }
 
     void namesTheDevicesOfTheSite()
@@ -78,8 +115,9 @@ private Q_SLOTS:
         static_cast<void>(
             folder.write("server.json", R"({"schema": "carina.tracker/1", "kind": "openigtlink",
             "address": "192.0.2.8:18944", "tools": [{"name": "Head", "role": "head"}]})"));
-        QVERIFY2(state().startsWith(QStringLiteral("✓")), qPrintable(state()));
+        QVERIFY2(state().startsWith(QStringLiteral("○")), qPrintable(state()));
         QVERIFY(state().contains(QStringLiteral("192.0.2.8:18944")));
+        QVERIFY2(state().contains(QStringLiteral("not asked yet")), qPrintable(state()));
     }
 
     void saysWhatToDoAboutASiteThatIsNot()

@@ -41,12 +41,19 @@ QStringList strategyNames()
     return names;
 }
 
+/// Options that say nothing of a session: with these alone the start page comes as without any.
+QStringList silentOptions()
+{
+    return {kDataFolder, QStringLiteral("size"), QStringLiteral("site"), QStringLiteral("script")};
+}
+
 void addBeginning(QCommandLineParser& parser)
 {
     parser.addOption(
-        {kStartPage, optionWords("Show the start page, filled in by the other options. Without "
-                                 "options it comes by itself; with any but --data, --size and "
-                                 "--script the session begins at once.")});
+        {kStartPage,
+         optionWords("Show the start page, filled in by the other options. Without options it "
+                     "comes by itself; with any but %1 the session begins at once.")
+             .arg(QStringLiteral("--") + silentOptions().join(QStringLiteral(", --")))});
     parser.addOption(
         {kNew, optionWords("Begin a new session; the stored one is kept. Without this "
                            "option the stored session is continued, unless it has ended.")});
@@ -126,13 +133,12 @@ Result<void> readStrategy(const QCommandLineParser& parser, ConsoleOptions& opti
     return {};
 }
 
-/// Whether nothing but where and how the window is shown was said.
+/// Whether nothing was said of a session.
 bool isBare(const QCommandLineParser& parser)
 {
-    const QStringList silent{kDataFolder, QStringLiteral("size"), QStringLiteral("script"),
-                             QStringLiteral("site")};
-    return std::ranges::all_of(parser.optionNames(),
-                               [&](const QString& name) { return silent.contains(name); });
+    return std::ranges::all_of(
+        parser.optionNames(),
+        [silent = silentOptions()](const QString& name) { return silent.contains(name); });
 }
 
 } // namespace

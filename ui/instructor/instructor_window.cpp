@@ -58,9 +58,11 @@ InstructorWindow::InstructorWindow(const ConsoleModels& models, KeptConsole& kep
     layPanels();
     m_teacher = std::make_unique<SceneTeacher>(m_models.lesson, m_ui->pane->scene());
     connectParts();
-    m_ui->statusBar->addPermanentWidget(new UndoButton{m_history});
+    auto* undo = new UndoButton{m_history};
+    m_ui->statusBar->addPermanentWidget(undo);
     m_ui->statusBar->addWidget(m_status, 1);
     fillSessionBar();
+    addKeys(*undo);
     const auto tell = [this](const QString& why) {
         m_ui->statusBar->showMessage(why, kRefusalShown_ms);
     };
@@ -277,6 +279,13 @@ void InstructorWindow::fillSessionBar()
     connect(views, &ViewControls::changed, this, &InstructorWindow::refreshStatus);
     m_ui->sessionBar->addWidget(views);
     addMenuButton();
+}
+
+/// All that the window has, also for panels that float.
+void InstructorWindow::addKeys(const UndoButton& undo)
+{
+    m_docks->addKeys(actions());
+    m_docks->addKeys({m_ui->start, m_ui->pause, m_ui->end, &undo.undoAction()});
 }
 
 void InstructorWindow::addMenuButton()

@@ -38,6 +38,7 @@ class PanelDocks;
 class ProjectorWindow;
 class SessionControl;
 class StatusLine;
+class UndoButton;
 
 /// What a console shows and works on.
 struct ConsoleModels {
@@ -102,6 +103,7 @@ private:
     void layFirst();
     void keepPanels();
     void fillSessionBar();
+    void addKeys(const UndoButton& undo);
     void connectParts();
     void addMenuButton();
     void toggleFullScreen();

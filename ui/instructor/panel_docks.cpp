@@ -118,6 +118,15 @@ void PanelDocks::offerAll()
     standard->setToolTip(tr("All panels are back where they were at first"));
 }
 
+/// Not Qt::Tool, by which Qt would do the same: window managers leave such a window without some of
+/// its buttons. Each action is the same one everywhere, so that its key stays unambiguous.
+void PanelDocks::addKeys(const QList<QAction*>& actions)
+{
+    for (const Group& group : m_groups)
+        for (QDockWidget* dock : group)
+            dock->addActions(actions);
+}
+
 QList<PanelDocks::Group> PanelDocks::places() const
 {
     if (m_window.height() >= kHighWindow)
@@ -186,8 +195,7 @@ void PanelDocks::bring(QDockWidget& dock)
 {
     dock.show();
     dock.raise();
-    if (dock.isFloating())
-        dock.activateWindow();
+    dock.activateWindow(); // the main window, unless it floats
     auto* area = qobject_cast<QScrollArea*>(dock.widget());
     (area ? area->widget() : dock.widget())->setFocus();
 }

@@ -39,6 +39,9 @@ public:
                    const QString& toolTip);
     /// Adds what concerns all of them. To be called once, behind the panels.
     void offerAll();
+    /// Has the keys of these actions work also where a panel that floats has the keyboard: a window
+    /// of its own, in which those of the main window do nothing else.
+    void addKeys(const QList<QAction*>& actions);
 
     /// All panels in one column beside the picture.
     void layStandard();
@@ -46,7 +49,7 @@ public:
     bool restore(const QByteArray& state);
     [[nodiscard]] QByteArray state() const;
 
-    /// Shows a panel that was closed, or is behind others, and gives it the focus.
+    /// Shows a panel that was closed, or is behind others, and gives it the keyboard.
     static void bring(QDockWidget& dock);
 
 private:

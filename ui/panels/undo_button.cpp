@@ -3,7 +3,6 @@
 #include "models/text/shown_as_is.h"
 
 #include <QKeyEvent>
-#include <QShortcut>
 
 namespace carina
 {
@@ -19,7 +18,7 @@ QString unmarked(QString text) { return text.replace(QLatin1Char{'&'}, QStringLi
 } // namespace
 
 UndoButton::UndoButton(ChangeHistory& history, QWidget* parent)
-    : QToolButton{parent}, m_history{history}
+    : QToolButton{parent}, m_history{history}, m_undo{new QAction{this}}
 {
     setObjectName(QStringLiteral("undoChange"));
     setPopupMode(QToolButton::MenuButtonPopup);
@@ -28,8 +27,9 @@ UndoButton::UndoButton(ChangeHistory& history, QWidget* parent)
     setMenu(&m_menu);
     const auto undo = [this] { m_history.undo(); };
     connect(this, &QToolButton::clicked, &m_history, undo);
-    auto* shortcut = new QShortcut{QKeySequence::Undo, this};
-    connect(shortcut, &QShortcut::activated, &m_history, undo);
+    m_undo->setShortcuts(QKeySequence::Undo);
+    connect(m_undo, &QAction::triggered, &m_history, undo);
+    addAction(m_undo);
     connect(&m_menu, &QMenu::aboutToShow, this, &UndoButton::list);
     connect(&m_history, &ChangeHistory::changed, this, &UndoButton::refresh);
     refresh();
@@ -46,6 +46,7 @@ void UndoButton::refresh()
 {
     const QStringList texts = m_history.texts();
     setEnabled(!texts.isEmpty());
+    m_undo->setEnabled(!texts.isEmpty());
     const QString named = texts.isEmpty() ? tr("Nothing to undo") : tr("Undo: %1").arg(texts[0]);
     setAccessibleName(named);
     setText(unmarked(fontMetrics().elidedText(named, Qt::ElideRight, kWidest)));

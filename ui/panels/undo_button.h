@@ -2,6 +2,7 @@
 
 #include "models/session/change_history.h"
 
+#include <QAction>
 #include <QMenu>
 #include <QToolButton>
 
@@ -18,6 +19,9 @@ public:
     /// @pre the history outlives this.
     explicit UndoButton(ChangeHistory& history, QWidget* parent = nullptr);
 
+    /// What its key does; another window that is to have the key adds it.
+    [[nodiscard]] QAction& undoAction() const { return *m_undo; }
+
 protected:
     /// The arrow key down opens the list.
     void keyPressEvent(QKeyEvent* event) override;
@@ -27,6 +31,7 @@ private:
     void list();
 
     ChangeHistory& m_history;
+    QAction* m_undo;
     QMenu m_menu;
 };
 

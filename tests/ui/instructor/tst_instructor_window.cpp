@@ -104,6 +104,25 @@ struct Shown : ConsoleDesk {
         QTest::keySequence(&window, QKeySequence{QKeySequence::Undo});
         takeEffect();
     }
+    /// A panel that floats, in its frame, and has the keyboard.
+    [[nodiscard]] QDockWidget& floating(const char* name)
+    {
+        QDockWidget& panel = dock(name);
+        panel.setFloating(true);
+        if (!soon([&] { return !panel.windowFlags().testFlag(Qt::FramelessWindowHint); }))
+            qFatal("a panel got no frame");
+        QApplication::setActiveWindow(&panel); // the display has no window manager
+        return panel;
+    }
+    /// All actions of the console with a key of the window.
+    [[nodiscard]] QList<QAction*> withKeys() const
+    {
+        QList<QAction*> found;
+        for (QAction* action : window.findChildren<QAction*>())
+            if (!action->shortcut().isEmpty())
+                found += action;
+        return found;
+    }
 };
 
 /// Something that a person changes in the console, and how it is.
@@ -341,8 +360,61 @@ private Q_SLOTS:
         waveforms.setFloating(true);
         QVERIFY(soon([&] { return !waveforms.windowFlags().testFlag(Qt::FramelessWindowHint); }));
         QVERIFY(waveforms.windowFlags().testFlag(Qt::WindowTitleHint));
+        QVERIFY(waveforms.windowFlags().testFlag(Qt::WindowMaximizeButtonHint));
+        QVERIFY(waveforms.windowFlags().testFlag(Qt::WindowCloseButtonHint));
         QVERIFY(waveforms.isVisible());
         QVERIFY(waveforms.isFloating());
+    }
+
+    /// A window of its own, in which keys of the main window do nothing by themselves.
+    void undoesFromAPanelThatFloats()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        QDockWidget& panel = shown.floating("breathingDock");
+        auto& volume = shown.find<CheckedSpinBox>("tidalVolume");
+        QCOMPARE(volume.window(), static_cast<QWidget*>(&panel));
+        const int before = volume.value();
+        volume.setValue(before + 100);
+        shown.takeEffect();
+        const auto inForce = [&shown] {
+            return qRound(shown.breathing.value(BreathingParameter::TidalVolume));
+        };
+        QCOMPARE(inForce(), before + 100);
+        QCOMPARE(QApplication::activeWindow(), static_cast<QWidget*>(&panel));
+        QTest::keySequence(&volume, QKeySequence{QKeySequence::Undo});
+        shown.takeEffect();
+        QCOMPARE(inForce(), before);
+        QCOMPARE(volume.value(), before);
+    }
+
+    void bringsAndClosesPanelsFromOneThatFloats()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        QDockWidget& network = shown.dock("networkDock");
+        network.close();
+        QDockWidget& panel = shown.floating("breathingDock");
+        QTest::keyClick(&panel, Qt::Key_N, Qt::ControlModifier);
+        QVERIFY(!network.isHidden());
+        QApplication::setActiveWindow(&panel);
+        shown.find<CheckedSpinBox>("tidalVolume").setFocus();
+        QTest::keyClick(&panel, Qt::Key_F4, Qt::ControlModifier);
+        QVERIFY(panel.isHidden());
+        QVERIFY(!network.isHidden());
+    }
+
+    void hasEveryKeyInAPanelThatFloats()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        const QList<QAction*> keys = shown.withKeys();
+        QVERIFY(std::size_t(keys.size()) >= kPanels + 7); // session, windows, close and undo
+        for (const QDockWidget* dock : shown.window.findChildren<QDockWidget*>())
+            for (QAction* action : keys)
+                QVERIFY2(dock->actions().contains(action),
+                         qPrintable(dock->objectName() + QLatin1Char{' '}
+                                    + action->shortcut().toString()));
     }
 
     void remembersThePanels()

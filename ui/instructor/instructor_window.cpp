@@ -152,6 +152,7 @@ void InstructorWindow::layPanels()
     m_docks->offerAll();
     offerWindows();
     m_docks->layStandard(); // beneath each other they would need more height than there is
+    connect(m_docks.get(), &PanelDocks::settled, this, &InstructorWindow::keepPanels);
 }
 
 void InstructorWindow::offerPanels()
@@ -217,13 +218,13 @@ void InstructorWindow::showProjector(bool shown)
 void InstructorWindow::showEvent(QShowEvent* event)
 {
     QMainWindow::showEvent(event);
-    if (!event->spontaneous() && !std::exchange(m_isLaidOut, true))
+    if (!event->spontaneous() && !m_isLaidOut)
         QTimer::singleShot(0, this, &InstructorWindow::layFirst); // it has its height only then
 }
 
 void InstructorWindow::layFirst()
 {
-    if (m_docks->restore(m_kept.panels()))
+    if (!isVisible() || std::exchange(m_isLaidOut, true) || m_docks->restore(m_kept.panels()))
         return;
     m_docks->layStandard();
     m_ui->invitationDock->raise(); // nobody else is here yet
@@ -243,7 +244,8 @@ void InstructorWindow::hideEvent(QHideEvent* event)
             dock->hide();
 }
 
-/// Once they were laid, and while those are shown that float.
+/// Once they were laid, and while those are shown that float. Not only at the end: a console may be
+/// killed.
 void InstructorWindow::keepPanels()
 {
     if (m_isLaidOut)

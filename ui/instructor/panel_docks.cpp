@@ -3,10 +3,10 @@
 #include "models/text/shown_as_is.h"
 
 #include <QApplication>
+#include <QEvent>
 #include <QLayout>
 #include <QScrollArea>
 #include <QStyle>
-#include <QTimer>
 
 #include <algorithm>
 
@@ -43,22 +43,41 @@ PanelDocks::PanelDocks(QMainWindow& window, QList<Group> groups)
     m_window.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     m_window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     m_window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    m_settling.setSingleShot(true);
+    m_settling.setInterval(kSettling);
+    connect(&m_settling, &QTimer::timeout, this, &PanelDocks::settled);
     for (const Group& group : m_groups)
         for (QDockWidget* dock : group) {
             dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable
                               | QDockWidget::DockWidgetFloatable);
             makeScrollable(*dock);
-            // A panel behind another is out of sight and yet visible to Qt: nobody shall tab into
-            // it.
-            connect(dock, &QDockWidget::visibilityChanged, dock, &QWidget::setEnabled);
-            connect(dock, &QDockWidget::topLevelChanged, dock, [dock](bool floats) {
-                if (floats)
-                    frame(*dock);
-            });
+            watch(*dock);
         }
     for (const Group& group : m_groups.mid(1))
         for (QDockWidget* dock : group)
             keepHeight(*dock);
+}
+
+void PanelDocks::watch(QDockWidget& dock)
+{
+    // A panel behind another is out of sight and yet visible to Qt: nobody shall tab into it.
+    connect(&dock, &QDockWidget::visibilityChanged, &dock, &QWidget::setEnabled);
+    connect(&dock, &QDockWidget::topLevelChanged, &dock, [&dock](bool floats) {
+        if (floats)
+            frame(dock);
+    });
+    const auto settle = [this] { m_settling.start(); };
+    connect(&dock, &QDockWidget::visibilityChanged, this, settle);
+    connect(&dock, &QDockWidget::topLevelChanged, this, settle);
+    connect(&dock, &QDockWidget::dockLocationChanged, this, settle);
+    dock.installEventFilter(this);
+}
+
+bool PanelDocks::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::Move || event->type() == QEvent::Resize)
+        m_settling.start();
+    return QObject::eventFilter(watched, event);
 }
 
 /// Lets a panel scroll where its place is too low for all of it.

@@ -5,6 +5,9 @@
 #include <QList>
 #include <QMainWindow>
 #include <QMenu>
+#include <QTimer>
+
+#include <chrono>
 
 namespace carina
 {
@@ -26,6 +29,8 @@ public:
     static constexpr int kHighWindow = 1440;
     /// Pixels that each place but the first has in any window: three curves, and their figures.
     static constexpr int kLeastPlace = 350;
+    /// How long all panels stay where they are before settled() is emitted.
+    static constexpr std::chrono::milliseconds kSettling{1000};
 
     /// @param groups from above down; in a low window those behind the first share one place. What
     ///        the window grows by goes to the place of the first.
@@ -52,9 +57,17 @@ public:
     /// Shows a panel that was closed, or is behind others, and gives it the keyboard.
     static void bring(QDockWidget& dock);
 
+Q_SIGNALS:
+    /// A panel was moved, floated, resized, shown or closed, and kSettling since nothing more.
+    void settled();
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     static void makeScrollable(QDockWidget& dock);
     static void frame(QDockWidget& dock);
+    void watch(QDockWidget& dock);
     [[nodiscard]] QList<Group> places() const;
     [[nodiscard]] QList<int> heightsOf(const QList<Group>& places) const;
     [[nodiscard]] QDockWidget* withFocus() const;
@@ -63,6 +76,7 @@ private:
     QMainWindow& m_window;
     QList<Group> m_groups;
     QMenu m_menu;
+    QTimer m_settling;
 };
 
 } // namespace carina

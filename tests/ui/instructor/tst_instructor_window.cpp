@@ -434,6 +434,34 @@ private Q_SLOTS:
         QCOMPARE(again.window.dockWidgetArea(&again.dock("partsDock")), Qt::RightDockWidgetArea);
     }
 
+    /// Some time before the end, which a console that is killed does not see.
+    void remembersThePanelsWhileItRuns()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        const KeptConsole keeper{kept.path()};
+        QVERIFY(soon([&] { return !keeper.panels().isEmpty(); })); // as they were at first
+        const QByteArray before = keeper.panels();
+        shown.dock("networkDock").close();
+        shown.dock("waveformDock").setFloating(true);
+        QVERIFY(soon([&] { return keeper.panels() != before; }));
+        Shown again{kept};
+        QVERIFY(again.dock("networkDock").isHidden());
+        QVERIFY(again.dock("waveformDock").isFloating());
+    }
+
+    void remembersWhereAPanelFloats()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        QDockWidget& panel = shown.floating("waveformDock");
+        const KeptConsole keeper{kept.path()};
+        QVERIFY(soon([&] { return !keeper.panels().isEmpty(); }));
+        const QByteArray before = keeper.panels();
+        panel.move(panel.pos() + QPoint{40, 30});
+        QVERIFY(soon([&] { return keeper.panels() != before; }));
+    }
+
     void keepsItsButtonsWhereTheyAre()
     {
         const test::ScratchFolder kept;

@@ -79,6 +79,7 @@ void ImportDialog::layOut()
     m_surfaces->horizontalHeader()->setSectionResizeMode(kSurface, QHeaderView::Stretch);
     m_surfaces->verticalHeader()->hide();
     m_surfaces->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_surfaces->setTabKeyNavigation(false); // else Tab never comes out of it
     m_unit->setObjectName(QStringLiteral("unit"));
     m_unit->setAccessibleName(tr("Unit of the files"));
     m_axes->setObjectName(QStringLiteral("axes"));

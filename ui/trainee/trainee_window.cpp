@@ -121,7 +121,7 @@ void TraineeWindow::makeTracker(const ProgramTracker& tracker)
     auto* panel = new ProgramTrackerPanel{tracker};
     connect(panel, &ProgramTrackerPanel::wanted, this, &TraineeWindow::trackerWanted);
     connect(panel, &ProgramTrackerPanel::unwanted, this, &TraineeWindow::trackerUnwanted);
-    addPanel(m_tracker, panel, tr("&Tracker and its tools"));
+    addPanel(m_tracker, panel, tr("Trac&ker and its tools"));
     tabifyDockWidget(m_parts, m_tracker);
 }
 
@@ -265,7 +265,7 @@ std::vector<QAction*> TraineeWindow::addChinProbe()
         choices->addAction(action);
         return action;
     };
-    return {add(false, tr("Manikin lies still, chin probe moves the &jaw")),
+    return {add(false, tr("Manikin lies still, chi&n probe moves the jaw")),
             add(true, tr("&Manikin is moved with its mouth closed"))};
 }
 

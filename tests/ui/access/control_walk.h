@@ -1,5 +1,6 @@
 #pragma once
 
+#include "tests/support/soon.h"
 #include "tests/support/test_class.h"
 
 #include <QAbstractButton>
@@ -14,6 +15,7 @@
 #include <QScrollBar>
 
 #include <set>
+#include <vector>
 
 namespace carina::test
 {
@@ -36,6 +38,24 @@ inline bool isControl(const QWidget& widget)
     return isOne && !isPart && widget.isVisible() && widget.isEnabled();
 }
 
+/// A table in which nothing is chosen: it is looked at, as a label is.
+inline bool isOnlyRead(const QWidget& widget)
+{
+    const auto* view = qobject_cast<const QAbstractItemView*>(&widget);
+    return view && view->focusPolicy() == Qt::NoFocus
+           && view->editTriggers() == QAbstractItemView::NoEditTriggers;
+}
+
+/// Those of a window that are in sight.
+inline std::vector<QWidget*> controlsOf(QWidget& window)
+{
+    std::vector<QWidget*> controls;
+    for (QWidget* widget : window.findChildren<QWidget*>())
+        if (isControl(*widget) && widget->window() == &window)
+            controls.push_back(widget);
+    return controls;
+}
+
 /// By Tab from where the keyboard is, once around.
 inline std::set<const QWidget*> reachedByTab(QWidget& window)
 {
@@ -51,24 +71,38 @@ inline std::set<const QWidget*> reachedByTab(QWidget& window)
 }
 
 /// What is wrong for who has no eyes or no mouse: each control that is in sight has a name, and is
-/// reached by Tab. Of radio buttons the chosen one is.
+/// reached by Tab. Of radio buttons the chosen one is, and a table that is only read need not be.
 inline QStringList faultsOfControls(QWidget& window)
 {
     QStringList faults;
     const std::set<const QWidget*> reached = reachedByTab(window);
-    for (QWidget* control : window.findChildren<QWidget*>()) {
-        if (!isControl(*control) || control->window() != &window)
-            continue;
+    for (QWidget* control : controlsOf(window)) {
         const QString which = QString::fromLatin1(control->metaObject()->className())
                               + QLatin1Char{' '} + control->objectName();
         if (QAccessible::queryAccessibleInterface(control)->text(QAccessible::Name).isEmpty())
             faults += which + QStringLiteral(" has no name");
         const auto* radio = qobject_cast<const QRadioButton*>(control);
         const QWidget* holder = control->focusProxy() ? control->focusProxy() : control;
-        if (!reached.contains(holder) && (!radio || radio->isChecked()))
+        if (!reached.contains(holder) && !isOnlyRead(*control) && (!radio || radio->isChecked()))
             faults += which + QStringLiteral(" is not reached by Tab");
     }
     return faults;
+}
+
+/// Until what a window does at once after it was shown is done.
+inline void awaitLayout()
+{
+    bool isDue = false;
+    QTimer::singleShot(50, qApp, [&isDue] { isDue = true; });
+    QVERIFY(soon([&isDue] { return isDue; }));
+}
+
+/// None of its controls has a fault, and there is one at least.
+inline void verifyControls(QWidget& window)
+{
+    QVERIFY(!controlsOf(window).empty());
+    const QStringList faults = faultsOfControls(window);
+    QVERIFY2(faults.isEmpty(), qPrintable(faults.join(QLatin1Char{'\n'})));
 }
 
 } // namespace carina::test

@@ -1,5 +1,4 @@
 #include "engine/io/anatomy_set/anatomy_cache.h"
-#include "tests/support/soon.h"
 #include "tests/ui/access/control_walk.h"
 #include "tests/ui/instructor/console_desk.h"
 #include "tests/ui/trainee/trainee_desk.h"
@@ -9,28 +8,61 @@
 #include "widgets/theme/dark_theme.h"
 
 #include <QDockWidget>
+#include <QPushButton>
+#include <QToolButton>
+
+#include <array>
 
 namespace carina::every_control_test
 {
 namespace
 {
 
+using test::awaitLayout;
 using test::ConsoleDesk;
 using test::FakeSessionNode;
 using test::faultsOfControls;
 using test::soon;
+using test::verifyControls;
 
-void settle()
+constexpr std::array kChange{"breathingDock", "conditionDock", "actionsDock", "partsDock",
+                             "trackerDock"};
+constexpr std::array kPeople{"waveformDock", "participantsDock", "invitationDock", "networkDock"};
+
+/// While a patient is ventilated that can be moved.
+void runSession(ConsoleDesk& desk)
 {
-    bool isDue = false;
-    QTimer::singleShot(50, qApp, [&isDue] { isDue = true; });
-    QVERIFY(soon([&isDue] { return isDue; }));
+    desk.node.sharePatient(FakeSessionNode::kInstructor);
+    desk.node.decide(fact::PhaseChanged{SessionPhase::Running});
+    VentilatorSettings ventilator;
+    ventilator.mode = VentilationMode::VolumeControl;
+    desk.node.decide(fact::VentilatorSet{ventilator});
+    desk.window.resize(1280, 800);
+    desk.window.show();
+    awaitLayout();
 }
 
-void verifyControls(QWidget& window)
+/// The panels of a trainee's window, in their order.
+void nameTraineesPanels()
 {
-    const QStringList faults = faultsOfControls(window);
-    QVERIFY2(faults.isEmpty(), qPrintable(faults.join(QLatin1Char{'\n'})));
+    QTest::addColumn<int>("panel");
+    QTest::newRow("actions") << 0;
+    QTest::newRow("parts") << 1;
+    QTest::newRow("tracker") << 2;
+}
+
+/// In its own window where the output is a headset's.
+QDockWidget& shownPanel(test::TraineeDesk& desk, int panel)
+{
+    desk.node.sharePatient(FakeSessionNode::kTrainee);
+    desk.window.resize(1280, 800);
+    desk.window.show();
+    awaitLayout();
+    QDockWidget& dock = *desk.window.findChildren<QDockWidget*>().at(panel);
+    dock.show();
+    dock.raise();
+    awaitLayout();
+    return dock;
 }
 
 } // namespace
@@ -89,10 +121,8 @@ private Q_SLOTS:
     {
         QTest::addColumn<QByteArray>("change");
         QTest::addColumn<QByteArray>("people");
-        for (const char* change :
-             {"breathingDock", "conditionDock", "actionsDock", "partsDock", "trackerDock"})
-            for (const char* people :
-                 {"waveformDock", "participantsDock", "invitationDock", "networkDock"})
+        for (const char* change : kChange)
+            for (const char* people : kPeople)
                 QTest::addRow("%s and %s", change, people)
                     << QByteArray{change} << QByteArray{people};
     }
@@ -102,40 +132,67 @@ private Q_SLOTS:
         QFETCH(const QByteArray, people);
         const test::ScratchFolder kept;
         ConsoleDesk desk{kept};
-        desk.node.sharePatient(FakeSessionNode::kInstructor);
-        desk.node.decide(fact::PhaseChanged{SessionPhase::Running});
-        VentilatorSettings ventilator;
-        ventilator.mode = VentilationMode::VolumeControl;
-        desk.node.decide(fact::VentilatorSet{ventilator});
-        desk.window.resize(1280, 800);
-        desk.window.show();
-        settle();
+        runSession(desk);
         for (const QByteArray& dock : {change, people})
             desk.find<QDockWidget>(dock.constData()).raise();
-        settle();
+        awaitLayout();
         verifyControls(desk.window);
     }
 
-    void ofTheTraineesWindow_data()
+    void ofTheConsoleWhereTwoMattersNeedAttention()
     {
-        QTest::addColumn<int>("panel");
-        QTest::newRow("actions") << 0;
-        QTest::newRow("parts") << 1;
-        QTest::newRow("tracker") << 2;
+        const test::ScratchFolder kept;
+        ConsoleDesk desk{kept};
+        desk.node.linkReports = {{FakeSessionNode::kTrainee, LinkState::Away, {}, {}, {}},
+                                 {FakeSessionNode::kObserver, LinkState::Away, {}, {}, {}}};
+        runSession(desk);
+        desk.attention.look();
+        awaitLayout();
+        QVERIFY(desk.find<QPushButton>("attend").isVisible());
+        QVERIFY(desk.find<QToolButton>("moreAttention").isVisible());
+        verifyControls(desk.window);
     }
+
+    void ofAPanelThatFloats_data()
+    {
+        QTest::addColumn<QByteArray>("panel");
+        for (const char* panel : kChange)
+            QTest::newRow(panel) << QByteArray{panel};
+        for (const char* panel : kPeople)
+            QTest::newRow(panel) << QByteArray{panel};
+    }
+    void ofAPanelThatFloats()
+    {
+        QFETCH(const QByteArray, panel);
+        const test::ScratchFolder kept;
+        ConsoleDesk desk{kept};
+        runSession(desk);
+        auto& dock = desk.find<QDockWidget>(panel.constData());
+        dock.raise(); // only what is in front can be taken out by hand
+        awaitLayout();
+        dock.setFloating(true);
+        awaitLayout();
+        QVERIFY(dock.isWindow() && dock.isEnabled());
+        verifyControls(dock);
+    }
+
+    void ofTheTraineesWindow_data() { nameTraineesPanels(); }
     void ofTheTraineesWindow()
     {
         QFETCH(const int, panel);
         test::TraineeDesk desk;
-        desk.node.sharePatient(FakeSessionNode::kTrainee);
-        desk.window.resize(1280, 800);
-        desk.window.show();
-        settle();
-        QDockWidget* dock = desk.window.findChildren<QDockWidget*>().at(panel);
-        dock->show();
-        dock->raise();
-        settle();
+        shownPanel(desk, panel);
         verifyControls(desk.window);
+    }
+
+    void ofTheTraineesPanelBesideAHeadset_data() { nameTraineesPanels(); }
+    void ofTheTraineesPanelBesideAHeadset()
+    {
+        QFETCH(const int, panel);
+        test::TraineeDesk desk{ViewOutput::Mono};
+        QDockWidget& dock = shownPanel(desk, panel);
+        QVERIFY(dock.isWindow() && dock.isEnabled());
+        verifyControls(dock);
     }
 };
 

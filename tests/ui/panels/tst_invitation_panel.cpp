@@ -2,6 +2,7 @@
 #include "engine/net/entry/join_link.h"
 #include "tests/engine/net/node/nodes.h"
 #include "tests/support/test_class.h"
+#include "tests/ui/access/control_walk.h"
 #include "ui/panels/invitation_panel.h"
 #include "widgets/qr_code.h"
 
@@ -153,6 +154,7 @@ private Q_SLOTS:
         for (const Role role : {Role::Instructor, Role::Trainee, Role::Observer}) {
             panel.askForNewCode(role, QStringLiteral("Somebody was removed."));
             auto* question = panel.findChildren<QMessageBox*>().last();
+            test::verifyControls(*question);
             QVERIFY(question->informativeText().startsWith(QLatin1String("Somebody was removed.")));
             QVERIFY(question->informativeText().contains(
                 QString::fromStdString(node->joinCodes().at(role).text())));

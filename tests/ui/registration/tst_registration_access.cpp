@@ -1,4 +1,5 @@
 #include "tests/support/test_class.h"
+#include "tests/ui/access/control_walk.h"
 #include "tests/ui/registration/registration_desk.h"
 #include "widgets/scene/view/graphics.h"
 
@@ -29,6 +30,8 @@ private Q_SLOTS:
     void hasNoLetterTwice();
     void reachesEveryControlByTab_data();
     void reachesEveryControlByTab();
+    void hasNoFaultOfAControl_data();
+    void hasNoFaultOfAControl();
     void tellsAloudWhatWasAchieved();
     void tellsWhatWasWrittenWhere();
 
@@ -131,6 +134,16 @@ void TestRegistrationAccess::reachesEveryControlByTab()
     for (const QLineEdit* line : seen<QLineEdit>(*m_desk->window))
         QVERIFY2(isReached(line->focusProxy() ? line->focusProxy() : line),
                  qPrintable(line->objectName()));
+}
+
+/// As in the other windows: lists, boxes and fields as well.
+void TestRegistrationAccess::hasNoFaultOfAControl_data() { eachPage(); }
+void TestRegistrationAccess::hasNoFaultOfAControl()
+{
+    QFETCH(int, step);
+    m_desk->model->enter(static_cast<SiteStep>(step));
+    m_desk->button("undo").setFocus();
+    test::verifyControls(*m_desk->window);
 }
 
 void TestRegistrationAccess::tellsAloudWhatWasAchieved()

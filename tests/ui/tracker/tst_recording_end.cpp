@@ -2,6 +2,7 @@
 
 #include "engine/net/devices/any_recording.h"
 #include "tests/support/test_class.h"
+#include "tests/ui/access/control_walk.h"
 
 #include <QAbstractButton>
 #include <QApplication>
@@ -49,9 +50,14 @@ private Q_SLOTS:
         const QString file = folder.filePath(QStringLiteral("poses.igs.mha"));
         UnderWay its{file};
         QString shown;
-        QTimer::singleShot(0, this, [&] { shown = boxNow() ? boxNow()->text() : QString{}; });
+        QStringList faults;
+        QTimer::singleShot(0, this, [&] {
+            shown = boxNow() ? boxNow()->text() : QString{};
+            faults = boxNow() ? test::faultsOfControls(*boxNow()) : QStringList{};
+        });
         finishRecording(its.recording);
         QVERIFY2(shown.contains(QStringLiteral("poses.igs.mha")), qPrintable(shown));
+        QCOMPARE(faults, QStringList{});
         QVERIFY(!its.recording.isBeingWritten());
         QVERIFY(readAnyRecording(file.toStdString()));
     }
@@ -72,16 +78,19 @@ private Q_SLOTS:
         const QTemporaryDir folder;
         UnderWay its{folder.filePath(QStringLiteral("poses.igs.mha")), "Tu be"};
         QString told;
+        QStringList faults;
         QTimer closing;
         connect(&closing, &QTimer::timeout, this, [&] {
             if (boxNow() == nullptr || boxNow()->objectName() != QLatin1StringView{"unwritten"})
                 return;
             told = boxNow()->text();
+            faults = test::faultsOfControls(*boxNow());
             boxNow()->reject();
         });
         closing.start(1);
         finishRecording(its.recording);
         QVERIFY(!told.isEmpty());
+        QCOMPARE(faults, QStringList{});
     }
 
     void saysNothingWhereThereIsNothingToWrite()

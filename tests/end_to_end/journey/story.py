@@ -33,7 +33,7 @@ PANELS = ["Condition", "Move", "Parts", "Tracker", "Breathing", "Waveforms", "Pa
 CONSOLE, TRAINEE, JOINING = "Carina instructor", "Carina trainee", "Join a session"
 WINDOWS = ("frame", "dialog", "filler")
 PAUSED, CONNECTING = "Paused", "Connecting to the instructor"
-NOT_SHOWN = "Shown to everybody until"
+SHOWN, NOT_SHOWN = "The instructor shows", "Shown to everybody until"
 
 
 class Story:
@@ -174,23 +174,42 @@ class Story:
         return changed > CHANGED
 
     def cut_a_part(self):
-        console = self.console
-        before = self.film_all(FILM_S / 4)
+        """What is shown before and after differs in nothing but the cut."""
         self.bring("Parts")
-        console.choose(console.view.beside("Cut", "combo box"), "Everything")
-        show = console.view.get(begins="Show what you see to")
-        if not console.is_on(show):
-            console.activate(show)
+        self.show_to_trainees()
+        boxes = [self.above_the_notice(trainee) for trainee in self.trainees]
+        before = self.film_trainees(boxes)
+        self.console.choose(self.console.view.beside("Cut", "combo box"), "Everything")
         for trainee in self.trainees:
-            trainee.view.wait("what the instructor shows", has="The instructor shows: section")
-        after = self.film_all(FILM_S / 4)
-        self.compare_trainees("cut", after[1:])
-        for trainee, one, other in zip(self.trainees, before[1:], after[1:]):
+            trainee.view.wait("what the instructor shows", has=f"{SHOWN}: section")
+        self.settle(1)
+        after = self.film_trainees(boxes)
+        self.compare_trainees("cut", after)
+        for trainee, one, other in zip(self.trainees, before, after):
             changed = breathing.apart(one, other)
             print(f"{trainee.view.computer.name}: cut and whole are {changed:.2f} levels apart")
             if changed < CHANGED:
                 self.faults.append(f"{trainee.view.computer.name}: the cut is not seen")
         self.keep("section shown")
+
+    def show_to_trainees(self):
+        """Until they say so, and look from where the instructor does."""
+        show = self.console.view.get(begins="Show what you see to")
+        if not self.console.is_on(show):
+            self.console.activate(show)
+        for trainee in self.trainees:
+            trainee.view.wait("that the instructor shows something", has=SHOWN)
+        self.settle()
+
+    def above_the_notice(self, trainee):
+        """The picture without its lower edge, where the notice is, and could have a line more."""
+        notice = trainee.view.wait("what the instructor shows", has=SHOWN)
+        x, y, width, _ = self.picture_of(trainee).box
+        return x, y, width, notice.box[1] - notice.box[3] - y
+
+    def film_trainees(self, boxes):
+        return breathing.film([(trainee.view.computer.screen, box)
+                               for trainee, box in zip(self.trainees, boxes)], FILM_S / 4)
 
     def pause(self):
         self.console.activate(self.console.view.wait_ready("to pause", role="push button",
@@ -238,7 +257,7 @@ class Story:
         console.view.wait("that nothing is shown any more", has=NOT_SHOWN)
         for trainee in self.trainees:
             wait_for("nothing is said to be shown", lambda: not any(
-                "The instructor shows" in words for words in trainee.view.words()), ANSWERS_S)
+                SHOWN in words for words in trainee.view.words()), ANSWERS_S)
         self.open(console, CONSOLE)
         self.keep("resumed")
 

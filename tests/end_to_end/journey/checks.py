@@ -74,7 +74,14 @@ def walk(view, hands):
 
 
 def out_of_order(stops):
-    """Steps of Tab against the order of reading. One leads back from the end to the beginning."""
+    """Steps of Tab against the order of reading.
+
+    The stops are a ring, and the walk begins wherever the keyboard was. So one of its steps leads
+    from the last control of the window back to the first, and is no fault: where a single step
+    leads back, it is that one, because read from behind it every step follows. Of two, one at
+    least is a fault, and both are named. Not found is a single step back in a ring whose own way
+    back `follows` takes for one to the right or down, as from a low pane to a high one beside it.
+    """
     steps = [(one, other) for one, other in zip(stops, stops[1:] + stops[:1])
              if not follows(one, other)]
     backward = [f"Tab goes from {one} to {other}" for one, other in steps]

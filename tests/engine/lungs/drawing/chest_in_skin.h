@@ -17,6 +17,9 @@ namespace carina::test
 inline constexpr Length kMostOutside = millimetres(1.0);
 /// An edge that is drawn so many times as long as at rest is torn.
 inline constexpr double kTorn = 2.5;
+/// Of breathing in one way, after which a breath is looked at.
+inline constexpr double kMinute_s = 60.0;
+inline constexpr double kTenMinutes_s = 600.0;
 
 /// What a part of the chest is drawn like beside the skin.
 struct DrawnSurface {
@@ -135,11 +138,17 @@ private:
     LungPair m_lungs;
 };
 
-/// What the mechanics give at the ends of a breath, after a minute of breathing in this way: with
-/// the least gas in the lungs and with the most.
-inline std::array<ChestShape, 2> endsOfSettledBreath(const RespiratorySettings& settings)
+/// Whether gas goes on for minutes: into the pleura, or out of a lung that a tube has closed off.
+inline bool developsForMinutes(ConditionKind kind)
 {
-    constexpr double kSettled_s = 60.0;
+    return kind == ConditionKind::TensionPneumothorax || kind == ConditionKind::MainstemIntubation;
+}
+
+/// What the mechanics give at the ends of a breath, after so long a time of breathing in this way:
+/// with the least gas in the lungs and with the most.
+inline std::array<ChestShape, 2> endsOfSettledBreath(const RespiratorySettings& settings,
+                                                     double settled_s = kMinute_s)
+{
     constexpr int kLooks = 10;
     RespiratoryFold fold{settings};
     const auto run = [&fold](double seconds) {
@@ -149,7 +158,7 @@ inline std::array<ChestShape, 2> endsOfSettledBreath(const RespiratorySettings& 
     const auto gas = [](const ChestShape& shape) {
         return shape.lungs[0].gas.si + shape.lungs[1].gas.si;
     };
-    run(kSettled_s);
+    run(settled_s);
     std::vector<ChestShape> shapes;
     for (int look = 0; look < kLooks; ++look) {
         shapes.push_back(chestShape(settings.build, fold.system(), fold.content(), fold.moment()));
@@ -161,9 +170,9 @@ inline std::array<ChestShape, 2> endsOfSettledBreath(const RespiratorySettings& 
 
 /// Within the skin and whole at both ends of a breath.
 inline void verifyInSkin(const SkinnedChest& chest, const RespiratorySettings& settings,
-                         const QString& what)
+                         const QString& what, double settled_s = kMinute_s)
 {
-    for (const ChestShape& shape : endsOfSettledBreath(settings)) {
+    for (const ChestShape& shape : endsOfSettledBreath(settings, settled_s)) {
         const DrawnSurface drawn = chest.drawn(drawnPose(chest.lungs(), shape, chest.level()));
         QVERIFY2(drawn.outside <= kMostOutside,
                  qPrintable(QStringLiteral("%1: %2 mm outside the skin")

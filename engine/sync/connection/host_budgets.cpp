@@ -29,7 +29,8 @@ void HostBudgets::bar(ParticipantId participant, LocalTime now)
 {
     std::erase_if(m_barredUntil, [now](const auto& entry) { return entry.second <= now; });
     m_barredUntil.insert_or_assign(participant, now + kBarred);
-    m_budgets.erase(participant); // the bar is enough
+    if (PeerBudget* budget = known(participant))
+        budget->pardon();
 }
 
 bool HostBudgets::isBarred(ParticipantId participant, LocalTime now) const

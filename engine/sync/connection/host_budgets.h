@@ -19,13 +19,14 @@ public:
 
     /// Of one who is here or was; null before.
     [[nodiscard]] PeerBudget* known(ParticipantId participant);
-    /// Of one who comes in, with what it shares from now on; valid until it is barred.
+    /// Of one who comes in, with what it shares from now on; valid as long as this.
     /// @param limits asked where it never was here
     [[nodiscard]] PeerBudget& comesIn(ParticipantId participant,
                                       const std::function<PeerLimits(ParticipantId)>& limits,
                                       std::shared_ptr<SharedBudget> shared, LocalTime now);
 
-    /// The participant stays out for a while, and then begins anew. @pre it is not here
+    /// The participant stays out for a while, for its excess. What it has used of its budget stays
+    /// used, or else whoever is barred would have a new one. @pre it is not here
     void bar(ParticipantId participant, LocalTime now);
     [[nodiscard]] bool isBarred(ParticipantId participant, LocalTime now) const;
 

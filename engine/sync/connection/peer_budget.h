@@ -92,6 +92,8 @@ public:
     [[nodiscard]] bool answers(LocalTime now) { return m_answers.take(1.0, kAnswers, now); }
 
     [[nodiscard]] bool isFarExceeded() const { return m_excess_s > kMostExcess_s; }
+    /// Forgets the excess.
+    void pardon() { m_excess_s = 0.0; }
 
 private:
     [[nodiscard]] bool counted(TokenBucket& bucket, double amount, double perSecond, LocalTime now);

@@ -1,4 +1,4 @@
-#include "engine/sync/connection/peer_budget.h"
+#include "engine/sync/connection/host_budgets.h"
 #include "tests/engine/sync/connection/session_world.h"
 #include "tests/support/test_class.h"
 
@@ -255,6 +255,33 @@ private Q_SLOTS:
         }
         const auto entered = std::ptrdiff_t(world.session.disk.size());
         QVERIFY2(entered <= 10, qPrintable(QString::number(entered))); // 4 + 2 s of 2, and one more
+    }
+
+    /// Else one who is barred over and over would have what each may have saved up each time.
+    void whoWasBarredHasTheShareItHad()
+    {
+        constexpr ParticipantId kAnna{1};
+        const auto shared = std::make_shared<SharedBudget>(SharedLimits{.proposals = 1.0});
+        const auto limits = [](ParticipantId) { return kLimits; };
+        HostBudgets budgets;
+        const auto taken = [&](LocalTime now) {
+            PeerBudget& budget = budgets.comesIn(kAnna, limits, shared, now);
+            int facts = 0;
+            while (budget.takesProposal(now) == PeerBudget::Verdict::Taken)
+                ++facts;
+            static_cast<void>(budget.takesSamples(100'000, now));
+            const bool isExceeded = budget.isFarExceeded();
+            budget.goes(now);
+            budgets.bar(kAnna, now);
+            return isExceeded ? facts : -1;
+        };
+        constexpr int kPot = 2;
+        constexpr int kComing = 2;
+        QCOMPARE(taken(kStart), int(SharedBudget::kSavedProposals) - kComing + kPot);
+        QVERIFY(budgets.isBarred(kAnna, kStart + HostBudgets::kBarred - 1ns));
+        QVERIFY(!budgets.isBarred(kAnna, kStart + HostBudgets::kBarred));
+        QVERIFY(!budgets.known(kAnna)->isFarExceeded());
+        QCOMPARE(taken(kStart + HostBudgets::kBarred), kPot);
     }
 
     /// A participant who floods: the log grows by its budget alone, it is told why, and it stays

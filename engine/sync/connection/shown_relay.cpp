@@ -21,19 +21,32 @@ std::vector<ShownRelay::Passed> ShownRelay::takeDue(LocalTime now)
     std::vector<Passed> due;
     if (now < m_nextDue)
         return due;
+    for (Entry* const entry : ready(now)) {
+        if (!m_room.takeOf(kMostAtOnce, 1.0, kMostPerS, now)) {
+            m_nextDue = std::min(m_nextDue, now + kWait);
+            break;
+        }
+        due.push_back(*entry->waiting);
+        entry->waiting.reset();
+        entry->next = now + kInterval;
+    }
+    return due;
+}
+
+std::vector<ShownRelay::Entry*> ShownRelay::ready(LocalTime now)
+{
+    std::vector<Entry*> found;
     m_nextDue = LocalTime::max();
     for (auto& [object, entry] : m_entries) {
         if (!entry.waiting)
             continue;
-        if (now < entry.next) {
+        if (now < entry.next)
             m_nextDue = std::min(m_nextDue, entry.next);
-            continue;
-        }
-        due.push_back(*entry.waiting);
-        entry.waiting.reset();
-        entry.next = now + kInterval;
+        else
+            found.push_back(&entry);
     }
-    return due;
+    std::ranges::stable_sort(found, {}, &Entry::next);
+    return found;
 }
 
 } // namespace carina

@@ -291,6 +291,29 @@ private Q_SLOTS:
         }
     }
 
+    /// One person under many names shows hundreds; an honest one, as often as its program does.
+    void shownPosesOfVeryManyObjectsAreBoundedTogetherAndInTurn()
+    {
+        constexpr std::uint16_t kMany = 1600;
+        constexpr std::uint16_t kHonest = kMany + 1;
+        ShownRelay relay;
+        const LocalTime begin{1h};
+        std::ptrdiff_t passed = 0;
+        std::ptrdiff_t honest = 0;
+        for (LocalTime now = begin; now < begin + 10s; now += 10ms) {
+            const SessionTime shown{now.time_since_epoch()};
+            for (std::uint16_t object = 1; object <= kMany; ++object)
+                relay.take({ObjectId{object}, shown, {}}, ParticipantId{1}, now);
+            relay.take({ObjectId{kHonest}, shown, {}}, ParticipantId{2}, now);
+            const auto due = relay.takeDue(now);
+            passed += std::ssize(due);
+            honest += std::ranges::count(due, ParticipantId{2}, &ShownRelay::Passed::from);
+        }
+        QVERIFY(passed <= 128 + 10 * 512);
+        QVERIFY(passed > 10 * 512 - 128);
+        QVERIFY2(honest >= 3 && honest <= 4, qPrintable(QString::number(honest)));
+    }
+
     /// Four hundred changes in a second are allowed; the others are sent the newest 64 times.
     void rapidActionsGoOnTogether()
     {

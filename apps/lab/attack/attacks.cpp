@@ -368,7 +368,11 @@ public:
     }
     [[nodiscard]] std::vector<Measured> measured(Duration length) const override
     {
-        std::vector<Measured> all;
+        const auto acted = std::ranges::count_if(
+            m_attacks, [](const auto& attack) { return attack->sent() >= kLeastOfEach; });
+        std::vector<Measured> all{{"attackers that sent or opened at least ten",
+                                   static_cast<double>(acted), double(kAttackersAtOnce),
+                                   double(kAttackersAtOnce)}};
         for (const auto& attack : m_attacks)
             std::ranges::copy(attack->measured(length), std::back_inserter(all));
         return all;
@@ -378,6 +382,7 @@ private:
     /// In which the others come in, who would have to wait behind the handshakes and names of
     /// these, or find the places of their address taken by them.
     static constexpr Duration kHeadStart = std::chrono::milliseconds{1500};
+    static constexpr std::int64_t kLeastOfEach = 10;
 
     std::vector<std::unique_ptr<Attack>> m_attacks;
     std::vector<bool> m_keepsOut; // of each

@@ -59,8 +59,8 @@ struct AttackKind {
     StrategyKind strategy = StrategyKind::SessionClock; ///< of the session meanwhile
     std::optional<Role> spoils{}; ///< role whose code is void by it, so that nobody new comes in
     bool isAllOthers = false;     ///< all that can act at the same time
-    bool keepsOut = false; ///< others of its address, who would come in late or find no place
-    bool needsRoom = false;       ///< for so many names that the others would not all come in
+    bool keepsOut = false;  ///< others of its address, who would come in late or find no place
+    bool needsRoom = false; ///< for so many names that the others would not all come in
 };
 
 /// How many can: not one that wants another strategy, nor one that voids the code by which others

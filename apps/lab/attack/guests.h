@@ -9,9 +9,10 @@
 namespace carina::lab
 {
 
-/// People who only take part in a session, in a program of their own (guestsCommand). They stand for
-/// other computers, and all have one thread, so as to take little of the host's processors: with a
-/// thread each some sixty of them waited for one at a time, each with as much of it as the host.
+/// People who only take part in a session, in a program of their own (guestsCommand). They stand
+/// for other computers, and all have one thread, so as to take little of the host's processors:
+/// with a thread each some sixty of them waited for one at a time, each with as much of it as the
+/// host.
 class Guests
 {
 public:

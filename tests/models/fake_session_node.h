@@ -120,7 +120,12 @@ public:
     // SessionNode.
 
     [[nodiscard]] std::uint16_t port() const override { return 0; }
-    [[nodiscard]] JoinCodes joinCodes() const override { return {}; }
+    [[nodiscard]] JoinCodes joinCodes() const override
+    {
+        return {{Role::Instructor, JoinCode::parse("AAAAA-11111").value()},
+                {Role::Trainee, JoinCode::parse("BBBBB-22222").value()},
+                {Role::Observer, JoinCode::parse("CCCCC-33333").value()}};
+    }
     [[nodiscard]] std::string certificateName() const override { return {}; }
     [[nodiscard]] bool isOpen() const override { return false; }
     [[nodiscard]] std::optional<HostDoor> door() const override { return hostDoor; }

@@ -2,6 +2,7 @@
 
 #include "models/errors/error_text.h"
 #include "models/patient/set_words.h"
+#include "widgets/dialog_buttons.h"
 #include "widgets/plain_label.h"
 
 #include <QComboBox>
@@ -106,6 +107,7 @@ void ImportDialog::layOut()
     column->addWidget(m_progress);
     column->addWidget(m_review, 1);
     column->addWidget(buttons);
+    leadTabToCancel(*buttons, *m_use);
 }
 
 void ImportDialog::showProgress(double share)

@@ -15,7 +15,6 @@
 
 #include <QCloseEvent>
 #include <QDockWidget>
-#include <QScrollArea>
 #include <QShowEvent>
 #include <QTimer>
 #include <QToolButton>
@@ -252,17 +251,7 @@ void InstructorWindow::keepPanels()
         m_kept.keepPanels(m_docks->state());
 }
 
-bool InstructorWindow::focusNextPrevChild(bool next)
-{
-    QWidget* to = nextInReadingOrder(*this, next);
-    if (!to)
-        return false;
-    to->setFocus(next ? Qt::TabFocusReason : Qt::BacktabFocusReason);
-    for (QWidget* around = to->parentWidget(); around; around = around->parentWidget())
-        if (auto* area = qobject_cast<QScrollArea*>(around))
-            area->ensureWidgetVisible(to);
-    return true;
-}
+bool InstructorWindow::focusNextPrevChild(bool next) { return focusNextAsRead(*this, next); }
 
 void InstructorWindow::closeEvent(QCloseEvent* event)
 {

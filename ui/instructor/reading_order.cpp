@@ -1,6 +1,6 @@
 #include "ui/instructor/reading_order.h"
 
-#include <QMainWindow>
+#include <QScrollArea>
 #include <QStatusBar>
 #include <QToolBar>
 
@@ -25,7 +25,7 @@ bool isTabStop(const QWidget& control)
            && control.isVisible() && control.isEnabled();
 }
 
-QRect placeIn(const QMainWindow& window, const QWidget& control)
+QRect placeIn(const QWidget& window, const QWidget& control)
 {
     return {control.mapTo(&window, QPoint{}), control.size()};
 }
@@ -39,7 +39,7 @@ std::array<int, 3> paneOrder(const QWidget& pane)
     return {kind, pane.x(), pane.y()};
 }
 
-std::vector<Stop> stopsOf(const QMainWindow& window)
+std::vector<Stop> stopsOf(const QWidget& window)
 {
     std::vector<Stop> stops;
     for (QWidget* control : window.findChildren<QWidget*>()) {
@@ -88,9 +88,7 @@ void sortAsRead(std::vector<Stop>& stops)
     }
 }
 
-} // namespace
-
-QWidget* nextInReadingOrder(const QMainWindow& window, bool forward)
+QWidget* nextInReadingOrder(const QWidget& window, bool forward)
 {
     std::vector<Stop> stops = stopsOf(window);
     if (stops.empty())
@@ -101,6 +99,20 @@ QWidget* nextInReadingOrder(const QMainWindow& window, bool forward)
         return forward ? stops.front().control : stops.back().control;
     const auto place = std::size_t(present - stops.begin());
     return stops[(place + (forward ? 1 : stops.size() - 1)) % stops.size()].control;
+}
+
+} // namespace
+
+bool focusNextAsRead(QWidget& window, bool forward)
+{
+    QWidget* to = nextInReadingOrder(window, forward);
+    if (!to)
+        return false;
+    to->setFocus(forward ? Qt::TabFocusReason : Qt::BacktabFocusReason);
+    for (QWidget* around = to->parentWidget(); around; around = around->parentWidget())
+        if (auto* area = qobject_cast<QScrollArea*>(around))
+            area->ensureWidgetVisible(to);
+    return true;
 }
 
 } // namespace carina

@@ -1,6 +1,7 @@
 #include "ui/panels/remove_dialog.h"
 
 #include "models/session/conduct_model.h"
+#include "widgets/dialog_buttons.h"
 #include "widgets/plain_label.h"
 
 #include <QCheckBox>
@@ -41,7 +42,6 @@ RemoveDialog::RemoveDialog(const QString& name, QWidget* parent)
     m_remove->setObjectName(QStringLiteral("remove"));
     auto* buttons = new QDialogButtonBox{QDialogButtonBox::Cancel};
     buttons->addButton(m_remove, QDialogButtonBox::AcceptRole);
-    buttons->button(QDialogButtonBox::Cancel)->setDefault(true); // removing is never by mistake
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(m_reason, &QLineEdit::textChanged, this, &RemoveDialog::refresh);
@@ -51,6 +51,8 @@ RemoveDialog::RemoveDialog(const QString& name, QWidget* parent)
     rows->addRow(m_forGood);
     rows->addRow(m_missing);
     rows->addRow(buttons);
+    leadTabToCancel(*buttons, *m_remove);
+    buttons->button(QDialogButtonBox::Cancel)->setDefault(true); // removing is never by mistake
     refresh();
 }
 

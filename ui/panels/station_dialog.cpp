@@ -1,5 +1,6 @@
 #include "ui/panels/station_dialog.h"
 
+#include "widgets/dialog_buttons.h"
 #include "widgets/plain_label.h"
 
 #include <QComboBox>
@@ -56,6 +57,7 @@ StationDialog::StationDialog(const StationsModel& stations, StationId station, Q
     rows->setRowVisible(m_patient, isNew());
     rows->addRow(m_fault);
     rows->addRow(buttons);
+    leadTabToCancel(*buttons, *m_accept);
     m_accept->setDefault(true);
     refresh();
 }

@@ -2,6 +2,7 @@
 
 #include "ui/refusal_line.h"
 #include "widgets/checked_spin_box.h"
+#include "widgets/dialog_buttons.h"
 #include "widgets/plain_label.h"
 
 #include <QComboBox>
@@ -87,6 +88,7 @@ void StrategyDialog::layOut()
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     rows->addRow(buttons);
+    leadTabToCancel(*buttons, *use);
 }
 
 void StrategyDialog::fill(const StrategyChoice& choice)

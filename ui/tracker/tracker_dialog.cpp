@@ -4,6 +4,7 @@
 #include "ui/tracker/calibration_dialog.h"
 #include "ui/tracker/server_fields.h"
 #include "ui/tracker/tracker_tools.h"
+#include "widgets/dialog_buttons.h"
 #include "widgets/plain_label.h"
 
 #include <QButtonGroup>
@@ -84,6 +85,7 @@ TrackerDialog::TrackerDialog(const TrackerForm& begin, const std::vector<Offered
     fill(begin);
     connectFields();
     refresh();
+    leadTabToCancel(*findChild<QDialogButtonBox*>(), *m_use); // the rows above came after it
 }
 
 void TrackerDialog::layOut()

@@ -56,7 +56,7 @@ ConsoleSession::ConsoleSession(HostedSession hosted, const program::ChosenPatien
                 m_network, m_actions, m_stations, m_lesson, m_shown.patient(), m_attention},
                m_kept,
                m_shown.view(),
-               program::programTracker(m_tools, m_recording, true)}
+               program::programTracker(m_tools, m_recording, true, folder)}
 {
     m_attention.setPatient(m_shown.patient());
     m_window.setReach(m_hosted.reach);

@@ -157,7 +157,7 @@ void addEntryOptions(QCommandLineParser& parser)
 Result<void> readEntryOptions(const QCommandLineParser& parser, JoinSettings& settings)
 {
     settings.address = parser.value(kHost).toStdString();
-    settings.tokens = QDir{parser.value(kData)}.filePath(QStringLiteral("tokens")).toStdString();
+    settings.tokens = QDir{dataFolder(parser)}.filePath(QStringLiteral("tokens")).toStdString();
     if (const auto opened = openFolder(settings.tokens); !opened)
         return opened;
     if (parser.isSet(kHostName) || parser.isSet(kAuthority))
@@ -174,6 +174,8 @@ Result<void> readEntryOptions(const QCommandLineParser& parser, JoinSettings& se
     settings.code = *code;
     return {};
 }
+
+QString dataFolder(const QCommandLineParser& parser) { return parser.value(kData); }
 
 Result<QString> linkArgument(const QCommandLineParser& parser)
 {

@@ -21,6 +21,9 @@ void addEntryOptions(QCommandLineParser& parser);
 [[nodiscard]] Result<void> readEntryOptions(const QCommandLineParser& parser,
                                             JoinSettings& settings);
 
+/// The folder of `--data`: of keys, and of what the program remembers.
+[[nodiscard]] QString dataFolder(const QCommandLineParser& parser);
+
 /// The join link on the command line; empty if there is none.
 /// @returns WrongOption if an option is given that the link contains.
 [[nodiscard]] Result<QString> linkArgument(const QCommandLineParser& parser);

@@ -141,13 +141,15 @@ bool TrackerChange::takeDevices(SharedTools& tools)
     return isTaken;
 }
 
-ProgramTracker programTracker(SharedTools& tools, PoseRecording& recording, bool canBeGiven)
+ProgramTracker programTracker(SharedTools& tools, PoseRecording& recording, bool canBeGiven,
+                              const QString& folder)
 {
     return {.sight = [&tools] { return tools.trackerSight(); },
             .recording = &recording,
             .canBeGiven = canBeGiven,
             .treatment = {tools.treatment(),
-                          [&tools](const PoseTreatment& chosen) { tools.treat(chosen); }}};
+                          [&tools](const PoseTreatment& chosen) { tools.treat(chosen); }},
+            .sound = KeptSound{folder}};
 }
 
 } // namespace carina::program

@@ -56,8 +56,9 @@ private:
 };
 
 /// What a window shows of the tracker of these tools, and offers to change of it.
+/// @param folder where the program remembers what a person chose of it
 /// @pre tools and recording outlive the window.
 [[nodiscard]] ProgramTracker programTracker(SharedTools& tools, PoseRecording& recording,
-                                            bool canBeGiven);
+                                            bool canBeGiven, const QString& folder);
 
 } // namespace carina::program

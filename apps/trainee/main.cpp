@@ -283,7 +283,8 @@ Result<Left> takePart(const QCommandLineParser& parser, Outfit& outfit, program:
                          actions,
                          people,
                          [&tools] { return tools.standing(); },
-                         program::programTracker(tools, recording, entered.role == Role::Trainee)};
+                         program::programTracker(tools, recording, entered.role == Role::Trainee,
+                                                 program::dataFolder(parser))};
     const auto show = [&] {
         window.show(station.patient(), station.view(), tools.chinProbe());
         window.stationScene().showBlade(program::bladeOf(tools));

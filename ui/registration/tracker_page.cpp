@@ -4,12 +4,24 @@
 #include "ui/tracker/record_button.h"
 #include "ui/tracker/tracker_panel.h"
 
+#include <QFileInfo>
 #include <QPushButton>
 #include <QTabWidget>
 #include <QVBoxLayout>
 
 namespace carina
 {
+namespace
+{
+
+/// Where the wizard keeps what it remembers.
+QString besideSite(const RegistrationModel& registration)
+{
+    const QFileInfo site{QString::fromStdString(registration.siteFile().string())};
+    return site.absolutePath();
+}
+
+} // namespace
 
 TrackerPage::TrackerPage(RegistrationModel& registration, PoseRecording& recording)
     : RegistrationPage{registration}, m_devices{new DevicesBox{registration.devices(), this}}
@@ -21,10 +33,12 @@ TrackerPage::TrackerPage(RegistrationModel& registration, PoseRecording& recordi
     auto* parts = new QTabWidget;
     parts->setObjectName(QStringLiteral("trackerParts"));
     parts->addTab(
-        new TrackerPanel{[this]() -> std::optional<TrackerSight> {
-            const RegistrationModel& model = this->registration();
-            return TrackerSight{model.trackerTrouble(), model.tools(), model.usualVolume()};
-        }},
+        new TrackerPanel{
+            [this]() -> std::optional<TrackerSight> {
+                const RegistrationModel& model = this->registration();
+                return TrackerSight{model.trackerTrouble(), model.tools(), model.usualVolume()};
+            },
+            KeptSound{besideSite(registration)}, ToolUse::Registration},
         tr("Tools that are &seen"));
     parts->addTab(m_devices, tr("Devices of this s&ite"));
     column->addWidget(parts);

@@ -15,7 +15,7 @@ ProgramTrackerPanel::ProgramTrackerPanel(const ProgramTracker& tracker, QWidget*
     : QWidget{parent}
 {
     auto* column = new QVBoxLayout{this};
-    auto* tools = new TrackerPanel{tracker.sight};
+    auto* tools = new TrackerPanel{tracker.sight, tracker.sound};
     if (tracker.treatment.choose)
         tools->offer(tracker.treatment);
     column->addWidget(tools, 1);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "models/station/tool_status.h"
+#include "models/tracker/kept_sound.h"
 #include "models/tracker/pose_recording.h"
 
 #include <QWidget>
@@ -20,6 +21,7 @@ struct ProgramTracker {
     PoseRecording* recording = nullptr; ///< of its poses; outlives the window
     bool canBeGiven = false;            ///< whether a person may connect another
     TreatmentChoice treatment{};        ///< of its poses
+    KeptSound sound{};                  ///< when a tool is lost
 };
 
 /// The tools of a program's tracker as they are seen now, and below them what a person may do with

@@ -20,7 +20,7 @@ namespace carina
 namespace
 {
 
-constexpr int kLooksUntilLost = 2;
+constexpr int kBetweenBeeps_ms = 250;
 constexpr double kOldest_s = 99.9; ///< that is told as a number
 
 enum ToolColumn {
@@ -63,12 +63,14 @@ QString troubleText(const std::optional<TrackerSight>& sight)
 
 } // namespace
 
-TrackerPanel::TrackerPanel(Sight sight, QWidget* parent)
+TrackerPanel::TrackerPanel(Sight sight, KeptSound sound, ToolUse use, QWidget* parent)
     : QWidget{parent},
       m_sight{std::move(sight)},
+      m_kept{std::move(sound)},
+      m_alarm{use},
       m_trouble{new PlainLabel},
       m_table{new QTableWidget{0, kToolColumns}},
-      m_sound{new QCheckBox{tr("S&ound when a tool is lost")}},
+      m_sound{new QCheckBox{tr("S&ound when a needed tool is lost or back")}},
       m_volume{new QComboBox},
       m_places{new VolumeView}
 {
@@ -103,6 +105,10 @@ TrackerPanel::TrackerPanel(Sight sight, QWidget* parent)
     m_table->setSelectionMode(QAbstractItemView::NoSelection);
     m_table->setTabKeyNavigation(false);
     m_sound->setObjectName(QStringLiteral("sound"));
+    m_sound->setToolTip(tr("Two beeps of this computer when a tool was lost for half a second to a "
+                           "second, one when it is back"));
+    m_sound->setChecked(m_kept.isOn());
+    connect(m_sound, &QCheckBox::toggled, this, [this](bool isOn) { m_kept.keep(isOn); });
     setFocusProxy(m_table);
     auto* column = new QVBoxLayout{this};
     column->addWidget(m_trouble);
@@ -221,18 +227,25 @@ void TrackerPanel::show(const std::vector<ToolStatus>& tools)
 
 void TrackerPanel::listen(const std::vector<ToolStatus>& tools)
 {
-    for (const ToolStatus& tool : tools) {
-        if (tool.isVisible) {
-            m_unseen[tool.name] = 0;
-            continue;
-        }
-        const auto known = m_unseen.find(tool.name);
-        if (known == m_unseen.end() || ++known->second != kLooksUntilLost)
-            continue;
-        if (m_sound->isChecked())
-            QApplication::beep();
-        Q_EMIT lost(tool.name);
-    }
+    const ToolAlarm::Change change = m_alarm.look(tools);
+    for (const QString& tool : change.lost)
+        Q_EMIT lost(tool);
+    for (const QString& tool : change.back)
+        Q_EMIT back(tool);
+    if (!m_kept.isOn())
+        return;
+    if (change.losesNeeded)
+        makeSound(kBeepsWhenLost);
+    else if (change.returnsNeeded)
+        makeSound(kBeepsWhenBack);
+}
+
+/// By the system's beep, which has one tone: the number of beeps tells what it is about.
+void TrackerPanel::makeSound(int beeps)
+{
+    for (int beep = 0; beep < beeps; ++beep)
+        QTimer::singleShot(beep * kBetweenBeeps_ms, this, [] { QApplication::beep(); });
+    Q_EMIT sounded(beeps);
 }
 
 } // namespace carina

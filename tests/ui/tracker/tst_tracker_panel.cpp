@@ -1,5 +1,6 @@
 #include "ui/tracker/tracker_panel.h"
 
+#include "tests/support/scratch_folder.h"
 #include "tests/support/test_class.h"
 
 #include <QCheckBox>
@@ -136,6 +137,60 @@ private Q_SLOTS:
         panel.look();
         panel.look();
         QCOMPARE(lost.size(), 2);
+    }
+
+    void soundsUnlessItIsSilencedAlsoAtTheNextStart()
+    {
+        const test::ScratchFolder folder;
+        TrackerSight sight{{}, {seen("Tube")}};
+        sight.tools[0].role = ToolRole::Tube;
+        const auto loseAndFind = [&sight](TrackerPanel& panel) {
+            sight.tools[0].isVisible = true;
+            panel.look();
+            sight.tools[0].isVisible = false;
+            panel.look();
+            panel.look();
+            sight.tools[0].isVisible = true;
+            panel.look();
+        };
+        const auto see = [&sight] { return std::optional{sight}; };
+        {
+            TrackerPanel panel{see, KeptSound{folder.path()}};
+            QSignalSpy sounded{&panel, &TrackerPanel::sounded};
+            auto* box = panel.findChild<QCheckBox*>(QStringLiteral("sound"));
+            QVERIFY(box->isChecked());
+            loseAndFind(panel);
+            QCOMPARE(sounded.size(), 2); // lost and back differ
+            QCOMPARE(sounded[0][0].toInt(), TrackerPanel::kBeepsWhenLost);
+            QCOMPARE(sounded[1][0].toInt(), TrackerPanel::kBeepsWhenBack);
+            QVERIFY(sounded[0][0] != sounded[1][0]);
+            box->click();
+            loseAndFind(panel);
+            QCOMPARE(sounded.size(), 2);
+        }
+        TrackerPanel next{see, KeptSound{folder.path()}};
+        const QSignalSpy sounded{&next, &TrackerPanel::sounded};
+        QVERIFY(!next.findChild<QCheckBox*>(QStringLiteral("sound"))->isChecked());
+        loseAndFind(next);
+        QVERIFY(sounded.isEmpty());
+    }
+
+    void soundsOfWhatIsNeededOnly()
+    {
+        TrackerSight sight{{}, {seen("Stylus")}};
+        sight.tools[0].role = ToolRole::Stylus;
+        const auto see = [&sight] { return std::optional{sight}; };
+        TrackerPanel session{see};
+        TrackerPanel wizard{see, KeptSound{}, ToolUse::Registration};
+        const QSignalSpy inSession{&session, &TrackerPanel::sounded};
+        const QSignalSpy inWizard{&wizard, &TrackerPanel::sounded};
+        sight.tools[0].isVisible = false;
+        for (int look = 0; look < 2; ++look) {
+            session.look();
+            wizard.look();
+        }
+        QVERIFY(inSession.isEmpty());
+        QCOMPARE(inWizard.size(), 1);
     }
 };
 

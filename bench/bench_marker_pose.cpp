@@ -1,7 +1,8 @@
 // How long it takes to compute the pose of a probe from four markers in known order, beside
 // Eigen::umeyama and, where it is installed, OpenCV's estimateAffine3D without scale; with the
 // check of each marker, which the peers lack; and with one marker elsewhere, and the order unknown.
-// Prints one JSON object.
+// Prints one JSON object, with the means of all calls and the medians of the repetitions; goal and
+// ratios are about the means.
 
 #include "bench/interleaved.h"
 #include "engine/tracking/markers/marker_search.h"
@@ -124,11 +125,15 @@ double difference(Mat4 (*peer)(const Sight&))
     return largest;
 }
 
-void printPeer(const char* name, const std::map<std::string, double>& times,
+void printPeer(const char* name, const std::map<std::string, carina::RepeatedTimes>& times,
                Mat4 (*peer)(const Sight&))
 {
-    std::printf("  \"%s\": {\"median_ns\": %.0f, \"ratio\": %.2f, \"difference\": %.1e},\n", name,
-                times.at(name), times.at("carina") / times.at(name), difference(peer));
+    const carina::RepeatedTimes& own = times.at("carina");
+    const carina::RepeatedTimes& theirs = times.at(name);
+    std::printf("  \"%s\": {\"mean_ns\": %.0f, \"median_ns\": %.0f, \"ratio\": %.2f, "
+                "\"median_ratio\": %.2f, \"difference\": %.1e},\n",
+                name, theirs.mean_ns, theirs.median_ns, own.mean_ns / theirs.mean_ns,
+                own.median_ns / theirs.median_ns, difference(peer));
 }
 
 } // namespace
@@ -143,15 +148,17 @@ int main()
 #ifdef CARINA_HAS_OPENCV
     all.insert({"opencv", measured<openCvs>});
 #endif
-    const auto times = carina::medianTimes_ns(all);
-    std::printf("{\n  \"schema\": \"carina.bench.marker_pose/1\",\n  \"repetitions\": %d,\n",
+    const auto times = carina::repeatedTimes(all);
+    std::printf("{\n  \"schema\": \"carina.bench.marker_pose/2\",\n  \"repetitions\": %d,\n",
                 carina::kRepetitions);
     printPeer("umeyama", times, eigens);
 #ifdef CARINA_HAS_OPENCV
     printPeer("opencv", times, openCvs);
 #endif
-    std::printf("  \"carina\": {\"median_us\": %.3f, \"outlier_median_us\": %.2f, "
-                "\"search_median_us\": %.2f}\n}\n",
-                1e-3 * times.at("carina"), 1e-3 * times.at("outlier"), 1e-3 * times.at("search"));
+    const carina::RepeatedTimes& own = times.at("carina");
+    std::printf("  \"carina\": {\"mean_us\": %.3f, \"median_us\": %.3f, \"outlier_mean_us\": %.2f, "
+                "\"search_mean_us\": %.2f}\n}\n",
+                1e-3 * own.mean_ns, 1e-3 * own.median_ns, 1e-3 * times.at("outlier").mean_ns,
+                1e-3 * times.at("search").mean_ns);
     return 0;
 }

@@ -1,6 +1,5 @@
 #include "bench/interleaved.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <vector>
@@ -19,22 +18,17 @@ public:
     {
         for (const Run& run : runs)
             if (run.run_type == Run::RT_Iteration && !run.error_occurred)
-                times_ns[run.run_name.function_name].push_back(run.GetAdjustedRealTime());
+                repetitions[run.run_name.function_name].push_back(
+                    {run.GetAdjustedRealTime(), double(run.iterations)});
     }
 
-    std::map<std::string, std::vector<double>> times_ns;
+    std::map<std::string, std::vector<Repetition>> repetitions;
 };
-
-double median(std::vector<double> values)
-{
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
 
 } // namespace
 
-std::map<std::string, double>
-medianTimes_ns(const std::map<std::string, void (*)(benchmark::State&)>& measured)
+std::map<std::string, RepeatedTimes>
+repeatedTimes(const std::map<std::string, void (*)(benchmark::State&)>& measured)
 {
     std::vector<std::string> words{"bench", "--benchmark_enable_random_interleaving=true",
                                    "--benchmark_repetitions=" + std::to_string(kRepetitions),
@@ -49,14 +43,23 @@ medianTimes_ns(const std::map<std::string, void (*)(benchmark::State&)>& measure
 
     Collector collector;
     benchmark::RunSpecifiedBenchmarks(&collector);
-    std::map<std::string, double> medians;
+    std::map<std::string, RepeatedTimes> times;
     for (const auto& [name, function] : measured) {
-        if (collector.times_ns[name].empty()) {
+        if (collector.repetitions[name].empty()) {
             std::fprintf(stderr, "%s was not measured.\n", name.c_str());
             std::exit(EXIT_FAILURE);
         }
-        medians[name] = median(collector.times_ns[name]);
+        times[name] = timesOf(collector.repetitions[name]);
     }
+    return times;
+}
+
+std::map<std::string, double>
+medianTimes_ns(const std::map<std::string, void (*)(benchmark::State&)>& measured)
+{
+    std::map<std::string, double> medians;
+    for (const auto& [name, times] : repeatedTimes(measured))
+        medians[name] = times.median_ns;
     return medians;
 }
 

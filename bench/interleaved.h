@@ -1,5 +1,7 @@
 #pragma once
 
+#include "bench/repeated_times.h"
+
 #include <benchmark/benchmark.h>
 
 #include <cstddef>
@@ -13,8 +15,11 @@ inline constexpr int kRepetitions = 15;
 
 /// Runs several benchmarks alternately, kRepetitions times each and in random order, so that a
 /// temporary load of the processor affects all of them.
-/// @returns the median time of one iteration of each, nanoseconds; ends the program if one was not
-///          measured.
+/// @returns how long one iteration of each took; ends the program if one was not measured.
+[[nodiscard]] std::map<std::string, RepeatedTimes>
+repeatedTimes(const std::map<std::string, void (*)(benchmark::State&)>& measured);
+
+/// The same, the medians alone, nanoseconds.
 [[nodiscard]] std::map<std::string, double>
 medianTimes_ns(const std::map<std::string, void (*)(benchmark::State&)>& measured);
 

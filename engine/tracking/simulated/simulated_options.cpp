@@ -3,16 +3,14 @@
 #include "engine/tracking/sequence_fields.h"
 #include "engine/tracking/tool_role.h"
 
-#include <cmath>
+#include <array>
+#include <charconv>
 
 namespace carina
 {
 namespace
 {
 
-constexpr double kSlowest_Hz = 1.0;
-constexpr double kFastest_Hz = 1000.0;
-constexpr double kMostDropouts = 90.0;
 constexpr double kPartlyHidden = 0.5;
 
 tl::unexpected<Error> noSuchOption(std::string_view option)
@@ -44,16 +42,16 @@ Occlusion hidden(ToolRole tool, double share)
             .every = kHiddenEvery};
 }
 
-bool take(std::string_view name, std::string_view value, SimulatedTrackerSettings& settings)
+bool take(std::string_view name, std::string_view value, SimulatedOptions& options)
 {
     if (name == "rate" || name == "dropouts") {
         const bool isRate = name == "rate";
-        const auto number = isRate ? numberWithin(value, kSlowest_Hz, kFastest_Hz)
-                                   : numberWithin(value, 0.0, kMostDropouts);
-        if (number && isRate)
-            settings.rate = hertz(*number);
-        else if (number)
-            settings.dropouts = *number / 100.0;
+        const auto number =
+            isRate
+                ? numberWithin(value, SimulatedOptions::kSlowest_Hz, SimulatedOptions::kFastest_Hz)
+                : numberWithin(value, 0.0, SimulatedOptions::kMostDropouts_percent);
+        if (number)
+            (isRate ? options.rate_Hz : options.dropouts_percent) = *number;
         return number.has_value();
     }
     if (name != "hidden" && name != "partly")
@@ -61,26 +59,69 @@ bool take(std::string_view name, std::string_view value, SimulatedTrackerSetting
     const auto tool = toolRoleOfWord(value);
     if (!tool || *tool == ToolRole::Other)
         return false;
-    settings.occlusions.push_back(hidden(*tool, name == "hidden" ? 1.0 : kPartlyHidden));
+    (name == "hidden" ? options.hidden : options.partly).push_back(*tool);
     return true;
+}
+
+SimulatedTrackerSettings simulatedSettings(const SimulatedOptions& options)
+{
+    SimulatedTrackerSettings settings;
+    settings.rate = hertz(options.rate_Hz);
+    settings.dropouts = options.dropouts_percent / 100.0;
+    for (const ToolRole tool : options.hidden)
+        settings.occlusions.push_back(hidden(tool, 1.0));
+    for (const ToolRole tool : options.partly)
+        settings.occlusions.push_back(hidden(tool, kPartlyHidden));
+    return settings;
+}
+
+/// As short as it can be read again exactly.
+std::string numberText(double number)
+{
+    std::array<char, 32> text{};
+    const auto written = std::to_chars(text.data(), text.data() + text.size(), number);
+    return {text.data(), written.ptr};
 }
 
 } // namespace
 
-Result<SimulatedTrackerSettings> readSimulatedOptions(std::string_view words)
+Result<SimulatedOptions> simulatedOptions(std::string_view words)
 {
-    SimulatedTrackerSettings settings;
+    SimulatedOptions options;
     for (;;) {
         const std::size_t comma = words.find(',');
         const std::string_view option = words.substr(0, comma);
         const std::size_t equals = option.find('=');
         if (equals == std::string_view::npos
-            || !take(option.substr(0, equals), option.substr(equals + 1), settings))
+            || !take(option.substr(0, equals), option.substr(equals + 1), options))
             return noSuchOption(option);
         if (comma == std::string_view::npos)
-            return settings;
+            return options;
         words.remove_prefix(comma + 1);
     }
+}
+
+std::string simulatedWords(const SimulatedOptions& options)
+{
+    const SimulatedOptions unsaid;
+    std::string words;
+    const auto say = [&words](const char* name, const std::string& value) {
+        words += (words.empty() ? "" : ",") + std::string{name} + '=' + value;
+    };
+    if (options.rate_Hz != unsaid.rate_Hz)
+        say("rate", numberText(options.rate_Hz));
+    for (const ToolRole tool : options.hidden)
+        say("hidden", toolRoleWord(tool));
+    for (const ToolRole tool : options.partly)
+        say("partly", toolRoleWord(tool));
+    if (options.dropouts_percent != unsaid.dropouts_percent)
+        say("dropouts", numberText(options.dropouts_percent));
+    return words;
+}
+
+Result<SimulatedTrackerSettings> readSimulatedOptions(std::string_view words)
+{
+    return simulatedOptions(words).map(&simulatedSettings);
 }
 
 } // namespace carina

@@ -88,6 +88,28 @@ private Q_SLOTS:
                  tracked.samplesOf(ToolRole::Head).size()); // the exposure is lost, not a tool
     }
 
+    void saysInWordsWhatItRead_data()
+    {
+        QTest::addColumn<std::string>("words");
+        for (const char* words : {"rate=30", "dropouts=2.5", "hidden=tube,hidden=jaw,partly=head",
+                                  "rate=12.5,hidden=tube,partly=jaw,dropouts=5"})
+            QTest::newRow(words) << std::string{words};
+    }
+
+    void saysInWordsWhatItRead()
+    {
+        QFETCH(const std::string, words);
+        const auto options = simulatedOptions(words);
+        QVERIFY(options);
+        QCOMPARE(simulatedWords(*options), words);
+    }
+
+    void saysNothingOfWhatIsAsUsual()
+    {
+        QCOMPARE(simulatedWords({}), std::string{});
+        QCOMPARE(simulatedWords(simulatedOptions("rate=60,dropouts=0").value()), std::string{});
+    }
+
     void refusesOthersAndSaysWhatThereIs_data()
     {
         QTest::addColumn<std::string>("words");

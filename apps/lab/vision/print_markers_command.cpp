@@ -2,8 +2,7 @@
 #include "apps/lab/commands.h"
 #include "apps/lab/vision/printed_pieces.h"
 #include "engine/io/files/whole_file.h"
-#include "engine/io/site/devices/camera_file.h"
-#include "engine/io/site/devices/tracker_file.h"
+#include "engine/io/site/devices/printed_tracker.h"
 
 #include <QJsonArray>
 
@@ -29,22 +28,12 @@ constexpr Key kMarkers{"markers", "their numbers; of the board none", 1};
 constexpr Key kSchema{"schema", "carina.print-markers/1"};
 } // namespace print_key
 
-/// A usual webcam: a view of 62 degrees, no distortion.
-CameraModel usualWebcam()
-{
-    return {.width = 1280, .height = 720, .focal = {1065.0, 1065.0}, .centre = {639.5, 359.5}};
-}
-
 /// A calibration that is there already is kept.
-Result<void> takeCalibration(const std::filesystem::path& file, TrackerDescription& described)
+Result<void> keepCalibration(TrackerDescription& described, const std::filesystem::path& file)
 {
     std::error_code ignored;
-    if (!std::filesystem::exists(file, ignored))
-        return {};
-    return readCameraFile(file).map([&](const CalibratedCamera& camera) {
-        described.camera = camera.model;
-        described.calibration = file.string();
-    });
+    return std::filesystem::exists(file, ignored) ? takeCalibration(described, file)
+                                                  : Result<void>{};
 }
 
 Result<QJsonObject> printMarkers(const Words& words)
@@ -56,21 +45,15 @@ Result<QJsonObject> printMarkers(const Words& words)
         return tl::unexpected(opened.error());
     std::vector<CutPiece> pieces;
     QJsonArray listed;
-    TrackerDescription described{.address = words.has(print_option::kCamera)
-                                                ? words.text(print_option::kCamera).toStdString()
-                                                : "/dev/video0",
-                                 .kind = TrackerKind::Camera,
-                                 .rate_hz = 30,
-                                 .camera = usualWebcam()};
+    TrackerDescription described = printedTracker(
+        words.has(print_option::kCamera) ? words.text(print_option::kCamera).toStdString()
+                                         : "/dev/video0");
     if (!described.address.starts_with("/dev/"))
         return words.refuse(QStringLiteral("takes a device such as /dev/video0 for --camera."));
-    if (const auto taken = takeCalibration(folder / "tracker-camera.json", described); !taken)
+    if (const auto taken = keepCalibration(described, folder / "tracker-camera.json"); !taken)
         return tl::unexpected(taken.error());
     for (const PrintedTool& tool : printedTools()) {
         pieces.push_back(pieceOf(tool));
-        described.tools.push_back({.name = tool.name,
-                                   .role = tool.role,
-                                   .body = MarkedBody{kPrintedDictionary, tool.body}});
         QJsonArray ids;
         for (const BodyMarker& marker : tool.body)
             ids.append(marker.id);

@@ -19,18 +19,27 @@ Result<std::optional<TrackerChoice>> askForTracker(const std::filesystem::path& 
                                                    const std::string& conversation, QWidget* parent,
                                                    const HoldTracker& hold)
 {
-    TrackerDialog dialog{formOfKept(kept), offeredAddresses(), parent};
+    TrackerForm begin = formOfKept(kept);
+    begin.conversation = QString::fromStdString(conversation);
+    TrackerDialog dialog{begin, offeredAddresses(), offeredWebcams(), parent};
+    dialog.offerToRecord();
     if (hold)
         QObject::connect(&dialog, &TrackerDialog::devicesWanted, &dialog, hold);
     if (dialog.exec() != QDialog::Accepted)
         return std::nullopt;
     TrackerChoice chosen = dialog.choice();
-    chosen.conversation = conversation;
-    if (dialog.form().source == TrackerSource::Polaris
-        || dialog.form().source == TrackerSource::OpenIgtLink)
-        if (const auto wrote = keepTracker(kept, std::get<TrackerDescription>(chosen.device));
-            !wrote)
-            return tl::unexpected(wrote.error());
+    if (!isToBeKept(dialog.form()))
+        return std::optional{std::move(chosen)};
+    const auto file = keepTracker(kept, std::get<TrackerDescription>(chosen.device));
+    if (!file)
+        return tl::unexpected(file.error());
+    if (dialog.form().source == TrackerSource::Webcam) {
+        // As it is read the next time, to the last digit: it is one tracker for the site then.
+        auto read = describedIn(*file);
+        if (!read)
+            return tl::unexpected(read.error());
+        chosen.device = std::move(read->device);
+    }
     return std::optional{std::move(chosen)};
 }
 

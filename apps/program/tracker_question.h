@@ -16,9 +16,10 @@ namespace carina::program
 using HoldTracker = std::function<void(bool holds)>;
 
 /// Asks a person for the tracker, beginning with the one of the last time.
-/// @param kept a Polaris or server that is chosen is described in this file, or in one like it
+/// @param kept a Polaris, server or webcam that is chosen is described in this file, or in one like
+/// it
 ///             where that is there (keepTracker)
-/// @param conversation of the choice (TrackerChoice)
+/// @param conversation what the window begins with for that of the choice (TrackerChoice)
 /// @param hold is told to let go of the present tracker's device while one is tried, which may be
 ///             the same (TrackerDialog::devicesWanted)
 /// @returns std::nullopt where the person cancelled; FileUnwritable for the file.

@@ -166,7 +166,7 @@ std::optional<std::string> DeviceTask::kept(const TrackerForm& form, const Track
     const std::filesystem::path chosen = form.description.trimmed().toStdString();
     std::string file = deviceFile(m_folder, chosen);
     const bool isBeside = form.source == TrackerSource::Description && pathWithin(m_folder, file);
-    if (!isBeside && described->kind == TrackerKind::Camera)
+    if (!isBeside && described->kind == TrackerKind::Camera && !isToBeKept(form))
         return refuse(
             DeviceWords::tr("The description of a camera has to lie beside the site or below: copy "
                             "it, with its calibration and its markers, to this folder: %1")

@@ -1,6 +1,7 @@
 #include "models/tracker/kept_trackers.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace carina
 {
@@ -8,6 +9,7 @@ namespace
 {
 
 constexpr int kMostKept = 100;
+constexpr double kSameNumber = 1e-9; ///< relative
 
 /// The underscore keeps them apart from tracker-2.json and tracker-2.rom, which belong to
 /// tracker.json.
@@ -32,9 +34,36 @@ bool isFree(const std::filesystem::path& file, const TrackerDescription& descrip
         return false;
     for (std::size_t tool = 1; tool <= description.tools.size(); ++tool)
         if (isThere(file.parent_path()
-                    / (file.stem().string() + '-' + std::to_string(tool) + ".rom")))
+                    / (file.stem().string() + '-' + std::to_string(tool)
+                       + (description.kind == TrackerKind::Camera ? ".json" : ".rom"))))
             return false;
-    return true;
+    return description.kind != TrackerKind::Camera
+           || !isThere(file.parent_path() / (file.stem().string() + "-camera.json"));
+}
+
+bool isNear(double a, double b) { return std::abs(a - b) <= kSameNumber * (1.0 + std::abs(a)); }
+
+/// Of a file that was written: its millimetres were rounded.
+bool isSameMarker(const BodyMarker& a, const BodyMarker& b)
+{
+    return a.id == b.id && isNear(a.side, b.side)
+           && a.X_BK.matrix().isApprox(b.X_BK.matrix(), kSameNumber);
+}
+
+bool isSameBody(const std::optional<MarkedBody>& a, const std::optional<MarkedBody>& b)
+{
+    if (!a || !b)
+        return a.has_value() == b.has_value();
+    return a->dictionary == b->dictionary
+           && std::ranges::equal(a->markers, b->markers, isSameMarker);
+}
+
+bool isSameCamera(const CameraModel& a, const CameraModel& b)
+{
+    return a.width == b.width && a.height == b.height && isNear(a.focal.x(), b.focal.x())
+           && isNear(a.focal.y(), b.focal.y()) && isNear(a.centre.x(), b.centre.x())
+           && isNear(a.centre.y(), b.centre.y())
+           && std::ranges::equal(a.distortion, b.distortion, isNear);
 }
 
 bool isSameTool(const DescribedTool& a, const DescribedTool& b)
@@ -42,7 +71,8 @@ bool isSameTool(const DescribedTool& a, const DescribedTool& b)
     const bool isDefined = a.definition.has_value();
     return a.name == b.name && a.role == b.role && a.device == b.device
            && isDefined == b.definition.has_value()
-           && (!isDefined || a.definition->bytes() == b.definition->bytes());
+           && (!isDefined || a.definition->bytes() == b.definition->bytes())
+           && isSameBody(a.body, b.body);
 }
 
 bool isSameTracker(const TrackerDescription& a, const TrackerDescription& b)
@@ -52,10 +82,19 @@ bool isSameTracker(const TrackerDescription& a, const TrackerDescription& b)
     const bool isAskedAlike = a.kind == TrackerKind::Ndi
                                   ? a.poses == b.poses && a.fastestRate == b.fastestRate
                                   : a.igtlPoses == b.igtlPoses && a.rate_hz == b.rate_hz;
-    return isAskedAlike && std::ranges::equal(a.tools, b.tools, isSameTool);
+    const bool seesAlike = a.kind != TrackerKind::Camera
+                           || (a.isLooped == b.isLooped && isSameCamera(a.camera, b.camera));
+    return isAskedAlike && seesAlike && std::ranges::equal(a.tools, b.tools, isSameTool);
 }
 
 } // namespace
+
+bool isToBeKept(const TrackerForm& form)
+{
+    return form.source == TrackerSource::Polaris || form.source == TrackerSource::OpenIgtLink
+           || (form.source == TrackerSource::Webcam
+               && webcamPlace(form.webcam).startsWith(QStringLiteral("/dev/")));
+}
 
 std::optional<std::filesystem::path> lastKeptTracker(const std::filesystem::path& kept)
 {
@@ -108,6 +147,8 @@ TrackerForm formOfKept(const std::filesystem::path& kept)
         form.poses = described->poses;
         form.fastestRate = described->fastestRate;
     }
+    if (described->kind == TrackerKind::Camera)
+        form.webcam = address;
     if (described->kind == TrackerKind::OpenIgtLink) {
         form.server = address;
         form.asked = described->igtlPoses;

@@ -7,7 +7,6 @@
 #include "engine/net/devices/any_recording.h"
 #include "engine/net/devices/described_tracker.h"
 #include "engine/tracking/several/tracker_set.h"
-#include "engine/tracking/simulated/simulated_options.h"
 
 #include <QCoreApplication>
 #include <QCryptographicHash>
@@ -162,6 +161,12 @@ Result<TrackerChoice> trackerNamed(const QString& words, const Progress& goesOn)
     if (words.startsWith(kLooped))
         return recordedTracker(words.mid(kLooped.size()).toStdString(), Playing::Looped, goesOn);
     return describedIn(words.toStdString());
+}
+
+QString simulatedName(const SimulatedOptions& options)
+{
+    const QString words = QString::fromStdString(simulatedWords(options));
+    return words.isEmpty() ? kSimulated : kSimulatedWith + words;
 }
 
 Result<TrackerChoice> describedIn(const std::filesystem::path& file)

@@ -3,7 +3,7 @@
 #include "engine/core/progress.h"
 #include "engine/io/site/devices/site_devices.h"
 #include "engine/tracking/record/recorded_tracker.h"
-#include "engine/tracking/simulated/simulated_tracker.h"
+#include "engine/tracking/simulated/simulated_options.h"
 #include "models/tracker/known_volume.h"
 
 #include <QByteArray>
@@ -54,6 +54,9 @@ struct TrackerChoice {
 /// A recording takes long.
 /// @returns the errors of reading that file and of readSimulatedOptions; Cancelled.
 [[nodiscard]] Result<TrackerChoice> trackerNamed(const QString& words, const Progress& goesOn = {});
+
+/// The words that name the simulated tracker with these options.
+[[nodiscard]] QString simulatedName(const SimulatedOptions& options);
 
 /// What a file describes (readAnyDescription).
 /// @returns the errors of reading it.

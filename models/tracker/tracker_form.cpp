@@ -1,11 +1,14 @@
 #include "models/tracker/tracker_form.h"
 
+#include "engine/io/site/devices/printed_tracker.h"
 #include "engine/net/devices/device_port.h"
 #include "engine/net/devices/serial_ports.h"
 #include "engine/tracking/tool_role.h"
 #include "models/station/tool_status.h"
 
 #include <QCoreApplication>
+#include <QDir>
+#include <QFile>
 
 #include <algorithm>
 #include <array>
@@ -75,11 +78,15 @@ public:
             return missingOfServer(form);
         case TrackerSource::Recording:
             return missingFile(form.recording,
-                               tr("Choose the file of a recording (.csv, .igs.mha or another)."));
+                               tr("Choose the file of a recording: of poses (.csv, .igs.mha, "
+                                  ".tum), or of the bytes of a device (.log)."));
         case TrackerSource::Description:
             return missingFile(form.description,
                                tr("Choose the file that describes a tracker (.json), "
                                   "or a device set of PLUS (.xml)."));
+        case TrackerSource::Webcam:
+            return missingFile(form.webcam, tr("Choose a webcam, type its number, or choose a "
+                                               "video of the printed tools."));
         }
         return std::nullopt;
     }
@@ -90,6 +97,18 @@ public:
         return (role.isEmpty() ? tr("Tool %1").arg(place + 1) : role).toStdString();
     }
 };
+
+const QString kDevices = QStringLiteral("/dev");
+
+Result<TrackerDescription> describedWebcam(const TrackerForm& form)
+{
+    TrackerDescription described = printedTracker(webcamPlace(form.webcam).toStdString());
+    const QString calibration = form.calibration.trimmed();
+    if (!calibration.isEmpty())
+        if (const auto taken = takeCalibration(described, calibration.toStdString()); !taken)
+            return tl::unexpected(taken.error());
+    return described;
+}
 
 Result<TrackerDescription> describedBy(const TrackerForm& form)
 {
@@ -111,6 +130,30 @@ Result<TrackerDescription> describedBy(const TrackerForm& form)
     return described;
 }
 
+/// @param goesOn of choiceOf
+Result<TrackerChoice> deviceOf(const TrackerForm& form, const Progress& goesOn)
+{
+    const auto asChoice = [](TrackerDescription described) {
+        return TrackerChoice{std::move(described)};
+    };
+    switch (form.source) {
+    case TrackerSource::Simulated:
+        break;
+    case TrackerSource::Polaris:
+        return describedBy(form).map(asChoice);
+    case TrackerSource::OpenIgtLink:
+        return TrackerChoice{describedServer(form)};
+    case TrackerSource::Recording:
+        return recordedTracker(form.recording.trimmed().toStdString(),
+                               form.isLooped ? Playing::Looped : Playing::Once, goesOn);
+    case TrackerSource::Description:
+        return describedIn(form.description.trimmed().toStdString());
+    case TrackerSource::Webcam:
+        return describedWebcam(form).map(asChoice);
+    }
+    return trackerNamed(simulatedName(form.simulated)); // as the option of a start
+}
+
 } // namespace
 
 std::vector<OfferedAddress> offeredAddresses()
@@ -126,6 +169,38 @@ std::vector<OfferedAddress> offeredAddresses()
     return offered;
 }
 
+/// As the kernel names them.
+std::vector<OfferedAddress> offeredWebcams()
+{
+    std::vector<OfferedAddress> offered;
+    const QDir devices{kDevices};
+    for (const QString& name :
+         devices.entryList({QStringLiteral("video*")}, QDir::System, QDir::LocaleAware)) {
+        QFile told{QStringLiteral("/sys/class/video4linux/%1/name").arg(name)};
+        const QString known = told.open(QIODevice::ReadOnly)
+                                  ? QString::fromUtf8(told.readAll()).trimmed()
+                                  : QString{};
+        const QString address = devices.filePath(name);
+        offered.push_back(
+            {address, known.isEmpty() ? address : QStringLiteral("%1 (%2)").arg(address, known)});
+    }
+    return offered;
+}
+
+QString webcamPlace(const QString& text)
+{
+    const QString place = text.trimmed();
+    bool isNumber = false;
+    const uint number = place.toUInt(&isNumber);
+    return isNumber ? QDir{kDevices}.filePath(QStringLiteral("video%1").arg(number)) : place;
+}
+
+bool canHaveConversation(TrackerSource source)
+{
+    return source == TrackerSource::Polaris || source == TrackerSource::OpenIgtLink
+           || source == TrackerSource::Description;
+}
+
 std::span<const int> offeredRates() { return usualSerialRates(); }
 
 std::span<const ToolRole> offeredRoles()
@@ -134,6 +209,12 @@ std::span<const ToolRole> offeredRoles()
                                          ToolRole::Laryngoscope, ToolRole::Head,  ToolRole::Hand,
                                          ToolRole::Manikin,      ToolRole::Chest, ToolRole::Other};
     return kOffered;
+}
+
+std::span<const ToolRole> simulatedRoles()
+{
+    const auto all = offeredRoles();
+    return all.first(all.size() - 1); // without Other
 }
 
 ToolRole freeRoleOf(const QString& device, const std::vector<ServedTool>& taken)
@@ -172,23 +253,11 @@ std::optional<QString> whatIsMissing(const TrackerForm& form)
 
 Result<TrackerChoice> choiceOf(const TrackerForm& form, const Progress& goesOn)
 {
-    const auto asChoice = [](TrackerDescription described) {
-        return TrackerChoice{std::move(described)};
-    };
-    switch (form.source) {
-    case TrackerSource::Simulated:
-        break;
-    case TrackerSource::Polaris:
-        return describedBy(form).map(asChoice);
-    case TrackerSource::OpenIgtLink:
-        return TrackerChoice{describedServer(form)};
-    case TrackerSource::Recording:
-        return recordedTracker(form.recording.trimmed().toStdString(),
-                               form.isLooped ? Playing::Looped : Playing::Once, goesOn);
-    case TrackerSource::Description:
-        return describedIn(form.description.trimmed().toStdString());
-    }
-    return TrackerChoice{SimulatedDevice{}};
+    return deviceOf(form, goesOn).map([&](TrackerChoice choice) {
+        if (canHaveConversation(form.source) && hasConversation(choice))
+            choice.conversation = form.conversation.trimmed().toStdString();
+        return choice;
+    });
 }
 
 } // namespace carina

@@ -18,6 +18,7 @@ enum class TrackerSource : std::uint8_t {
     Recording,
     Description,
     OpenIgtLink,
+    Webcam, ///< before the tools that are printed; no file describes it
 };
 
 /// A tool of a Polaris, as a person names it.
@@ -43,12 +44,16 @@ struct TrackerForm {
     std::vector<FormTool> tools{{}};
     NdiPoseReply poses = NdiPoseReply::Bx; ///< how a Polaris is asked for them
     int fastestRate = 921600;              ///< of its serial port, bits a second
-    QString recording{};                   ///< a file
+    QString recording{};                   ///< a file, of poses or of the bytes of a device
     bool isLooped = false;                 ///< whether it is played again and again
     QString description{};                 ///< a file
     QString server{};                      ///< of OpenIGTLink: host and port
     IgtlPoses asked = IgtlPoses::Transform;
     std::vector<ServedTool> served{};
+    SimulatedOptions simulated{};
+    QString webcam{};       ///< its number or device, or a video or folder of pictures
+    QString calibration{};  ///< of the webcam, a file; empty: it is taken for a usual one
+    QString conversation{}; ///< the file for the bytes of the device; empty: they are not recorded
 
     friend bool operator==(const TrackerForm&, const TrackerForm&) = default;
 };
@@ -62,11 +67,24 @@ struct OfferedAddress {
 /// The serial ports of this computer.
 [[nodiscard]] std::vector<OfferedAddress> offeredAddresses();
 
+/// The webcams of this computer.
+[[nodiscard]] std::vector<OfferedAddress> offeredWebcams();
+
+/// The device of a webcam that a person names by its number, "0", or as it is, "/dev/video0"; of
+/// anything else, such as a video, the text without blanks around it.
+[[nodiscard]] QString webcamPlace(const QString& text);
+
+/// Whether the bytes of a tracker of this source can be recorded.
+[[nodiscard]] bool canHaveConversation(TrackerSource source);
+
 /// The rates of a serial port that are offered as the fastest, in bits a second, best first.
 [[nodiscard]] std::span<const int> offeredRates();
 
 /// The roles of a tool, in the order in which they are offered.
 [[nodiscard]] std::span<const ToolRole> offeredRoles();
+
+/// The roles of tools that the simulated tracker can hide.
+[[nodiscard]] std::span<const ToolRole> simulatedRoles();
 
 /// The role for a tool that a server sends: the one that its name tells, with or without
 /// "ToTracker", else Other; Other also where a tool has this role already.

@@ -113,7 +113,8 @@ void DevicesBox::refreshButtons()
 
 void DevicesBox::ask(std::optional<std::size_t> replaced)
 {
-    auto* dialog = new TrackerDialog{m_task.offeredForm(), offeredAddresses(), this};
+    auto* dialog =
+        new TrackerDialog{m_task.offeredForm(), offeredAddresses(), offeredWebcams(), this};
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog, replaced] {
         if (const auto file = m_task.kept(dialog->form(), dialog->choice()))

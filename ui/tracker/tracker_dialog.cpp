@@ -3,7 +3,9 @@
 #include "models/errors/error_text.h"
 #include "ui/tracker/calibration_dialog.h"
 #include "ui/tracker/server_fields.h"
+#include "ui/tracker/simulated_fields.h"
 #include "ui/tracker/tracker_tools.h"
+#include "ui/tracker/webcam_fields.h"
 #include "widgets/dialog_buttons.h"
 #include "widgets/plain_label.h"
 
@@ -50,20 +52,24 @@ QLineEdit* namedEdit(const char* name, const QString& label)
 } // namespace
 
 TrackerDialog::TrackerDialog(const TrackerForm& begin, const std::vector<OfferedAddress>& offered,
-                             QWidget* parent)
+                             const std::vector<OfferedAddress>& webcams, QWidget* parent)
     : QDialog{parent},
       m_sources{new QButtonGroup{this}},
+      m_simulated{new SimulatedFields},
       m_address{new QComboBox},
       m_poses{new QComboBox},
       m_rate{new QComboBox},
       m_tools{new TrackerTools},
       m_server{new ServerFields},
+      m_webcam{new WebcamFields{webcams}},
       m_try{new QPushButton{tr("&Look whether it answers")}},
       m_found{wrappingLabel("found")},
       m_recording{namedEdit("recording", tr("File of the recording"))},
       m_isLooped{new QCheckBox{tr("Play it &again and again")}},
       m_description{namedEdit("description", tr("File that describes the tracker"))},
       m_calibrate{new QPushButton{tr("Cali&brate its camera…")}},
+      m_conversation{namedEdit("conversation", tr("File for the bytes of the device"))},
+      m_recordRow{new QWidget},
       m_missing{wrappingLabel("missing")},
       m_use{new QPushButton{tr("&Use this tracker")}}
 {
@@ -72,16 +78,20 @@ TrackerDialog::TrackerDialog(const TrackerForm& begin, const std::vector<Offered
     setMinimumWidth(kWidth);
     layOut();
     addSource(TrackerSource::Simulated,
-              tr("&Simulated tracker and manikin, to try the program without hardware"), nullptr);
+              tr("&Simulated tracker and manikin, to try the program without hardware"),
+              m_simulated);
     addSource(TrackerSource::Polaris, tr("&Polaris or another tracker of NDI"),
               polarisFields(offered));
     addSource(TrackerSource::OpenIgtLink, tr("A server of Open&IGTLink, such as PLUS"), m_server);
-    addSource(TrackerSource::Recording, tr("A &recording"),
+    addSource(TrackerSource::Webcam, tr("A webcam that sees t&he printed tools"), m_webcam);
+    addSource(TrackerSource::Recording, tr("A &recording, of poses or of the bytes of a device"),
               fileFields(*m_recording, tr("Recording"),
-                         tr("Recordings (*.mha *.csv *.tum *.log *.txt);;All files (*)"),
+                         tr("Recordings (*.mha *.csv *.tum *.log *.txt);;Poses (*.mha *.csv "
+                            "*.tum *.txt);;Bytes of a device (*.log *.txt);;All files (*)"),
                          m_isLooped));
     addSource(TrackerSource::Description, tr("A tracker that a &file describes, also one of PLUS"),
               descriptionFields());
+    addRecordRow();
     fill(begin);
     connectFields();
     refresh();
@@ -193,8 +203,46 @@ QWidget* TrackerDialog::descriptionFields()
     return fields;
 }
 
+/// Below the sources, as several have it.
+void TrackerDialog::addRecordRow()
+{
+    auto* browse = new QPushButton{tr("Browse…")};
+    browse->setAccessibleName(tr("Browse: file for the bytes of the device"));
+    browse->setAutoDefault(false);
+    connect(browse, &QPushButton::clicked, this, &TrackerDialog::chooseConversation);
+    auto* label = new PlainLabel{tr("Record its b&ytes into")};
+    label->setBuddy(m_conversation);
+    m_conversation->setPlaceholderText(tr("nothing"));
+    m_recordRow->setContentsMargins(kIndent, 0, 0, 0);
+    auto* row = new QHBoxLayout{m_recordRow};
+    row->addWidget(label);
+    row->addWidget(m_conversation, 1);
+    row->addWidget(browse);
+    auto* column = qobject_cast<QVBoxLayout*>(layout());
+    column->insertWidget(column->count() - 3, m_recordRow); // stretch, what is missing, buttons
+}
+
+void TrackerDialog::chooseConversation()
+{
+    const QString file = QFileDialog::getSaveFileName(
+        this, tr("Record the bytes to and from the device"),
+        m_conversation->text().isEmpty() ? QStringLiteral("device.log") : m_conversation->text(),
+        tr("Bytes of a device (*.log)"), nullptr, QFileDialog::DontConfirmOverwrite);
+    if (!file.isEmpty())
+        m_conversation->setText(file);
+}
+
+void TrackerDialog::offerToRecord()
+{
+    m_offersToRecord = true;
+    refresh();
+}
+
 void TrackerDialog::fill(const TrackerForm& form)
 {
+    m_simulated->fill(form);
+    m_webcam->fill(form);
+    m_conversation->setText(form.conversation);
     m_sources->button(int(form.source))->setChecked(true);
     if (!form.address.isEmpty())
         m_address->setEditText(form.address);
@@ -217,6 +265,10 @@ void TrackerDialog::connectFields()
         connect(choice, &QComboBox::currentIndexChanged, this, &TrackerDialog::edited);
     connect(m_tools, &TrackerTools::changed, this, &TrackerDialog::edited);
     connect(m_server, &ServerFields::changed, this, &TrackerDialog::edited);
+    connect(m_simulated, &SimulatedFields::changed, this, &TrackerDialog::edited);
+    connect(m_webcam, &WebcamFields::changed, this, &TrackerDialog::edited);
+    connect(m_webcam, &WebcamFields::calibrationWanted, this, &TrackerDialog::calibrate);
+    connect(m_conversation, &QLineEdit::textChanged, this, &TrackerDialog::edited);
     connect(m_recording, &QLineEdit::textChanged, this, &TrackerDialog::edited);
     connect(m_description, &QLineEdit::textChanged, this, &TrackerDialog::edited);
     connect(m_try, &QPushButton::clicked, this, &TrackerDialog::tryIt);
@@ -237,8 +289,11 @@ TrackerForm TrackerDialog::form() const
                      .fastestRate = m_rate->currentData().toInt(),
                      .recording = m_recording->text(),
                      .isLooped = m_isLooped->isChecked(),
-                     .description = m_description->text()};
+                     .description = m_description->text(),
+                     .conversation = m_conversation->text()};
     m_server->read(form);
+    m_simulated->read(form);
+    m_webcam->read(form);
     return form;
 }
 
@@ -273,14 +328,23 @@ void TrackerDialog::calibrate()
     const auto chosen = choiceOf(form());
     if (!chosen)
         return m_missing->setText(errorText(chosen.error()));
-    const auto camera = cameraOf(*chosen);
+    auto camera = cameraOf(*chosen);
     if (!camera)
         return m_missing->setText(tr("This file describes a tracker that is no camera."));
+    const bool isDescribed = form().source == TrackerSource::Description;
+    if (!isDescribed && camera->file.isEmpty())
+        camera->file = QFileDialog::getSaveFileName(
+            this, tr("Where is the calibration to be written?"), QStringLiteral("camera.json"),
+            tr("Calibrations (*.json)"));
+    if (camera->file.isEmpty())
+        return;
     want(true);
     const bool isCalibrated = CalibrationDialog{*camera, this}.exec() == QDialog::Accepted;
     want(false);
     if (!isCalibrated)
         return;
+    if (!isDescribed)
+        return m_webcam->setCalibration(camera->file);
     const auto named =
         nameCalibration(form().description.trimmed().toStdString(), camera->file.toStdString());
     if (!named)
@@ -289,6 +353,7 @@ void TrackerDialog::calibrate()
 
 void TrackerDialog::accept()
 {
+    m_simulated->enterTyped();
     if (whatIsMissing(form()) || m_reading.isUnderWay())
         return;
     m_trial.end();
@@ -327,6 +392,8 @@ void TrackerDialog::refresh()
     m_use->setEnabled(!missing && !isReading);
     m_try->setEnabled(!missing);
     m_calibrate->setEnabled(!missing);
+    m_webcam->setCanCalibrate(!missing);
+    m_recordRow->setVisible(m_offersToRecord && canHaveConversation(form().source));
     m_found->setText(m_trial.text());
     for (std::size_t source = 0; source < m_details.size(); ++source)
         if (m_details[source] != nullptr)

@@ -19,20 +19,28 @@ namespace carina
 {
 
 class ServerFields;
+class SimulatedFields;
 class TrackerTools;
+class WebcamFields;
 
-/// Asks a person which tracker to use: the simulated one, a Polaris at a serial port or on the
-/// network, a server of OpenIGTLink, a recording, or what a file describes. A Polaris can be tried
-/// before; what answered is told, or that nothing does. Use is enabled once nothing is missing,
-/// also for a Polaris that does not answer yet: it is tried again by itself.
+/// Asks a person which tracker to use: the simulated one with what it has to cope with, a Polaris
+/// at a serial port or on the network, a server of OpenIGTLink, a webcam before the printed tools,
+/// a recording of poses or of the bytes of a device, or what a file describes. A Polaris can be
+/// tried before; what answered is told, or that nothing does. Use is enabled once nothing is
+/// missing, also for a Polaris that does not answer yet: it is tried again by itself.
 class TrackerDialog : public QDialog
 {
     Q_OBJECT
 
 public:
     /// @param begin shown first
+    /// @param offered serial ports
+    /// @param webcams of this computer
     TrackerDialog(const TrackerForm& begin, const std::vector<OfferedAddress>& offered,
-                  QWidget* parent = nullptr);
+                  const std::vector<OfferedAddress>& webcams = {}, QWidget* parent = nullptr);
+
+    /// Offers to record the bytes of a device, too.
+    void offerToRecord();
 
     [[nodiscard]] TrackerForm form() const;
     /// What was chosen. @pre the dialog was accepted.
@@ -54,6 +62,8 @@ private:
     [[nodiscard]] QWidget* polarisFields(const std::vector<OfferedAddress>& offered);
     [[nodiscard]] QWidget* fileFields(QLineEdit& file, const QString& title, const QString& kinds,
                                       QCheckBox* choice = nullptr);
+    void addRecordRow();
+    void chooseConversation();
     void offerPoses();
     void layOut();
     void connectFields();
@@ -68,18 +78,23 @@ private:
     TrackerTrial m_trial;
     std::optional<TrackerChoice> m_choice;
     QButtonGroup* m_sources;
-    std::array<QWidget*, 5> m_details{}; ///< of each source; null where it has none
+    std::array<QWidget*, 6> m_details{}; ///< of each source; null where it has none
+    SimulatedFields* m_simulated;
     QComboBox* m_address;
     QComboBox* m_poses;
     QComboBox* m_rate;
     TrackerTools* m_tools;
     ServerFields* m_server;
+    WebcamFields* m_webcam;
     QPushButton* m_try;
     QLabel* m_found;
     QLineEdit* m_recording;
     QCheckBox* m_isLooped;
     QLineEdit* m_description;
     QPushButton* m_calibrate;
+    QLineEdit* m_conversation;
+    QWidget* m_recordRow;
+    bool m_offersToRecord = false;
     QLabel* m_missing;
     QPushButton* m_use;
     bool m_wants = false;                        ///< a device

@@ -252,6 +252,18 @@ private Q_SLOTS:
                  qPrintable(workshop.editor.problem()));
     }
 
+    void describesAWebcamBesideTheSite()
+    {
+        Workshop workshop;
+        DeviceTask task{workshop.editor, workshop.path("site.json"), workshop.access()};
+        const TrackerForm form{.source = TrackerSource::Webcam, .webcam = QStringLiteral("0")};
+        QCOMPARE(task.kept(form, choiceOf(form).value()),
+                 std::optional{std::string{"tracker.json"}});
+        const auto written = readTrackerFile(workshop.path("tracker.json"));
+        QVERIFY2(written, written ? "" : written.error().detail.c_str());
+        QCOMPARE(written->address, std::string{"/dev/video0"});
+    }
+
     /// A program that tracks with the site's devices has to do so anew once they are others.
     void tellsThatTheTrackerIsOutdated()
     {

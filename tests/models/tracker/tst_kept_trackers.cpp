@@ -112,6 +112,31 @@ private Q_SLOTS:
         QCOMPARE(form.fastestRate, 57600);
     }
 
+    /// The registration of a site rests on the description as it is read.
+    void keepsAWebcamOnce()
+    {
+        const SiteFolder folder;
+        TrackerForm form{.source = TrackerSource::Webcam, .webcam = QStringLiteral("1")};
+        QVERIFY(isToBeKept(form));
+        const auto webcam = std::get<TrackerDescription>(choiceOf(form).value().device);
+        folder.write("tracker-camera.json", "of somebody");
+        QCOMPARE(folder.keep(webcam), std::string{"tracker_2.json"});
+        QCOMPARE(folder.keep(webcam), std::string{"tracker_2.json"}); // though it was rounded
+        QCOMPARE(folder.bytes("tracker-camera.json"), QByteArray{"of somebody"});
+        auto calibrated = webcam;
+        calibrated.camera.focal.x() += 1.0;
+        QCOMPARE(folder.keep(calibrated), std::string{"tracker_3.json"});
+        auto moved = webcam;
+        moved.tools[0].body->markers[0].side += 1e-4;
+        QCOMPARE(folder.keep(moved), std::string{"tracker_4.json"});
+        const auto kept = readTrackerFile(folder.path("tracker_2.json"));
+        QVERIFY2(kept, kept ? "" : kept.error().detail.c_str());
+        QCOMPARE(kept->tools.size(), webcam.tools.size());
+        QCOMPARE(formOfKept(folder.path("tracker.json")).webcam, QStringLiteral("/dev/video1"));
+        form.webcam = QStringLiteral("/media/tools.mp4"); // a description cannot name it
+        QVERIFY(!isToBeKept(form));
+    }
+
     void beginsWithTheToolsOfAServer()
     {
         const SiteFolder folder;

@@ -1,10 +1,12 @@
 #include "models/tracker/tracker_form.h"
 
+#include "engine/io/site/devices/camera_file.h"
 #include "tests/support/test_class.h"
 
 #include <QTemporaryDir>
 
 #include <fstream>
+#include <set>
 
 namespace carina::tracker_form_test
 {
@@ -57,6 +59,8 @@ private Q_SLOTS:
         row("two of no role", form, "");
         row("no recording", {.source = TrackerSource::Recording}, ".igs.mha");
         row("no description", {.source = TrackerSource::Description}, ".json");
+        row("no webcam", {.source = TrackerSource::Webcam}, "webcam");
+        row("a webcam", {.source = TrackerSource::Webcam, .webcam = QStringLiteral("0")}, "");
     }
 
     void saysWhatIsMissing()
@@ -164,6 +168,84 @@ private Q_SLOTS:
         QCOMPARE(playing(choiceOf(form)), Playing::Once);
         form.isLooped = true;
         QCOMPARE(playing(choiceOf(form)), Playing::Looped);
+    }
+
+    /// One reader for the window and the option of a start.
+    void simulatesWhatTheOptionWould()
+    {
+        const SimulatedOptions options{.rate_Hz = 30.0,
+                                       .dropouts_percent = 5.0,
+                                       .hidden = {ToolRole::Tube},
+                                       .partly = {ToolRole::Head}};
+        QCOMPARE(simulatedName(options),
+                 QStringLiteral("simulated:rate=30,hidden=tube,partly=head,dropouts=5"));
+        QCOMPARE(simulatedName({}), QStringLiteral("simulated"));
+        const auto choice = choiceOf({.simulated = options});
+        QVERIFY2(choice, choice ? "" : choice.error().detail.c_str());
+        const auto& settings = std::get<SimulatedDevice>(choice->device).settings;
+        QCOMPARE(settings.rate, hertz(30.0));
+        QCOMPARE(settings.dropouts, 0.05);
+        QCOMPARE(settings.occlusions.size(), std::size_t{2});
+        QCOMPARE(settings.occlusions[0].tool, ToolRole::Tube);
+        QCOMPARE(settings.occlusions[0].share, 1.0);
+        QCOMPARE(settings.occlusions[1].tool, ToolRole::Head);
+        QVERIFY(settings.occlusions[1].share < 1.0);
+        const auto wrong = choiceOf({.simulated = {.rate_Hz = 5000.0}});
+        QVERIFY(!wrong);
+        QCOMPARE(wrong.error().code, Errc::WrongOption);
+    }
+
+    void tracksThePrintedToolsWithAWebcamThatNoFileDescribes()
+    {
+        const auto choice =
+            choiceOf({.source = TrackerSource::Webcam, .webcam = QStringLiteral(" 2 ")});
+        QVERIFY2(choice, choice ? "" : choice.error().detail.c_str());
+        const auto& described = std::get<TrackerDescription>(choice->device);
+        QCOMPARE(described.kind, TrackerKind::Camera);
+        QCOMPARE(described.address, std::string{"/dev/video2"});
+        QVERIFY(isUsable(described.camera));
+        QVERIFY(described.calibration.empty());
+        std::set<ToolRole> roles;
+        std::set<int> markers;
+        for (const DescribedTool& tool : described.tools) {
+            QVERIFY(tool.body.has_value() && roles.insert(tool.role).second);
+            for (const BodyMarker& marker : tool.body->markers)
+                QVERIFY(markers.insert(marker.id).second);
+        }
+        QVERIFY(roles.contains(ToolRole::Stylus) && roles.contains(ToolRole::Tube));
+    }
+
+    void takesTheCalibrationOfAWebcam()
+    {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("camera.json"));
+        const CameraModel mine{
+            .width = 640, .height = 480, .focal = {700.0, 701.0}, .centre = {320.0, 240.0}};
+        QVERIFY(writeCameraFile(file.toStdString(), {.model = mine}));
+        TrackerForm form{.source = TrackerSource::Webcam,
+                         .webcam = QStringLiteral("/tmp/tools.mp4"),
+                         .calibration = file};
+        const auto choice = choiceOf(form);
+        QVERIFY2(choice, choice ? "" : choice.error().detail.c_str());
+        const auto& described = std::get<TrackerDescription>(choice->device);
+        QCOMPARE(described.address, std::string{"/tmp/tools.mp4"});
+        QCOMPARE(described.camera.width, 640);
+        QCOMPARE(described.camera.focal.y(), 701.0);
+        QCOMPARE(described.calibration, file.toStdString());
+        form.calibration = folder.filePath(QStringLiteral("none.json"));
+        QCOMPARE(choiceOf(form).error().code, Errc::FileNotFound);
+    }
+
+    void recordsTheBytesOfADeviceOnly()
+    {
+        TrackerForm form = polaris();
+        form.conversation = QStringLiteral(" bytes.log ");
+        QCOMPARE(choiceOf(form)->conversation, std::string{"bytes.log"});
+        form.source = TrackerSource::Simulated;
+        QCOMPARE(choiceOf(form)->conversation, std::string{});
+        form.source = TrackerSource::Webcam;
+        form.webcam = QStringLiteral("0");
+        QCOMPARE(choiceOf(form)->conversation, std::string{});
     }
 
     void takesTheWordsOfTheOption()

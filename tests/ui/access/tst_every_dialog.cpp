@@ -122,6 +122,7 @@ private Q_SLOTS:
         QTest::newRow("simulated") << TrackerSource::Simulated;
         QTest::newRow("Polaris") << TrackerSource::Polaris;
         QTest::newRow("OpenIGTLink") << TrackerSource::OpenIgtLink;
+        QTest::newRow("webcam") << TrackerSource::Webcam;
         QTest::newRow("recording") << TrackerSource::Recording;
         QTest::newRow("description") << TrackerSource::Description;
     }
@@ -135,6 +136,7 @@ private Q_SLOTS:
         const std::vector<OfferedAddress> offered{
             OfferedAddress{QStringLiteral("/dev/ttyUSB0"), QStringLiteral("FT232R")}};
         TrackerDialog dialog{form, offered};
+        dialog.offerToRecord();
         dialog.show();
         verifyControls(dialog);
     }

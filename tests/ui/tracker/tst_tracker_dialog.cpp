@@ -1,11 +1,13 @@
 #include "ui/tracker/tracker_dialog.h"
 
+#include "engine/core/monotonic_clock.h"
 #include "tests/evaluation/polaris/served_device.h"
 #include "tests/support/test_class.h"
 #include "ui/tracker/tracker_tools.h"
 
 #include <QAbstractButton>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
@@ -104,6 +106,100 @@ private Q_SLOTS:
         QTRY_COMPARE(dialog.result(), int(QDialog::Accepted));
         const auto& played = std::get<PlayedRecording>(dialog.choice().device);
         QCOMPARE(played.sequence.tools.at(0).samples.size(), std::size_t{2});
+    }
+
+    void choosesWhatTheSimulatedTrackerHasToCopeWith()
+    {
+        TrackerDialog dialog{{.simulated = {.hidden = {ToolRole::Jaw}}}, {}};
+        dialog.show();
+        auto& rate = find<QDoubleSpinBox>(dialog, "simulatedRate");
+        QVERIFY(rate.isVisible());
+        rate.setValue(30.0);
+        find<QDoubleSpinBox>(dialog, "simulatedDropouts").setValue(5.0);
+        auto& tube =
+            *dialog.findChild<QComboBox*>(QStringLiteral("sight%1").arg(int(ToolRole::Tube)));
+        tube.setCurrentIndex(2); // half of its markers
+        QCOMPARE(dialog.form().simulated, (SimulatedOptions{.rate_Hz = 30.0,
+                                                            .dropouts_percent = 5.0,
+                                                            .hidden = {ToolRole::Jaw},
+                                                            .partly = {ToolRole::Tube}}));
+        QVERIFY(find<QLabel>(dialog, "simulatedWords")
+                    .text()
+                    .endsWith(QStringLiteral(
+                        "--tracker simulated:rate=30,hidden=jaw,partly=tube,dropouts=5")));
+        find<QAbstractButton>(dialog, "use").click();
+        QTRY_COMPARE(dialog.result(), int(QDialog::Accepted));
+        const auto& device = std::get<SimulatedDevice>(dialog.choice().device);
+        QCOMPARE(device.settings.rate, hertz(30.0));
+        QCOMPARE(device.settings.dropouts, 0.05);
+        QCOMPARE(device.settings.occlusions.size(), std::size_t{2});
+    }
+
+    void takesAWebcamThatNoFileDescribes()
+    {
+        TrackerDialog dialog{
+            {}, {}, {{QStringLiteral("/dev/video4"), QStringLiteral("/dev/video4 (Webcam)")}}};
+        dialog.show();
+        choose(dialog, TrackerSource::Webcam);
+        auto& webcam = find<QComboBox>(dialog, "webcam");
+        QVERIFY(webcam.isVisible());
+        QCOMPARE(dialog.form().webcam, QStringLiteral("/dev/video4"));
+        webcam.setEditText({});
+        QVERIFY(!find<QAbstractButton>(dialog, "use").isEnabled());
+        QVERIFY(!find<QAbstractButton>(dialog, "calibrateWebcam").isEnabled());
+        webcam.setEditText(QStringLiteral("1"));
+        QVERIFY(find<QAbstractButton>(dialog, "calibrateWebcam").isEnabled());
+        find<QAbstractButton>(dialog, "use").click();
+        QTRY_COMPARE(dialog.result(), int(QDialog::Accepted));
+        const auto& described = std::get<TrackerDescription>(dialog.choice().device);
+        QCOMPARE(described.address, std::string{"/dev/video1"});
+        QVERIFY(!described.tools.empty() && described.tools[0].body);
+    }
+
+    void recordsTheBytesOfADeviceAndPlaysThem()
+    {
+        const QTemporaryDir folder;
+        const QString port = folder.filePath(QStringLiteral("port"));
+        const QString file = folder.filePath(QStringLiteral("device.log"));
+        const ServedDevice device{
+            PolarisLine::terminal(port.toStdString()).value(),
+            {.wired = {{}}},
+            [](const std::string&, LocalTime) {
+                return std::optional{PolarisPose{Quat::Identity(), {0.0, 0.0, -1500.0}, 0.1}};
+            }};
+        TrackerDialog dialog{{.source = TrackerSource::Polaris, .address = port}, {}};
+        dialog.offerToRecord();
+        dialog.show();
+        auto& conversation = find<QLineEdit>(dialog, "conversation");
+        QVERIFY(conversation.isVisible());
+        choose(dialog, TrackerSource::Simulated);
+        QVERIFY(!conversation.isVisible());
+        choose(dialog, TrackerSource::Polaris);
+        conversation.setText(file);
+        find<QAbstractButton>(dialog, "use").click();
+        QTRY_COMPARE(dialog.result(), int(QDialog::Accepted));
+        {
+            const auto tracker = makeTracker(dialog.choice(), [] {
+                return std::optional{SessionTime{monotonicNow().time_since_epoch()}};
+            });
+            QVERIFY2(tracker, tracker ? "" : tracker.error().detail.c_str());
+            QVERIFY((*tracker)->start());
+            const auto tools = (*tracker)->tools();
+            QTRY_VERIFY_WITH_TIMEOUT(tools.at(0).history->samples().size() > 5, kPatience_ms);
+            (*tracker)->stop();
+        }
+        TrackerDialog later{{.source = TrackerSource::Recording, .recording = file}, {}};
+        later.accept();
+        QTRY_COMPARE_WITH_TIMEOUT(later.result(), int(QDialog::Accepted), kPatience_ms);
+        const auto& played = std::get<PlayedRecording>(later.choice().device);
+        QVERIFY(played.sequence.tools.at(0).samples.size() > 5);
+    }
+
+    void offersToRecordWhereThatIsForUse()
+    {
+        TrackerDialog dialog{{.source = TrackerSource::Polaris}, onePort()};
+        dialog.show();
+        QVERIFY(!find<QLineEdit>(dialog, "conversation").isVisible());
     }
 
     void takesNothingThatWasChangedWhileItWasRead()

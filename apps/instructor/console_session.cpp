@@ -51,12 +51,15 @@ ConsoleSession::ConsoleSession(HostedSession hosted, const program::ChosenPatien
       m_attention{m_session},
       m_checkpoints{*m_hosted.node},
       m_shown{*m_hosted.node, m_stations.shown(), patient.model, m_lesson.poses(), m_tools},
+      m_offer{[this] {
+          return OfferGiver::Shown{m_shown.view(), m_shown.drawn()};
+      }},
       m_kept{folder},
       m_window{{m_session, m_breathing, m_respiration, m_trace, m_participants, m_conduct, m_people,
                 m_network, m_actions, m_stations, m_lesson, m_shown.patient(), m_attention},
                m_kept,
                m_shown.view(),
-               program::programTracker(m_tools, m_recording, true, folder)}
+               program::programTracker(m_tools, m_recording, m_offer, true, folder)}
 {
     m_attention.setPatient(m_shown.patient());
     m_window.setReach(m_hosted.reach);
@@ -131,12 +134,8 @@ Result<void> ConsoleSession::follow(const QCommandLineParser& parser)
     if (!journal)
         return tl::unexpected(journal.error());
     m_journal = *std::move(journal);
-    auto giver = program::openIgtLinkOption(parser, m_window, [this] {
-        return OfferGiver::Shown{m_shown.view(), m_shown.drawn()};
-    });
-    if (!giver)
-        return tl::unexpected(giver.error());
-    m_giver = *std::move(giver);
+    if (const auto given = program::openIgtLinkOption(parser, m_window, m_offer); !given)
+        return given;
     const QString record = std::exchange(m_tracker.record, {});
     return record.isEmpty() ? Result<void>{} : m_recording.begin(record);
 }

@@ -4,7 +4,7 @@
 #include "apps/instructor/shown_station.h"
 #include "apps/program/journal.h"
 #include "apps/program/tracker_change.h"
-#include "models/openigtlink/offer_giver.h"
+#include "models/openigtlink/offer_switch.h"
 #include "models/respiration/checkpoint_keeper.h"
 #include "ui/instructor/instructor_window.h"
 
@@ -82,10 +82,10 @@ private:
     AttentionModel m_attention;
     CheckpointKeeper m_checkpoints;
     ShownStation m_shown;
+    OfferSwitch m_offer;
     KeptConsole m_kept;
     InstructorWindow m_window;
     std::unique_ptr<program::Journal> m_journal;
-    std::unique_ptr<OfferGiver> m_giver;
     std::function<void()> m_onEnded;
     std::function<void()> m_onLeft;
     QTimer m_looking; ///< when an end takes effect, no fact arrives

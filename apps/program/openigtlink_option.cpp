@@ -16,6 +16,19 @@ QString openIgtLinkWords(const char* text)
     return QCoreApplication::translate("OpenIgtLinkOption", text);
 }
 
+void showWhileOpen(QWidget& window, const OfferSwitch& offer)
+{
+    const QString title = window.windowTitle();
+    const QString named = title.isEmpty() ? QCoreApplication::applicationName() : title;
+    QObject::connect(&offer, &OfferSwitch::changed, &window, [&window, &offer, title, named] {
+        window.setWindowTitle(
+            offer.isOpen()
+                ? openIgtLinkWords("%1 - OpenIGTLink is open to other computers, in clear text")
+                      .arg(named)
+                : title);
+    });
+}
+
 } // namespace
 
 void addOpenIgtLinkOption(QCommandLineParser& parser)
@@ -28,27 +41,20 @@ void addOpenIgtLinkOption(QCommandLineParser& parser)
          QStringLiteral("[ADDRESS:]PORT")});
 }
 
-Result<std::unique_ptr<OfferGiver>> openIgtLinkOption(const QCommandLineParser& parser,
-                                                      QWidget& window,
-                                                      std::function<OfferGiver::Shown()> shown)
+Result<void> openIgtLinkOption(const QCommandLineParser& parser, QWidget& window,
+                               OfferSwitch& offer)
 {
+    showWhileOpen(window, offer);
     if (!parser.isSet(kOpenIgtLink))
-        return nullptr;
+        return {};
     const auto place = IgtlPlace::read(parser.value(kOpenIgtLink).toStdString());
     if (!place)
         return fail(Errc::WrongOption, "--openigtlink takes a port, or address:port, not '"
                                            + place.error().detail + "'");
-    auto server = IgtlServer::listen(*place);
-    if (!server)
-        return tl::unexpected(server.error());
-    auto giver = std::make_unique<OfferGiver>(*std::move(server), *place, std::move(shown));
-    std::fprintf(stderr, "%s\n", qPrintable(giver->warning()));
-    if (!place->isLoopback())
-        window.setWindowTitle(
-            openIgtLinkWords("%1 - OpenIGTLink is open to other computers, in clear text")
-                .arg(window.windowTitle().isEmpty() ? QCoreApplication::applicationName()
-                                                    : window.windowTitle()));
-    return giver;
+    const auto begun = offer.begin(*place);
+    if (begun)
+        std::fprintf(stderr, "%s\n", qPrintable(offerWarning(offer.place())));
+    return begun;
 }
 
 } // namespace carina::program

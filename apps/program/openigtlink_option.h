@@ -1,6 +1,6 @@
 #pragma once
 
-#include "models/openigtlink/offer_giver.h"
+#include "models/openigtlink/offer_switch.h"
 
 #include <QCommandLineParser>
 #include <QWidget>
@@ -11,12 +11,12 @@ namespace carina::program
 /// `--openigtlink [ADDRESS:]PORT`: gives what the program shows to programs of other makers.
 void addOpenIgtLinkOption(QCommandLineParser& parser);
 
-/// The server that `--openigtlink` asks for, running; null without it. That it sends in clear text
-/// is written to stderr, and where other computers can reach it, also to the window's title.
-/// @returns WrongOption for a place that is none; the errors of IgtlServer::listen.
-/// @pre what `shown` uses outlives the result.
-[[nodiscard]] Result<std::unique_ptr<OfferGiver>>
-openIgtLinkOption(const QCommandLineParser& parser, QWidget& window,
-                  std::function<OfferGiver::Shown()> shown);
+/// Switches on what `--openigtlink` asks for; that it sends in clear text is written to stderr.
+/// Whether or not it is asked for, the window's title says from now on while other computers can
+/// read what the switch gives.
+/// @returns WrongOption for a place that is none; the errors of OfferSwitch::begin.
+/// @pre the switch outlives the window.
+[[nodiscard]] Result<void> openIgtLinkOption(const QCommandLineParser& parser, QWidget& window,
+                                             OfferSwitch& offer);
 
 } // namespace carina::program

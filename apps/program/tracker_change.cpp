@@ -141,15 +141,16 @@ bool TrackerChange::takeDevices(SharedTools& tools)
     return isTaken;
 }
 
-ProgramTracker programTracker(SharedTools& tools, PoseRecording& recording, bool canBeGiven,
-                              const QString& folder)
+ProgramTracker programTracker(SharedTools& tools, PoseRecording& recording, OfferSwitch& offer,
+                              bool canBeGiven, const QString& folder)
 {
     return {.sight = [&tools] { return tools.trackerSight(); },
             .recording = &recording,
             .canBeGiven = canBeGiven,
             .treatment = {tools.treatment(),
                           [&tools](const PoseTreatment& chosen) { tools.treat(chosen); }},
-            .sound = KeptSound{folder}};
+            .sound = KeptSound{folder},
+            .offer = &offer};
 }
 
 } // namespace carina::program

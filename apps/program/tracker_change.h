@@ -57,8 +57,9 @@ private:
 
 /// What a window shows of the tracker of these tools, and offers to change of it.
 /// @param folder where the program remembers what a person chose of it
-/// @pre tools and recording outlive the window.
+/// @pre tools, recording and offer outlive the window.
 [[nodiscard]] ProgramTracker programTracker(SharedTools& tools, PoseRecording& recording,
-                                            bool canBeGiven, const QString& folder);
+                                            OfferSwitch& offer, bool canBeGiven,
+                                            const QString& folder);
 
 } // namespace carina::program

@@ -274,6 +274,7 @@ Result<Left> takePart(const QCommandLineParser& parser, Outfit& outfit, program:
     PeopleModel people{session, place.id()};
     SessionPatient sessionPatient{station.node(), place.id(), outfit.patient,
                                   AnatomyCache::defaultFolder()};
+    OfferSwitch offer{[&station] { return OfferGiver::Shown{station.view(), station.patient()}; }};
     TraineeWindow window{station.node(),
                          sessionPatient,
                          station.view(),
@@ -283,7 +284,8 @@ Result<Left> takePart(const QCommandLineParser& parser, Outfit& outfit, program:
                          actions,
                          people,
                          [&tools] { return tools.standing(); },
-                         program::programTracker(tools, recording, entered.role == Role::Trainee,
+                         program::programTracker(tools, recording, offer,
+                                                 entered.role == Role::Trainee,
                                                  program::dataFolder(parser))};
     const auto show = [&] {
         window.show(station.patient(), station.view(), tools.chinProbe());
@@ -320,11 +322,8 @@ Result<Left> takePart(const QCommandLineParser& parser, Outfit& outfit, program:
             (*journal)->setStation(now);
     });
     shown.show(window);
-    const auto giver = program::openIgtLinkOption(parser, window, [&station] {
-        return OfferGiver::Shown{station.view(), station.patient()};
-    });
-    if (!giver)
-        return tl::unexpected(giver.error());
+    if (const auto given = program::openIgtLinkOption(parser, window, offer); !given)
+        return tl::unexpected(given.error());
     left.status = showUntilClosed(window, parser, outfit.measure, station);
     finishRecording(recording);
     if (entered.role == Role::Trainee)

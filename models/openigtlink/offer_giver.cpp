@@ -17,6 +17,21 @@ QString giverWords(const char* text) { return QCoreApplication::translate("Offer
 
 } // namespace
 
+QString offerWarning(const IgtlPlace& place)
+{
+    const QString where =
+        QStringLiteral("%1:%2").arg(QString::fromStdString(place.address)).arg(place.port);
+    return (place.isLoopback()
+                ? giverWords(QT_TRANSLATE_NOOP(
+                    "OfferGiver", "OpenIGTLink at %1: all programs on this computer can read "
+                                  "poses, landmarks and lungs, in clear text and without a code."))
+                : giverWords(QT_TRANSLATE_NOOP(
+                    "OfferGiver", "Warning: OpenIGTLink at %1 is open to other computers. Whoever "
+                                  "reaches it can read poses and names, landmarks and lungs, in "
+                                  "clear text and without a code.")))
+        .arg(where);
+}
+
 OfferGiver::OfferGiver(std::unique_ptr<IgtlServer> server, IgtlPlace place,
                        std::function<Shown()> shown)
     : m_server{std::move(server)}, m_place{std::move(place)}, m_shown{std::move(shown)}
@@ -25,19 +40,6 @@ OfferGiver::OfferGiver(std::unique_ptr<IgtlServer> server, IgtlPlace place,
     m_timer.setTimerType(Qt::PreciseTimer);
     m_timer.callOnTimeout([this] { give(); });
     m_timer.start(kGiveInterval_ms);
-}
-
-QString OfferGiver::warning() const
-{
-    const QString place =
-        QStringLiteral("%1:%2").arg(QString::fromStdString(m_place.address)).arg(m_place.port);
-    return (m_place.isLoopback()
-                ? giverWords("OpenIGTLink at %1: all programs on this computer can read poses, "
-                             "landmarks and lungs, in clear text and without a code.")
-                : giverWords("Warning: OpenIGTLink at %1 is open to other computers. Whoever "
-                             "reaches it can read poses and names, landmarks and lungs, in clear "
-                             "text and without a code."))
-        .arg(place);
 }
 
 void OfferGiver::give()

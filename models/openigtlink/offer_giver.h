@@ -9,6 +9,9 @@
 namespace carina
 {
 
+/// That what is given at a place travels in clear text, and to whom, as a sentence.
+[[nodiscard]] QString offerWarning(const IgtlPlace& place);
+
 /// Gives what a program shows to the clients of its server of OpenIGTLink, thirty times a second,
 /// while there are any.
 class OfferGiver
@@ -22,8 +25,9 @@ public:
 
     OfferGiver(std::unique_ptr<IgtlServer> server, IgtlPlace place, std::function<Shown()> shown);
 
-    /// That what is given travels in clear text, and to whom; for a person who starts the program.
-    [[nodiscard]] QString warning() const;
+    /// With the port that was found where any was asked for.
+    [[nodiscard]] const IgtlPlace& place() const { return m_place; }
+    [[nodiscard]] int clients() const { return m_server->clients(); }
 
 private:
     void give();

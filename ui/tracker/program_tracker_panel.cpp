@@ -1,5 +1,6 @@
 #include "ui/tracker/program_tracker_panel.h"
 
+#include "ui/tracker/offer_box.h"
 #include "ui/tracker/record_button.h"
 #include "ui/tracker/tracker_panel.h"
 #include "widgets/plain_label.h"
@@ -22,6 +23,8 @@ ProgramTrackerPanel::ProgramTrackerPanel(const ProgramTracker& tracker, QWidget*
     setFocusProxy(tools);
     if (tracker.recording)
         column->addWidget(new RecordButton{*tracker.recording});
+    if (tracker.offer)
+        column->addWidget(new OfferBox{*tracker.offer});
     if (tracker.canBeGiven)
         offerAnother(*column, tracker);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "models/openigtlink/offer_switch.h"
 #include "models/station/tool_status.h"
 #include "models/tracker/kept_sound.h"
 #include "models/tracker/pose_recording.h"
@@ -22,10 +23,12 @@ struct ProgramTracker {
     bool canBeGiven = false;            ///< whether a person may connect another
     TreatmentChoice treatment{};        ///< of its poses
     KeptSound sound{};                  ///< when a tool is lost
+    OfferSwitch* offer = nullptr;       ///< to other programs; outlives the window
 };
 
 /// The tools of a program's tracker as they are seen now, and below them what a person may do with
-/// the tracker: choose how its poses are treated, record them, connect another one, go on without.
+/// the tracker: choose how its poses are treated, record them, give what is shown to programs of
+/// other makers, connect another one, go on without.
 class ProgramTrackerPanel : public QWidget
 {
     Q_OBJECT

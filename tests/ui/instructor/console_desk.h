@@ -41,6 +41,7 @@ struct ConsoleDesk {
     KeptConsole keeper;
     std::optional<TrackerSight> sight;
     PoseRecording recording{[this] { return node.now(); }};
+    OfferSwitch offer{[this] { return OfferGiver::Shown{view, *drawn}; }};
     InstructorWindow window{{session, breathing, respiration, trace, participants, conduct, people,
                              network, actions, stations, lesson, patient, attention},
                             keeper,
@@ -48,7 +49,8 @@ struct ConsoleDesk {
                             {.sight = [this] { return sight; },
                              .recording = &recording,
                              .canBeGiven = true,
-                             .treatment = {{}, [](const PoseTreatment& /*chosen*/) {}}}};
+                             .treatment = {{}, [](const PoseTreatment& /*chosen*/) {}},
+                             .offer = &offer}};
 
     template <class Thing> [[nodiscard]] Thing& find(const char* name)
     {

@@ -28,9 +28,12 @@ struct TraineeDesk {
     PeopleModel people{session, FakeSessionNode::kStation};
     SessionPatient patient{node, FakeSessionNode::kStation, drawn, AnatomyCache::defaultFolder()};
     StationView view{node, FakeSessionNode::kStation, drawn->lungs()};
-    TraineeWindow window{
-        node,    patient, view, HeadsetView::standard(), output, ChinProbeModel{nullptr},
-        actions, people,  {},   {.canBeGiven = true}};
+    OfferSwitch offer{[this] { return OfferGiver::Shown{view, *drawn}; }};
+    TraineeWindow window{node,    patient,
+                         view,    HeadsetView::standard(),
+                         output,  ChinProbeModel{nullptr},
+                         actions, people,
+                         {},      {.canBeGiven = true, .offer = &offer}};
 };
 
 } // namespace carina::test

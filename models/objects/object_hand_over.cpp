@@ -3,6 +3,7 @@
 #include "engine/session/object_rules.h"
 #include "models/errors/error_text.h"
 #include "models/objects/object_words.h"
+#include "models/session/propose_back.h"
 
 namespace carina
 {
@@ -110,10 +111,8 @@ void ObjectHandOver::takeBack(ObjectId id, ParticipantId from, ParticipantId to)
         why = faultOfOwner(*state, object, from);
     if (why.isEmpty() && !isUnderWay)
         why = refusalOf(*state, m_node.self(), object, from);
-    if (why.isEmpty())
-        m_node.propose(object.station, fact::ObjectHandedOver{id, from, object.epoch});
-    else if (m_history)
-        m_history->refuse(why);
+    proposeBack(m_node, object.station, fact::ObjectHandedOver{id, from, object.epoch}, why,
+                m_history);
 }
 
 } // namespace carina

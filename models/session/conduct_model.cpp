@@ -2,6 +2,7 @@
 
 #include "engine/session/conduct_rules.h"
 #include "engine/session/facts/fact_rules.h"
+#include "models/session/propose_back.h"
 #include "models/session/proposed.h"
 
 #include <utility>
@@ -64,7 +65,8 @@ void ConductModel::takeBackMute(ParticipantId participant, bool muted)
         m_session.node(), [participant](const fact::ParticipantMuted& proposed) {
             return proposed.participant == participant;
         });
-    decideBack(back, isUnderWay ? QString{} : whyMuteStays(back));
+    proposeBack(m_session.node(), kNoStation, back, isUnderWay ? QString{} : whyMuteStays(back),
+                m_history);
 }
 
 /// Empty where it can be taken back.
@@ -99,7 +101,8 @@ void ConductModel::takeBackLock(bool locked)
 {
     const bool isUnderWay = isProposed<fact::SessionLocked>(
         m_session.node(), [](const fact::SessionLocked& /*any*/) { return true; });
-    decideBack(fact::SessionLocked{!locked}, isUnderWay ? QString{} : whyLockStays(locked));
+    proposeBack(m_session.node(), kNoStation, fact::SessionLocked{!locked},
+                isUnderWay ? QString{} : whyLockStays(locked), m_history);
 }
 
 QString ConductModel::whyLockStays(bool locked) const
@@ -108,15 +111,6 @@ QString ConductModel::whyLockStays(bool locked) const
         return {};
     return isLocked() ? tr("Nothing to undo: the session is locked again.")
                       : tr("Nothing to undo: the session is not locked any more.");
-}
-
-/// @param why it is not to be; empty where it is
-void ConductModel::decideBack(FactBody body, const QString& why)
-{
-    if (why.isEmpty())
-        decide(std::move(body));
-    else if (m_history)
-        m_history->refuse(why);
 }
 
 void ConductModel::changeCode(Role role) { decide(fact::RoleCodeChanged{role}); }

@@ -58,7 +58,6 @@ private:
     void takeBackLock(bool locked);
     [[nodiscard]] QString whyMuteStays(const fact::ParticipantMuted& back) const;
     [[nodiscard]] QString whyLockStays(bool locked) const;
-    void decideBack(FactBody body, const QString& why);
 
     SessionModel& m_session;
     QPointer<ChangeHistory> m_history;

@@ -8,6 +8,7 @@
 #include "models/errors/error_text.h"
 #include "models/objects/object_words.h"
 #include "models/patient/new_patient.h"
+#include "models/session/propose_back.h"
 #include "models/session/proposed.h"
 
 #include <algorithm>
@@ -164,8 +165,8 @@ void StationsModel::takeBackName(StationId station, const QString& before, const
         m_session.node(), [&given](const fact::StationRenamed& proposed) {
             return proposed.name == given.toStdString();
         });
-    proposeBack(station, fact::StationRenamed{before.toStdString()},
-                isUnderWay ? QString{} : whyNameStays(station, before, given));
+    proposeBack(m_session.node(), station, fact::StationRenamed{before.toStdString()},
+                isUnderWay ? QString{} : whyNameStays(station, before, given), m_history);
 }
 
 /// Empty where the name can be taken back.
@@ -219,8 +220,8 @@ void StationsModel::takeBackMove(ParticipantId participant, StationId from, Stat
         m_session.node(), [participant](const fact::ParticipantMoved& proposed) {
             return proposed.participant == participant;
         });
-    proposeBack(from, fact::ParticipantMoved{participant},
-                isUnderWay ? QString{} : whyMoveStays(participant, from, to));
+    proposeBack(m_session.node(), from, fact::ParticipantMoved{participant},
+                isUnderWay ? QString{} : whyMoveStays(participant, from, to), m_history);
 }
 
 /// Empty where the participant can go back.
@@ -239,15 +240,6 @@ QString StationsModel::whyMoveStays(ParticipantId participant, StationId from, S
     return state->isOpen(from)
                ? QString{}
                : tr("Not undone: the station %1 has been closed.").arg(nameOf(from));
-}
-
-/// @param why it is not to be; empty where it is
-void StationsModel::proposeBack(StationId station, FactBody body, const QString& why)
-{
-    if (why.isEmpty())
-        m_session.node().propose(station, std::move(body));
-    else if (m_history)
-        m_history->refuse(why);
 }
 
 void StationsModel::refresh()

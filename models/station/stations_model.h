@@ -89,7 +89,6 @@ private:
                                        const QString& given) const;
     [[nodiscard]] QString whyMoveStays(ParticipantId participant, StationId from,
                                        StationId to) const;
-    void proposeBack(StationId station, FactBody body, const QString& why);
 
     SessionModel& m_session;
     QPointer<ChangeHistory> m_history;

@@ -46,11 +46,33 @@ void SavedViews::save(SavedView view)
 {
     view.name = view.name.trimmed();
     const auto same = std::ranges::find(m_views, view.name, &SavedView::name);
-    if (same != m_views.end())
-        *same = std::move(view);
-    else
+    if (same == m_views.end()) {
         m_views.push_back(std::move(view));
+    } else if (*same != view) {
+        if (m_history)
+            m_history->add(*this, tr("View %1 → saved over").arg(view.name),
+                           [this, before = *same, saved = view] { replaceBack(before, saved); });
+        *same = std::move(view);
+    }
     keep();
+}
+
+/// Unless another one has the name by now.
+void SavedViews::replaceBack(const SavedView& view, const SavedView& saved)
+{
+    const auto now = std::ranges::find(m_views, view.name, &SavedView::name);
+    if (now == m_views.end())
+        return refuse(tr("Not undone: the view %1 has been deleted.").arg(view.name));
+    if (*now != saved)
+        return refuse(tr("Not undone: another view is called %1 now.").arg(view.name));
+    *now = view;
+    keep();
+}
+
+void SavedViews::refuse(const QString& why)
+{
+    if (m_history)
+        m_history->refuse(why);
 }
 
 void SavedViews::remove(const QString& name)
@@ -75,11 +97,8 @@ void SavedViews::bringBack(const SavedView& view, std::size_t place)
         why = tr("Not undone: another view is called %1 now.").arg(view.name);
     else if (m_views.size() >= kMost)
         why = tr("Not undone: there are %1 views, as many as there can be.").arg(kMost);
-    if (!why.isEmpty()) {
-        if (m_history)
-            m_history->refuse(why);
-        return;
-    }
+    if (!why.isEmpty())
+        return refuse(why);
     m_views.insert(m_views.begin() + std::ptrdiff_t(std::min(place, m_views.size())), view);
     keep();
 }

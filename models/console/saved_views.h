@@ -41,8 +41,8 @@ public:
     /// @pre kept outlives this.
     explicit SavedViews(KeptConsole& kept, QObject* parent = nullptr);
 
-    /// Adds what is deleted to a history from now on. Where it cannot come back, the history says
-    /// why.
+    /// Adds what is deleted or saved over to a history from now on. Where it cannot come back, the
+    /// history says why.
     void setHistory(ChangeHistory& history) { m_history = &history; }
 
     [[nodiscard]] const std::vector<SavedView>& all() const { return m_views; }
@@ -58,6 +58,8 @@ Q_SIGNALS:
 
 private:
     void bringBack(const SavedView& view, std::size_t place);
+    void replaceBack(const SavedView& view, const SavedView& saved);
+    void refuse(const QString& why);
     void keep();
 
     KeptConsole& m_kept;

@@ -84,6 +84,48 @@ private Q_SLOTS:
         QVERIFY(KeptConsole{folder.path()}.views() == before);
     }
 
+    void comeBackWhereTheyWereSavedOver()
+    {
+        const test::ScratchFolder folder;
+        KeptConsole kept{folder.path()};
+        ChangeHistory history;
+        SavedViews views{kept};
+        views.setHistory(history);
+        views.save(named(QStringLiteral("A")));
+        views.save(named(QStringLiteral("B")));
+        const std::vector<SavedView> before = views.all();
+        SavedView another = named(QStringLiteral(" A "));
+        another.p_A_eye.x() = 2.0;
+        views.save(another);
+        views.save(another); // as it is
+        QCOMPARE(history.texts(), QStringList{QStringLiteral("View A → saved over")});
+        history.undo();
+        QVERIFY(views.all() == before);
+        QVERIFY(KeptConsole{folder.path()}.views() == before);
+    }
+
+    void staySavedOverWhereAnotherHasTheName()
+    {
+        KeptConsole kept{{}};
+        ChangeHistory history;
+        SavedViews views{kept};
+        const QSignalSpy refused{&history, &ChangeHistory::refused};
+        SavedView another = named(QStringLiteral("A"));
+        another.p_A_eye.x() = 2.0;
+        views.save(named(QStringLiteral("A")));
+        views.setHistory(history);
+        views.save(another);
+        views.remove(QStringLiteral("A"));
+        SavedView third = named(QStringLiteral("A"));
+        third.p_A_eye.x() = 3.0;
+        views.save(third);
+        history.undo(2); // the deletion first
+        QCOMPARE(refused.size(), 2);
+        QCOMPARE(refused.last().front().toString(),
+                 QStringLiteral("Not undone: another view is called A now."));
+        QVERIFY(views.all() == std::vector{third});
+    }
+
     void stayDeletedWhereTheyHaveNoPlace()
     {
         KeptConsole kept{{}};

@@ -1,5 +1,10 @@
 #include "models/session/people_model.h"
 
+#include "engine/session/people_rules.h"
+#include "models/objects/object_words.h"
+#include "models/session/propose_back.h"
+#include "models/session/proposed.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -30,6 +35,23 @@ int sideOf(const std::optional<RigidTransform>& X_AH)
         return 0;
     const Vec3& p = X_AH->translation();
     return static_cast<int>(std::lround(std::atan2(p.x(), p.z()) / kQuarter));
+}
+
+QString placedText(const QString& who, std::optional<PatientSide> side)
+{
+    if (!side)
+        return PeopleModel::tr("%1 → seen as tracked").arg(who);
+    switch (*side) {
+    case PatientSide::Head:
+        return PeopleModel::tr("%1 → seen at the patient's head").arg(who);
+    case PatientSide::Left:
+        return PeopleModel::tr("%1 → seen at the patient's left").arg(who);
+    case PatientSide::Feet:
+        return PeopleModel::tr("%1 → seen at the patient's feet").arg(who);
+    case PatientSide::Right:
+        return PeopleModel::tr("%1 → seen at the patient's right").arg(who);
+    }
+    return {};
 }
 
 } // namespace
@@ -100,7 +122,40 @@ QString PeopleModel::workText() const
 void PeopleModel::giveWork(ParticipantId to)
 {
     SessionNode& node = m_session.node();
-    node.propose(m_station, fact::WorkTaken{to, node.state()->atWork(m_station)});
+    const auto state = node.state();
+    const ParticipantId before = state->atWork(m_station);
+    if (m_history && before != kNobody && before != to)
+        m_history->add(
+            *this, tr("Work → %1", "a participant").arg(participantWord(*state, to)),
+            [this, station = m_station, before, to] { takeBackWork(station, before, to); }, 0,
+            m_station);
+    node.propose(m_station, fact::WorkTaken{to, before});
+}
+
+/// What is under way is judged by the host before what takes it back.
+void PeopleModel::takeBackWork(StationId station, ParticipantId before, ParticipantId given)
+{
+    SessionNode& node = m_session.node();
+    const bool isUnderWay = isProposed<fact::WorkTaken>(
+        node, [given](const fact::WorkTaken& proposed) { return proposed.participant == given; });
+    const fact::WorkTaken back{before, isUnderWay ? given : node.state()->atWork(station)};
+    proposeBack(node, station, back, isUnderWay ? QString{} : whyWorkStays(station, back, given),
+                m_history);
+}
+
+/// Empty where it can be taken back, also from who has left since.
+QString PeopleModel::whyWorkStays(StationId station, const fact::WorkTaken& back,
+                                  ParticipantId given) const
+{
+    const auto state = m_session.node().state();
+    const QString who = participantWord(*state, back.participant);
+    if (back.before == back.participant)
+        return tr("Nothing to undo: %1 is at work again.").arg(who);
+    if (back.before != given && back.before != kNobody)
+        return tr("Not undone: %1 is at work now.").arg(participantWord(*state, back.before));
+    return checkPeople(*state, station, back)
+               ? QString{}
+               : tr("Not undone: %1, who was at work, is not at the station any more.").arg(who);
 }
 
 void PeopleModel::place(ParticipantId id, std::optional<PatientSide> side,
@@ -115,8 +170,36 @@ void PeopleModel::place(ParticipantId id, std::optional<PatientSide> side,
     const auto X_AH = seen ? std::optional{seen->X_FO} : std::nullopt;
     const Angle turn = side ? turnTo(*side, X_AH) : Angle{};
     const auto known = state->participants().find(id);
-    if (known == state->participants().end() || known->second.turn != turn)
-        node.propose(m_station, fact::PlaceChosen{id, turn});
+    if (known == state->participants().end() || known->second.turn == turn)
+        return;
+    const fact::PlaceChosen chosen{id, turn};
+    const fact::PlaceChosen before{id, known->second.turn};
+    if (m_history)
+        m_history->add(*this, placedText(participantWord(*state, id), side),
+                       [this, before, chosen] { takeBackPlace(before, chosen); });
+    node.propose(m_station, chosen);
+}
+
+void PeopleModel::takeBackPlace(const fact::PlaceChosen& before, const fact::PlaceChosen& chosen)
+{
+    SessionNode& node = m_session.node();
+    const bool isUnderWay = isProposed<fact::PlaceChosen>(
+        node, [&chosen](const fact::PlaceChosen& proposed) { return proposed == chosen; });
+    proposeBack(node, m_station, before, isUnderWay ? QString{} : whyPlaceStays(before, chosen),
+                m_history);
+}
+
+/// Empty where it can be taken back: a place is kept also for who has left.
+QString PeopleModel::whyPlaceStays(const fact::PlaceChosen& before,
+                                   const fact::PlaceChosen& chosen) const
+{
+    const auto state = m_session.node().state();
+    const QString who = participantWord(*state, chosen.participant);
+    const Angle now = state->participants().at(chosen.participant).turn;
+    if (now == before.turn)
+        return tr("Nothing to undo: %1 is seen where they were again.").arg(who);
+    return now == chosen.turn ? QString{}
+                              : tr("Not undone: somebody has placed %1 elsewhere since.").arg(who);
 }
 
 } // namespace carina

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "models/session/change_history.h"
 #include "models/session/session_model.h"
 
+#include <QPointer>
 #include <QString>
 
 #include <optional>
@@ -43,6 +45,11 @@ public:
 
     /// Speaks of another station from now on.
     void setStation(StationId station);
+    /// Adds to a history from now on to whom work is given, and where people are placed. What
+    /// somebody decided otherwise since, or cannot be any more, is not taken back, and the history
+    /// says why. Work that nobody did before is no change of the history: it can be passed on, but
+    /// no fact gives it back to nobody.
+    void setHistory(ChangeHistory& history) { m_history = &history; }
 
     /// By the order of joining.
     [[nodiscard]] std::vector<Person> people() const;
@@ -65,8 +72,15 @@ Q_SIGNALS:
 
 private:
     [[nodiscard]] Person personOf(const SessionState& state, const Participant& who) const;
+    void takeBackWork(StationId station, ParticipantId before, ParticipantId given);
+    void takeBackPlace(const fact::PlaceChosen& before, const fact::PlaceChosen& chosen);
+    [[nodiscard]] QString whyWorkStays(StationId station, const fact::WorkTaken& back,
+                                       ParticipantId given) const;
+    [[nodiscard]] QString whyPlaceStays(const fact::PlaceChosen& before,
+                                        const fact::PlaceChosen& chosen) const;
 
     SessionModel& m_session;
+    QPointer<ChangeHistory> m_history;
     StationId m_station;
 };
 

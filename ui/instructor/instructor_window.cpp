@@ -46,6 +46,7 @@ InstructorWindow::InstructorWindow(const ConsoleModels& models, KeptConsole& kep
     m_models.actions.setHistory(m_history);
     m_models.lesson.setHistory(m_history);
     m_models.conduct.setHistory(m_history);
+    m_models.people.setHistory(m_history);
     m_models.attention.setHistory(m_history);
     m_models.stations.setHistory(m_history);
     m_ui->parts->setHistory(m_history);

@@ -2,6 +2,10 @@
 #include "tests/models/fake_session_node.h"
 #include "tests/support/test_class.h"
 
+#include <QSignalSpy>
+
+#include <array>
+
 namespace carina::people_model_test
 {
 namespace
@@ -32,6 +36,49 @@ struct Seat {
 };
 
 RigidTransform headAt(double x, double z) { return RigidTransform::translation({x, -0.3, z}); }
+
+/// An instructor's seat with a history.
+struct Console : Seat {
+    ChangeHistory history;
+    QSignalSpy refused{&history, &ChangeHistory::refused};
+
+    Console() : Seat{FakeSessionNode::kInstructor} { people.setHistory(history); }
+    void giveToTess() { people.giveWork(kTess); }
+    void placeTess() { people.place(kTess, PatientSide::Left); }
+    /// By another.
+    void decideWork(ParticipantId to)
+    {
+        node.decide(fact::WorkTaken{to, worker()}, FakeSessionNode::kInstructor);
+    }
+    void decidePlace(double turn_deg)
+    {
+        node.decide(fact::PlaceChosen{kTess, degrees(turn_deg)}, FakeSessionNode::kInstructor);
+    }
+};
+
+/// What is done, and what happens since.
+struct Deed {
+    const char* name;
+    void (*make)(Console&);
+    void (*since)(Console&);
+    const char* told;
+};
+constexpr std::array kDeeds{
+    Deed{"work, given back", [](Console& console) { console.giveToTess(); },
+         [](Console& console) { console.decideWork(kTom); },
+         "Nothing to undo: Tom is at work again."},
+    Deed{"work, passed on", [](Console& console) { console.giveToTess(); },
+         [](Console& console) { console.decideWork(FakeSessionNode::kInstructor); },
+         "Not undone: Ina is at work now."},
+    Deed{"work, who had it left", [](Console& console) { console.giveToTess(); },
+         [](Console& console) { console.node.decide(fact::ParticipantLeft{kTom}); },
+         "Not undone: Tom, who was at work, is not at the station any more."},
+    Deed{"place, as before", [](Console& console) { console.placeTess(); },
+         [](Console& console) { console.decidePlace(0.0); },
+         "Nothing to undo: Tess is seen where they were again."},
+    Deed{"place, another", [](Console& console) { console.placeTess(); },
+         [](Console& console) { console.decidePlace(-90.0); },
+         "Not undone: somebody has placed Tess elsewhere since."}};
 
 } // namespace
 
@@ -140,6 +187,86 @@ private Q_SLOTS:
         head.X_FO = headAt(-0.6, 0.0);
         own.people.place(kTess, PatientSide::Head, head);
         QCOMPARE(qRound(inDegrees(own.turnOf(kTess))), 90);
+    }
+
+    void givesWorkAndPlacesBack()
+    {
+        Console console;
+        console.giveToTess();
+        console.placeTess();
+        console.people.place(kTess, std::nullopt);
+        console.people.place(kTess, std::nullopt); // as it is
+        QCOMPARE(console.history.texts(),
+                 (QStringList{QStringLiteral("Tess → seen as tracked"),
+                              QStringLiteral("Tess → seen at the patient's left"),
+                              QStringLiteral("Work → Tess")}));
+        console.history.undo();
+        QCOMPARE(qRound(inDegrees(console.turnOf(kTess))), 90);
+        console.history.undo();
+        QCOMPARE(qRound(inDegrees(console.turnOf(kTess))), 0);
+        QVERIFY(console.worker() == kTess);
+        console.history.undo();
+        QVERIFY(console.worker() == kTom);
+        QVERIFY(console.refused.isEmpty() && !console.node.refusal());
+    }
+
+    /// Who got it may have gone, and the console may look at another station.
+    void givesWorkBackWhereItWasGiven()
+    {
+        Console console;
+        console.node.addStation("Room 5");
+        console.giveToTess();
+        console.people.setStation(StationId{1});
+        console.node.decide(fact::ParticipantLeft{kTess});
+        console.history.undo();
+        QVERIFY(console.worker() == kTom);
+        QVERIFY(console.refused.isEmpty());
+    }
+
+    /// No fact gives it back to nobody.
+    void remembersNoWorkThatNobodyDid()
+    {
+        Console console;
+        console.node.decide(fact::ParticipantLeft{kTom});
+        console.giveToTess();
+        QVERIFY(console.worker() == kTess);
+        QVERIFY(console.history.isEmpty());
+    }
+
+    void takesBackWhatIsStillUnderWay()
+    {
+        Console console;
+        console.node.hostGoesAway();
+        console.giveToTess();
+        console.placeTess();
+        console.history.undo(2);
+        QVERIFY(console.refused.isEmpty());
+        console.node.hostComesBack();
+        QVERIFY(console.worker() == kTom);
+        QCOMPARE(qRound(inDegrees(console.turnOf(kTess))), 0);
+        QVERIFY(!console.node.refusal());
+    }
+
+    void saysWhyItStays_data()
+    {
+        QTest::addColumn<int>("place");
+        for (int place = 0; place < int(kDeeds.size()); ++place)
+            QTest::newRow(kDeeds[std::size_t(place)].name) << place;
+    }
+    void saysWhyItStays()
+    {
+        QFETCH(const int, place);
+        const Deed& deed = kDeeds[std::size_t(place)];
+        Console console;
+        deed.make(console);
+        deed.since(console);
+        QVERIFY(!console.node.refusal());
+        const int proposed = console.node.proposed;
+        console.history.undo();
+        QCOMPARE(console.refused.size(), 1);
+        QCOMPARE(console.refused.last().front().toString(), QString::fromUtf8(deed.told));
+        QCOMPARE(console.node.proposed, proposed);
+        QVERIFY(console.history.isEmpty());
     }
 };
 

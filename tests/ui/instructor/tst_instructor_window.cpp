@@ -192,6 +192,15 @@ constexpr std::array kDeeds{
          [](Shown& shown) { return shown.stations.nameOf(kRoom); }},
     Deed{"a move", [](Shown& shown) { shown.stations.move(kOlga, kRoom); },
          [](Shown& shown) { return numbered(shown.stations.stationOf(kOlga).value); }},
+    Deed{"work is given", [](Shown& shown) { shown.people.giveWork(FakeSessionNode::kInstructor); },
+         [](Shown& shown) {
+             return numbered(shown.node.state()->atWork(FakeSessionNode::kStation).value);
+         }},
+    Deed{"a head is placed", [](Shown& shown) { shown.people.place(kTom, PatientSide::Left); },
+         [](Shown& shown) {
+             const auto state = shown.node.state();
+             return numbered(qRound(inDegrees(state->participants().at(kTom).turn)));
+         }},
     Deed{"a view is deleted",
          [](Shown& shown) {
              QMenu& menu = *shown.find<QToolButton>("savedViews").menu();
@@ -768,6 +777,7 @@ private Q_SLOTS:
         Shown shown{kept};
         shown.node.sharePatient(FakeSessionNode::kInstructor);
         shown.node.decide(fact::ObjectShared{{}, kNobody, ObjectKind::OrganGroup, "lungs"});
+        shown.node.decide(fact::ObjectShared{{}, kTom, ObjectKind::Head, "Head"});
         shown.node.addStation("Room 5");
         shown.takeEffect();
         const auto& undo = shown.find<QToolButton>("undoChange");

@@ -93,8 +93,8 @@ void InstructorWindow::fillPanels(const ProgramTracker& tracker)
     m_ui->network->setModel(m_models.network);
     m_ui->actions->setModel(m_models.actions);
     m_models.actions.object().setGroups(m_models.patient.patient()->groups());
-    m_ui->parts->setScene(m_ui->pane->scene());
-    m_ui->section->setScene(m_ui->pane->scene());
+    m_drawn = m_models.stations.shown();
+    listParts();
     m_ui->partsPage->setFocusProxy(m_ui->parts);
     auto* lesson = new LessonBar;
     lesson->setModel(m_models.lesson);
@@ -116,12 +116,29 @@ void InstructorWindow::fillPanels(const ProgramTracker& tracker)
 void InstructorWindow::show(const PatientModel& patient, StationView& view)
 {
     m_ui->pane->show(patient, view);
-    m_part.clear();
     if (m_projector)
         m_projector->show(patient, view);
     m_models.actions.object().setGroups(patient.groups());
-    m_ui->parts->setScene(m_ui->pane->scene());
-    m_ui->section->setScene(m_ui->pane->scene());
+    followPicture();
+}
+
+/// As they were when the station was drawn last.
+void InstructorWindow::listParts()
+{
+    const std::string& patient = stationScene().patient().contentHash();
+    m_ui->parts->setScene(m_ui->pane->scene(), m_drawn, patient);
+    m_ui->section->setScene(m_ui->pane->scene(), m_drawn, patient);
+    m_part = m_ui->parts->chosenName();
+}
+
+/// The station that is shown is drawn once its patient is; until then the one before.
+void InstructorWindow::followPicture()
+{
+    const StationId shown = m_models.stations.shown();
+    if (liesAt(*m_models.session.node().state(), shown, stationScene().patient())
+        && std::exchange(m_drawn, shown) != shown)
+        m_teacher->pointAt(std::nullopt); // it was a part of the other one
+    listParts();
 }
 
 /// A part is chosen in the picture or in the list.
@@ -137,6 +154,8 @@ void InstructorWindow::connectParts()
                 m_teacher->pointAt(parts.size() == 1 ? std::optional{parts.front()} : std::nullopt);
             });
     connect(&m_models.lesson, &LessonModel::changed, this, &InstructorWindow::refreshStatus);
+    connect(&m_models.stations, &StationsModel::shownChanged, this,
+            &InstructorWindow::followPicture);
 }
 
 void InstructorWindow::layPanels()

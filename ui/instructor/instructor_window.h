@@ -105,6 +105,8 @@ private:
     void fillSessionBar();
     void addKeys(const UndoButton& undo);
     void connectParts();
+    void listParts();
+    void followPicture();
     void addMenuButton();
     void toggleFullScreen();
     void showProjector(bool shown);
@@ -130,7 +132,8 @@ private:
     std::function<bool()> m_mayClose;
     std::unique_ptr<SceneTeacher> m_teacher;
     std::unique_ptr<PartChooser> m_chooser;
-    QString m_part; ///< that was chosen in the picture
+    StationId m_drawn = kNoStation; ///< the station that the picture is of
+    QString m_part;                 ///< that was chosen in the picture
     SessionReach m_reach = SessionReach::ThisComputer;
     JoinCodes m_shownCodes;
     bool m_shownLocked = false;

@@ -231,20 +231,48 @@ PartsPanel::Switch PartsPanel::switchFor(const QString& text, const QString& too
     return {button, which};
 }
 
-void PartsPanel::setScene(SceneView& scene)
+void PartsPanel::setScene(SceneView& scene, StationId station, const std::string& patient)
 {
+    m_kept[m_station].chosen = chosen();
     m_scene = &scene;
-    if (m_history)
-        m_history->forget(*this); // those were the parts of another patient
+    m_station = station;
+    Kept& kept = m_kept[station];
+    if (patient.empty() || kept.patient != patient) {
+        kept = Kept{patient, {}, {}};
+        if (m_history)
+            m_history->forget(*this, station.value); // those were the parts of another patient
+    }
+    if (scene.looks() != kept.looks)
+        scene.setLooks(kept.looks);
+    if (patient.empty() || m_listed != patient)
+        list(patient);
+    chooseAll(kept.chosen);
+    refresh();
+}
+
+void PartsPanel::list(const std::string& patient)
+{
+    m_listed = patient;
+    const std::vector<ScenePart>& parts = m_scene->parts();
     const QSignalBlocker silently{m_parts};
     m_parts->clear();
     for (const BodyRegion region : kRegions)
-        listRegion(*m_parts, region, scene.parts());
-    m_plain.button->setVisible(
-        std::any_of(scene.parts().begin(), scene.parts().end(),
-                    [](const ScenePart& part) { return !part.colors.empty(); }));
+        listRegion(*m_parts, region, parts);
+    m_plain.button->setVisible(std::any_of(
+        parts.begin(), parts.end(), [](const ScenePart& part) { return !part.colors.empty(); }));
     filter(m_words->text());
-    refresh();
+}
+
+/// Chooses these and no others, and has their regions open.
+void PartsPanel::chooseAll(const std::vector<std::uint16_t>& parts)
+{
+    const QSignalBlocker silently{m_parts};
+    m_parts->clearSelection();
+    for (const std::uint16_t part : parts)
+        if (QTreeWidgetItem* item = itemOf(part); item != nullptr) {
+            item->parent()->setExpanded(true);
+            item->setSelected(true);
+        }
 }
 
 void PartsPanel::choose(std::optional<std::uint16_t> part)
@@ -303,10 +331,19 @@ void PartsPanel::change(const std::vector<std::uint16_t>& ids, const QString& wh
 void PartsPanel::setLooks(const PartLooks& looks, const QString& text)
 {
     if (m_history)
-        m_history->add(*this, text, [this, before = m_scene->looks()] {
-            m_scene->setLooks(before);
-            refresh();
-        });
+        m_history->add(
+            *this, text,
+            [this, station = m_station, before = m_scene->looks()] { setLooksAt(station, before); },
+            m_station.value, m_station);
+    setLooksAt(m_station, looks);
+}
+
+/// Also of a station that is not listed: it is shown so once it is again.
+void PartsPanel::setLooksAt(StationId station, const PartLooks& looks)
+{
+    m_kept[station].looks = looks;
+    if (station != m_station)
+        return;
     m_scene->setLooks(looks);
     refresh();
 }
@@ -315,6 +352,12 @@ void PartsPanel::put(const PartLooks& looks)
 {
     if (looks != m_scene->looks())
         setLooks(looks, tr("Parts → as they were shown"));
+}
+
+QString PartsPanel::chosenName() const
+{
+    const std::vector<std::uint16_t> ids = chosen();
+    return ids.size() == 1 ? nameOf(ids) : QString{};
 }
 
 /// Of several: how many.

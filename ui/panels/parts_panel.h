@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/core/ids.h"
 #include "models/session/change_history.h"
 #include "widgets/scene/look/part_look.h"
 
@@ -7,7 +8,9 @@
 #include <QWidget>
 
 #include <functional>
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 class QLineEdit;
@@ -32,8 +35,13 @@ class PartsPanel : public QWidget
 public:
     explicit PartsPanel(QWidget* parent = nullptr);
 
-    /// Lists the parts that the view has now. @pre the view outlives the panel.
-    void setScene(SceneView& scene);
+    /// Lists the parts that the view has now. Each station has its own looks and its own choice in
+    /// the list: where they are of the same patient they come back, else all is as usual.
+    /// @param station that is drawn; kNoStation in a program that has only one
+    /// @param patient by its content hash; empty: another one than before
+    /// @pre the view outlives the panel.
+    void setScene(SceneView& scene, StationId station = kNoStation,
+                  const std::string& patient = {});
     /// Adds its changes to a history from now on.
     void setHistory(ChangeHistory& history) { m_history = &history; }
     /// Chooses a part in the list, and no other; std::nullopt chooses none. A filter that hides it
@@ -41,6 +49,8 @@ public:
     void choose(std::optional<std::uint16_t> part);
     /// Shows the parts so, as one change.
     void put(const PartLooks& looks);
+    /// What the part that is chosen is called; empty where none is, or several are.
+    [[nodiscard]] QString chosenName() const;
 
 Q_SIGNALS:
     /// A person chose these parts in the list; a region stands for its listed parts.
@@ -57,12 +67,22 @@ private:
     };
     [[nodiscard]] Switch switchFor(const QString& text, const QString& toolTip,
                                    bool PartLook::*which);
+    /// How it was at a station last.
+    struct Kept {
+        std::string patient;
+        PartLooks looks;
+        std::vector<std::uint16_t> chosen;
+    };
+
+    void list(const std::string& patient);
+    void chooseAll(const std::vector<std::uint16_t>& parts);
     [[nodiscard]] std::vector<QTreeWidgetItem*> regions() const;
     [[nodiscard]] std::vector<std::uint16_t> chosen() const;
     [[nodiscard]] QTreeWidgetItem* itemOf(std::uint16_t part) const;
     void change(const std::vector<std::uint16_t>& ids, const QString& what,
                 const std::function<void(PartLook&)>& applied);
     void setLooks(const PartLooks& looks, const QString& text);
+    void setLooksAt(StationId station, const PartLooks& looks);
     [[nodiscard]] QString nameOf(const std::vector<std::uint16_t>& ids) const;
     void showOrHide(QTreeWidgetItem* item, int column);
     void showAll();
@@ -72,6 +92,9 @@ private:
     void refreshButtons(const PartLooks& looks);
 
     SceneView* m_scene = nullptr;
+    StationId m_station = kNoStation;
+    std::string m_listed; ///< the patient whose parts are in the list
+    std::map<StationId, Kept> m_kept;
     QPointer<ChangeHistory> m_history;
     QLineEdit* m_words;
     QTreeWidget* m_parts;

@@ -25,8 +25,6 @@ constexpr int kNothing = 0;
 constexpr int kAroundAirway = 1;
 constexpr int kEverything = 2;
 constexpr int kAutomatic = 0;
-constexpr int kPlaneTopic = 1; ///< of a change of what is cut and from where
-constexpr int kDepthTopic = 2;
 constexpr int kPage_mm = 10;
 constexpr double kRounding_mm = 1e-3; ///< of single precision
 
@@ -43,6 +41,10 @@ const std::array<CutSide, 6> kSides{{
     {QT_TRANSLATE_NOOP("carina::SectionPanel", "from above"), Vec3::UnitZ()},
     {QT_TRANSLATE_NOOP("carina::SectionPanel", "from below"), -Vec3::UnitZ()},
 }};
+
+/// Of a change of what is cut at a station, and from where.
+int planeTopic(StationId station) { return 2 * station.value; }
+int depthTopic(StationId station) { return planeTopic(station) + 1; }
 
 /// The farthest that a box reaches along a direction.
 double reach(const Box& box, const Vec3& direction)
@@ -111,19 +113,37 @@ void SectionPanel::layOut()
     form->addRow(tr("Detail"), m_detail);
 }
 
-void SectionPanel::setScene(SceneView& scene)
+void SectionPanel::setScene(SceneView& scene, StationId station, const std::string& patient)
 {
-    if (m_history)
-        m_history->forget(*this); // those were cuts of another patient
     m_bounds_A = {};
     for (const ScenePart& part : scene.parts())
         m_bounds_A.include(boundsOf(*part.levels.back()));
     setEnabled(true);
     m_scene = nullptr; // nobody chose what follows
     choose();
+    begin(station, patient);
     m_scene = &scene;
-    m_choice = choice();
     cut();
+}
+
+/// With the cut that the station had, if that was of this patient.
+void SectionPanel::begin(StationId station, const std::string& patient)
+{
+    const auto kept = m_kept.find(station);
+    const bool isKept = kept != m_kept.end() && !patient.empty() && kept->second.patient == patient;
+    if (!isKept && m_history) { // those were cuts of another patient
+        m_history->forget(*this, planeTopic(station));
+        m_history->forget(*this, depthTopic(station));
+    }
+    if (isKept) {
+        setControls(kept->second.choice);
+    } else if (station != m_station) {
+        setControls({});
+        m_depth->setValue(m_depth->maximum() / 2);
+    }
+    m_station = station;
+    m_choice = choice();
+    m_kept.insert_or_assign(station, Kept{patient, m_choice});
 }
 
 std::optional<Section> SectionPanel::section() const
@@ -170,17 +190,23 @@ SectionPanel::Choice SectionPanel::choice() const
 void SectionPanel::remember()
 {
     const Choice before = std::exchange(m_choice, choice());
+    m_kept[m_station].choice = m_choice;
     if (!m_history || before == m_choice)
         return;
     const bool isDepth = before.what == m_choice.what && before.side == m_choice.side;
-    const int topic = isDepth ? kDepthTopic : kPlaneTopic;
+    const int topic = isDepth ? depthTopic(m_station) : planeTopic(m_station);
     if (!isDepth || !m_history->goOn(*this, text(), topic))
         m_history->add(
-            *this, text(), [this, before] { goBackTo(before); }, topic);
+            *this, text(), [this, station = m_station, before] { goBackTo(station, before); },
+            topic, m_station);
 }
 
-void SectionPanel::goBackTo(const Choice& choice)
+/// Also at a station that is not drawn: it is cut so once it is again.
+void SectionPanel::goBackTo(StationId station, const Choice& choice)
 {
+    m_kept[station].choice = choice;
+    if (station != m_station)
+        return;
     setControls(choice);
     m_choice = choice;
     cut();

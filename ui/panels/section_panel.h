@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/core/ids.h"
 #include "models/session/change_history.h"
 #include "widgets/scene/look/section.h"
 #include "widgets/scene/surfaces/scene_part.h"
@@ -7,7 +8,9 @@
 #include <QPointer>
 #include <QWidget>
 
+#include <map>
 #include <optional>
+#include <string>
 
 class QComboBox;
 class QSlider;
@@ -27,8 +30,13 @@ class SectionPanel : public QWidget
 public:
     explicit SectionPanel(QWidget* parent = nullptr);
 
-    /// Controls this view, with the bounds of its present parts. @pre the view outlives the panel.
-    void setScene(SceneView& scene);
+    /// Controls this view, with the bounds of its present parts. Each station has its own cut:
+    /// where it is of the same patient it comes back, and another station begins without one.
+    /// @param station that is drawn; kNoStation in a program that has only one
+    /// @param patient by its content hash; empty: another one than before
+    /// @pre the view outlives the panel.
+    void setScene(SceneView& scene, StationId station = kNoStation,
+                  const std::string& patient = {});
 
     /// Adds its changes to a history from now on.
     void setHistory(ChangeHistory& history) { m_history = &history; }
@@ -49,12 +57,19 @@ private:
         friend bool operator==(const Choice&, const Choice&) = default;
     };
 
+    /// How it was at a station last.
+    struct Kept {
+        std::string patient;
+        Choice choice;
+    };
+
     void layOut();
     void fillChoices();
     void cut();
     void choose();
     void remember();
-    void goBackTo(const Choice& choice);
+    void begin(StationId station, const std::string& patient);
+    void goBackTo(StationId station, const Choice& choice);
     void setControls(const Choice& choice);
     [[nodiscard]] Choice choice() const;
     [[nodiscard]] std::optional<Choice> choiceFor(const std::optional<Section>& section) const;
@@ -62,6 +77,8 @@ private:
 
     SceneView* m_scene = nullptr;
     QPointer<ChangeHistory> m_history;
+    StationId m_station = kNoStation;
+    std::map<StationId, Kept> m_kept;
     Choice m_choice; ///< by which it is cut
     Box m_bounds_A;  ///< of all parts of the patient
     QComboBox* m_what;

@@ -47,6 +47,17 @@ constexpr ObjectId kPatient = FakeSessionNode::kPatient;
 constexpr ObjectId kLungs{3};
 constexpr std::size_t kPanels = 9;
 
+/// One with the same surfaces as the console's.
+SharedPatientModel anotherPatient()
+{
+    static const SharedPatientModel made = [] {
+        Anatomy anatomy = builtinPatient(BuiltinPatient::TwelveYears).value();
+        anatomy.contentHash = "another";
+        return patientOf(std::move(anatomy)).value();
+    }();
+    return made;
+}
+
 /// A console as it is once it was shown and laid out.
 struct Shown : ConsoleDesk {
     explicit Shown(const test::ScratchFolder& kept, const QSize& size = {1280, 800})
@@ -98,6 +109,22 @@ struct Shown : ConsoleDesk {
         node.announce();
         QCoreApplication::sendPostedEvents();
     }
+    /// A second station, with the same patient or another one.
+    void addRoom(const SharedPatientModel& patient)
+    {
+        node.decide(fact::AnatomyChosen{child()->contentHash(), "Child"});
+        node.addStation("Room 5");
+        node.decideAt(kRoom, fact::AnatomyChosen{patient->contentHash(), "Patient"});
+        takeEffect();
+    }
+    /// And draws its patient, as the program does once that is made.
+    void look(StationId station, const SharedPatientModel& patient)
+    {
+        stations.show(station);
+        if (patient.get() != &window.stationScene().patient())
+            window.show(*patient, view);
+    }
+    [[nodiscard]] const SceneSettings& settings() { return find<SceneView>("scene").settings(); }
     void pressUndo()
     {
         QApplication::setActiveWindow(&window); // the display has no window manager
@@ -589,6 +616,70 @@ private Q_SLOTS:
         QVERIFY(isShown());
         shown.attention.look();
         QVERIFY(shown.attention.all().empty());
+    }
+
+    void keepsPartsAndCutOfEachStation_data()
+    {
+        QTest::addColumn<bool>("isAnother");
+        QTest::newRow("the same patient") << false;
+        QTest::newRow("another patient") << true;
+    }
+    void keepsPartsAndCutOfEachStation()
+    {
+        QFETCH(const bool, isAnother);
+        const SharedPatientModel other = isAnother ? anotherPatient() : ConsoleDesk::child();
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        shown.addRoom(other);
+        auto& what = shown.find<QComboBox>("what");
+        auto& parts = shown.find<PartsPanel>("parts");
+        const std::uint16_t first = shown.find<SceneView>("scene").parts().front().id;
+        const QString name =
+            QString::fromStdString(shown.find<SceneView>("scene").parts().front().name);
+        parts.put({{first, {.highlighted = true}}});
+        parts.choose(first);
+        what.setCurrentIndex(2);
+        shown.find<QSlider>("slider").setValue(40);
+        const SceneSettings before = shown.settings();
+        shown.look(kRoom, other);
+        QVERIFY(shown.settings() == SceneSettings{});
+        QVERIFY(parts.chosenName().isEmpty());
+        what.setCurrentIndex(1);
+        const SceneSettings inRoom = shown.settings();
+        shown.look(FakeSessionNode::kStation, ConsoleDesk::child());
+        QVERIFY(shown.settings() == before);
+        QCOMPARE(what.currentIndex(), 2);
+        QCOMPARE(shown.find<QSlider>("slider").value(), 40);
+        QCOMPARE(parts.chosenName(), name);
+        shown.look(kRoom, other);
+        QVERIFY(shown.settings() == inRoom);
+    }
+
+    /// Each at its station, whichever is drawn.
+    void takesBackPartsAndCutOfAnotherStation()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        shown.addRoom(anotherPatient());
+        auto& what = shown.find<QComboBox>("what");
+        auto& parts = shown.find<PartsPanel>("parts");
+        what.setCurrentIndex(2);
+        parts.put({{shown.find<SceneView>("scene").parts().front().id, {.highlighted = true}}});
+        shown.look(kRoom, anotherPatient());
+        what.setCurrentIndex(1);
+        const SceneSettings inRoom = shown.settings();
+        QVERIFY(inRoom.section);
+        what.setCurrentIndex(0);
+        shown.pressUndo();
+        QVERIFY(shown.settings() == inRoom);
+        shown.pressUndo();
+        shown.pressUndo();
+        shown.pressUndo();
+        QVERIFY(shown.settings() == SceneSettings{});
+        QVERIFY(!shown.find<QToolButton>("undoChange").isEnabled());
+        shown.look(FakeSessionNode::kStation, ConsoleDesk::child());
+        QVERIFY(shown.settings() == SceneSettings{});
+        QCOMPARE(what.currentIndex(), 0);
     }
 
     /// And says so, and leaves the picture as it is.

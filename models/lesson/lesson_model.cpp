@@ -36,13 +36,48 @@ void LessonModel::setStation(StationId station)
 {
     if (station == m_station)
         return;
-    if (isOn())
-        apply({false, m_target, m_showsView});
+    m_left.insert_or_assign(m_station, Left{setting(), m_picture, patientAt(m_station)});
+    m_view->set(std::nullopt); // what is looked at is elsewhere
+    m_pointer->set(std::nullopt);
     m_station = station;
     m_target = kNobody;
-    if (m_history)
-        m_history->forget(*this);
+    m_picture = {};
+    comeBack();
     Q_EMIT changed();
+}
+
+/// To where something was left, if it was.
+void LessonModel::comeBack()
+{
+    const auto found = m_left.find(m_station);
+    if (found == m_left.end())
+        return;
+    const Left left = found->second;
+    m_target = left.setting.to;
+    m_showsView = left.setting.showsView;
+    if (left.patient != patientAt(m_station))
+        return; // the parts were those of another patient
+    m_picture = left.picture;
+    if (left.setting.on && hasEndedByGoing(left.setting))
+        apply(left.setting);
+}
+
+/// Whether it was on at this station, and is not because this person went to another one, as with
+/// tools that are shared where they are. Who is to see it has to be here still.
+bool LessonModel::hasEndedByGoing(const Setting& left) const
+{
+    const auto state = m_session.node().state();
+    const auto station = state->stations().find(m_station);
+    const bool isFree = station != state->stations().end() && !station->second.closed
+                        && !station->second.lesson && !station->second.brokenOff;
+    return isFree && ownStation(m_session.node()) != m_station && target() == left.to;
+}
+
+std::string LessonModel::patientAt(StationId station) const
+{
+    const auto state = m_session.node().state();
+    const auto found = state->stations().find(station);
+    return found == state->stations().end() ? std::string{} : found->second.anatomyHash;
 }
 
 std::vector<LessonModel::Target> LessonModel::targets() const
@@ -58,22 +93,23 @@ std::vector<LessonModel::Target> LessonModel::targets() const
 ParticipantId LessonModel::target() const
 {
     const auto state = m_session.node().state();
-    if (const ShownLesson* lesson = shown(*state))
+    if (const ShownLesson* lesson = shown(*state, m_station))
         return lesson->to;
     const auto who = state->participants().find(m_target);
     return who != state->participants().end() && canBeShown(who->second, m_station) ? m_target
                                                                                     : kNobody;
 }
 
-const ShownLesson* LessonModel::shown(const SessionState& state) const
+/// By this person.
+const ShownLesson* LessonModel::shown(const SessionState& state, StationId station) const
 {
-    const auto station = state.stations().find(m_station);
-    const bool isOwn = station != state.stations().end() && station->second.lesson
-                       && station->second.lesson->by == m_session.node().self();
-    return isOwn ? &*station->second.lesson : nullptr;
+    const auto found = state.stations().find(station);
+    const bool isOwn = found != state.stations().end() && found->second.lesson
+                       && found->second.lesson->by == m_session.node().self();
+    return isOwn ? &*found->second.lesson : nullptr;
 }
 
-bool LessonModel::isOn() const { return shown(*m_session.node().state()) != nullptr; }
+bool LessonModel::isOn() const { return shown(*m_session.node().state(), m_station) != nullptr; }
 
 bool LessonModel::canSwitch() const
 {
@@ -133,8 +169,28 @@ void LessonModel::change(const Setting& wanted)
 {
     const Setting before = setting();
     if (m_history && (before.on || wanted.on))
-        m_history->add(*this, changeText(wanted), [this, before] { apply(before); });
+        m_history->add(
+            *this, changeText(wanted),
+            [this, station = m_station, before] { takeBack(station, before); }, 0, m_station);
     apply(wanted);
+}
+
+/// At a station that this does not speak of, something is shown only while this person is there:
+/// else once they come back.
+void LessonModel::takeBack(StationId station, const Setting& before)
+{
+    if (station == m_station)
+        return apply(before);
+    const auto left = m_left.find(station);
+    if (left == m_left.end())
+        return;
+    SessionNode& node = m_session.node();
+    left->second.setting = before;
+    if (!before.on && shown(*node.state(), station))
+        node.propose(station, fact::LessonEnded{});
+    if (before.on && ownStation(node) == station && left->second.patient == patientAt(station))
+        show(station, before, left->second.picture);
+    Q_EMIT changed();
 }
 
 void LessonModel::apply(const Setting& wanted)
@@ -145,7 +201,9 @@ void LessonModel::apply(const Setting& wanted)
     if (wanted.on) {
         shareOnce();
         come();
-        show();
+        show(m_station, wanted, m_picture);
+        for (auto& [station, left] : m_left)
+            left.setting.on = false; // what is switched on last goes on
     } else {
         m_view->set(std::nullopt);
         m_pointer->set(std::nullopt);
@@ -163,15 +221,15 @@ void LessonModel::come()
         node.propose(m_station, fact::ParticipantMoved{node.self()});
 }
 
-void LessonModel::show()
+/// Unless it is shown already.
+void LessonModel::show(StationId station, const Setting& wanted, Lesson picture)
 {
     SessionNode& node = m_session.node();
     const auto state = node.state();
-    Lesson lesson = m_picture;
-    lesson.showsView = m_showsView;
-    const ShownLesson* now = shown(*state);
-    if (!now || now->to != m_target || now->lesson != lesson)
-        node.propose(m_station, fact::LessonShown{m_target, std::move(lesson)});
+    picture.showsView = wanted.showsView;
+    const ShownLesson* now = shown(*state, station);
+    if (!now || now->to != wanted.to || now->lesson != picture)
+        node.propose(station, fact::LessonShown{wanted.to, std::move(picture)});
 }
 
 void LessonModel::shareOnce()
@@ -191,7 +249,7 @@ void LessonModel::follow(const Lesson& picture)
         return;
     m_target = target();
     pause();
-    show();
+    show(m_station, {true, m_target, m_showsView}, m_picture);
 }
 
 /// Also after the end, so that no picture follows it that was on its way.
@@ -253,6 +311,17 @@ QString LessonModel::text() const
     return lesson.by == m_session.node().self()
                ? tr("● Shown to %1: %2").arg(nameOf(lesson.to), what)
                : tr("◆ %1 shows to %2: %3").arg(nameOf(lesson.by), nameOf(lesson.to), what);
+}
+
+QString LessonModel::elsewhereText() const
+{
+    const auto state = m_session.node().state();
+    for (const auto& [id, station] : state->stations())
+        if (id != m_station && !station.closed && shown(*state, id))
+            return tr("● Still shown at %1 to %2: %3", "a station; whom; what is shown")
+                .arg(QString::fromStdString(station.name), nameOf(station.lesson->to),
+                     lessonText(station.lesson->lesson, false));
+    return {};
 }
 
 } // namespace carina

@@ -7,7 +7,9 @@
 
 #include <QPointer>
 
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace carina
@@ -34,8 +36,11 @@ public:
     /// @pre session outlives this.
     LessonModel(SessionModel& session, StationId station, QObject* parent = nullptr);
 
-    /// Speaks of another station from now on; what is shown at the former one ends, and with it
-    /// what could be undone about it: the picture to be shown is that of the other station now.
+    /// Speaks of another station from now on. What is shown at the former one stays as it is,
+    /// without following anything, and so does what can be undone about it. Back at a station,
+    /// switch and choices are as they were, and what ended there because this person went to
+    /// another station is shown again, while the same patient lies there and they have switched on
+    /// nothing elsewhere.
     void setStation(StationId station);
     /// Adds its changes to a history from now on, by which they are undone.
     void setHistory(ChangeHistory& history) { m_history = &history; }
@@ -63,6 +68,9 @@ public:
     /// What is shown to whom, after its mark: "● Shown to everybody: section, names". Empty while
     /// nothing is.
     [[nodiscard]] QString text() const;
+    /// What this person shows at a station that this does not speak of: "● Still shown at Room 5 to
+    /// everybody: section". Empty while they do not.
+    [[nodiscard]] QString elsewhereText() const;
 
     /// The picture as this person has it now, which is shown while this is on, at most every
     /// kShortestPause; to be called again and again. Its showsView has no effect.
@@ -85,11 +93,22 @@ private:
         bool showsView = true;
     };
 
-    [[nodiscard]] const ShownLesson* shown(const SessionState& state) const;
+    /// What is kept of a station while this speaks of another one.
+    struct Left {
+        Setting setting;
+        Lesson picture;
+        std::string patient; ///< that lay there, by its content hash
+    };
+
+    [[nodiscard]] const ShownLesson* shown(const SessionState& state, StationId station) const;
+    [[nodiscard]] std::string patientAt(StationId station) const;
     [[nodiscard]] Setting setting() const;
     void change(const Setting& wanted);
     void apply(const Setting& wanted);
-    void show();
+    void takeBack(StationId station, const Setting& before);
+    void show(StationId station, const Setting& wanted, Lesson picture);
+    void comeBack();
+    [[nodiscard]] bool hasEndedByGoing(const Setting& left) const;
     void pause();
     void shareOnce();
     void come();
@@ -104,6 +123,7 @@ private:
     bool m_showsView = true;
     bool m_isShared = false;
     Lesson m_picture;
+    std::map<StationId, Left> m_left;
     SessionTime m_nextPicture = SessionTime::min();
     // Shared with the node's thread, which reads them.
     std::shared_ptr<SharedPose> m_view = std::make_shared<SharedPose>();

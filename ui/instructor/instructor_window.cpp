@@ -138,6 +138,7 @@ void InstructorWindow::followPicture()
     if (liesAt(*m_models.session.node().state(), shown, stationScene().patient())
         && std::exchange(m_drawn, shown) != shown)
         m_teacher->pointAt(std::nullopt); // it was a part of the other one
+    m_teacher->setElsewhere(m_drawn != shown);
     listParts();
 }
 
@@ -412,8 +413,9 @@ void InstructorWindow::refreshStatus()
     StationScene& scene = stationScene();
     const StationMoment& moment = scene.moment();
     QStringList told = unusual(moment);
-    if (const QString shown = m_models.lesson.text(); !shown.isEmpty())
-        told.prepend(shown);
+    for (const QString& shown : {m_models.lesson.text(), m_models.lesson.elsewhereText()})
+        if (!shown.isEmpty())
+            told.prepend(shown);
     if (!m_part.isEmpty())
         told += tr("Part: %1").arg(m_part);
     if (const auto& eyes = scene.throughEyesOf())

@@ -37,6 +37,8 @@ void SceneTeacher::showAgain(PartsPanel& parts, SectionPanel& section)
 
 void SceneTeacher::look()
 {
+    if (m_isElsewhere)
+        return;
     m_model.follow(lessonOf(m_scene.settings()));
     if (!m_model.isOn())
         return;

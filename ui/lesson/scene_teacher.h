@@ -24,6 +24,9 @@ public:
     /// Points at a part from now on, until the mouse moves over the picture; std::nullopt: at none.
     void pointAt(std::optional<std::uint16_t> part);
 
+    /// While the view draws another station than the model's, nothing of it is shown.
+    void setElsewhere(bool elsewhere) { m_isElsewhere = elsewhere; }
+
     /// Shows again what broke off (LessonModel::brokenOff), by making the picture so in its panels.
     /// @pre the view draws the patient of the model's station.
     void showAgain(PartsPanel& parts, SectionPanel& section);
@@ -36,6 +39,7 @@ private:
 
     LessonModel& m_model;
     const SceneView& m_scene;
+    bool m_isElsewhere = false;
     std::optional<std::uint16_t> m_part;
     std::optional<Vec3> m_mouse_A; ///< the direction of the mouse when the part was chosen
     QTimer m_timer;

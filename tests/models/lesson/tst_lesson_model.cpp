@@ -13,6 +13,7 @@ using test::FakeSessionNode;
 constexpr StationId kStation = FakeSessionNode::kStation;
 constexpr ParticipantId kIna = FakeSessionNode::kInstructor;
 constexpr ParticipantId kTom = FakeSessionNode::kTrainee;
+constexpr StationId kRoom{1};
 const RigidTransform kSomewhere = RigidTransform::translation({0.1, -2.0, 0.3});
 
 Lesson cut(double distance)
@@ -36,6 +37,17 @@ struct Desk {
     {
         return node.state()->stations().at(station).lesson;
     }
+    /// A second station, and something that is shown to Tom at the first one.
+    void teachTom()
+    {
+        node.addStation("Room 5");
+        model.follow(cut(0.01));
+        model.setTarget(kTom);
+        model.setShowsView(false);
+        model.setOn(true);
+    }
+    /// With their tools.
+    void go(StationId station) { node.decideAt(station, fact::ParticipantMoved{kIna}); }
     void wait() { node.advance(LessonModel::kShortestPause); }
 };
 
@@ -117,19 +129,118 @@ private Q_SLOTS:
         QVERIFY(desk.history.isEmpty());
     }
 
-    /// The stations of a session have their own patients.
-    void endsWhereAnotherStationIsShown()
+    /// Those at a station see on what they saw.
+    void losesNothingByAGlanceAtAnotherStation()
+    {
+        Desk desk;
+        desk.teachTom();
+        const auto before = desk.shown();
+        QVERIFY(before && before->to == kTom);
+        desk.model.setStation(kRoom);
+        QVERIFY(!desk.model.isOn() && desk.model.target() == kNobody);
+        QCOMPARE(desk.model.elsewhereText(),
+                 QStringLiteral("● Still shown at Station 1 to Tom: section"));
+        desk.wait();
+        desk.model.follow(named()); // how the other station is drawn
+        desk.model.pointWith(kSomewhere);
+        QVERIFY(desk.shown() == before && !desk.shown(kRoom));
+        desk.model.setStation(kStation);
+        QVERIFY(desk.model.isOn() && desk.model.target() == kTom && !desk.model.showsView());
+        QVERIFY(desk.shown() == before);
+        QVERIFY(desk.model.elsewhereText().isEmpty());
+        desk.wait();
+        desk.model.follow(cut(0.02));
+        QVERIFY(desk.shown()->lesson.section == cut(0.02).section);
+    }
+
+    void keepsItsChoicesWhileNothingIsShown()
     {
         Desk desk;
         desk.node.addStation("Room 5");
-        const StationId other{1};
-        desk.model.setOn(true);
-        desk.model.setStation(other);
+        desk.model.setTarget(kTom);
+        desk.model.setShowsView(false);
+        desk.model.setStation(kRoom);
+        desk.model.setShowsView(true);
+        desk.model.setStation(kStation);
+        QVERIFY(desk.model.target() == kTom && !desk.model.showsView());
+        QVERIFY(!desk.shown() && !desk.shown(kRoom));
+    }
+
+    /// What a person shows ends where they go away from, as with tools.
+    void isShownAgainWhereTheyComeBackTo()
+    {
+        Desk desk;
+        desk.teachTom();
+        const auto before = desk.shown();
+        desk.model.setStation(kRoom);
+        desk.go(kRoom);
         QVERIFY(!desk.shown());
-        QVERIFY(desk.history.isEmpty());
+        desk.model.setStation(kStation);
+        QVERIFY(desk.shown() == before);
+        QVERIFY(ownStation(desk.node) == kStation); // with their view and pointer
+    }
+
+    void goesOnWhereItWasSwitchedOnLast()
+    {
+        Desk desk;
+        desk.teachTom();
+        desk.model.setStation(kRoom);
         desk.model.setOn(true);
-        QVERIFY(desk.shown(other));
-        QVERIFY(ownStation(desk.node) == other); // with their view and pointer
+        QVERIFY(!desk.shown());
+        QVERIFY(desk.shown(kRoom)->lesson.section == Lesson{}.section); // not that of the first
+        QVERIFY(ownStation(desk.node) == kRoom); // with their view and pointer
+        const auto before = desk.shown(kRoom);
+        desk.model.setStation(kStation);
+        QVERIFY(!desk.shown() && !desk.model.isOn());
+        QVERIFY(desk.shown(kRoom) == before);
+    }
+
+    void staysOffWhereItWasEndedOrHasNoSense_data()
+    {
+        QTest::addColumn<int>("what");
+        QTest::newRow("another instructor ended it") << 0;
+        QTest::newRow("another patient lies there") << 1;
+        QTest::newRow("who saw it has left") << 2;
+        QTest::newRow("somebody else shows something") << 3;
+    }
+    void staysOffWhereItWasEndedOrHasNoSense()
+    {
+        QFETCH(const int, what);
+        Desk desk;
+        desk.teachTom();
+        desk.model.setStation(kRoom);
+        if (what == 0)
+            desk.node.decide(fact::LessonEnded{});
+        else
+            desk.go(kRoom);
+        if (what == 1)
+            desk.node.decide(fact::AnatomyChosen{"0f0f", "Another"});
+        if (what == 2)
+            desk.node.decide(fact::ParticipantLeft{kTom});
+        if (what == 3)
+            desk.node.decide(fact::LessonShown{kTom, cut(0.03)});
+        const auto before = desk.shown();
+        const int proposed = desk.node.proposed;
+        desk.model.setStation(kStation);
+        QVERIFY(!desk.model.isOn() && desk.shown() == before);
+        QCOMPARE(desk.node.proposed, proposed);
+    }
+
+    void undoReachesWhatIsShownAtAnotherStation()
+    {
+        Desk desk;
+        desk.teachTom();
+        const auto before = desk.shown();
+        desk.model.setOn(false);
+        desk.model.setStation(kRoom);
+        QCOMPARE(desk.history.texts().size(), 2);
+        desk.history.undo();
+        QVERIFY(desk.shown() == before);
+        desk.history.undo();
+        QVERIFY(!desk.shown());
+        desk.model.setStation(kStation);
+        QVERIFY(!desk.model.isOn() && desk.model.target() == kTom);
+        QVERIFY(!desk.node.refusal());
     }
 
     /// The instructor's program stopped without a word, and is here again.

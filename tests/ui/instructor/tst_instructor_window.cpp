@@ -682,6 +682,38 @@ private Q_SLOTS:
         QCOMPARE(what.currentIndex(), 0);
     }
 
+    /// Not even while the picture is of the other station's patient.
+    void showsOnTheSameAfterAGlanceAtAnotherStation()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        QObject::connect(&shown.stations, &StationsModel::shownChanged, &shown.lesson,
+                         &LessonModel::setStation);
+        shown.addRoom(anotherPatient());
+        const auto isFollowed = [&shown] {
+            shown.node.advance(std::chrono::seconds{1});
+            Shown::settle();
+            const auto state = shown.node.state();
+            return state->stations().at(FakeSessionNode::kStation).lesson;
+        };
+        shown.find<QComboBox>("what").setCurrentIndex(2);
+        shown.lesson.setTarget(kTom);
+        shown.lesson.setOn(true);
+        const auto before = isFollowed();
+        QVERIFY(before && before->to == kTom && before->lesson.section.isCut);
+        shown.stations.show(kRoom);
+        QVERIFY(isFollowed() == before);
+        shown.look(kRoom, anotherPatient());
+        QVERIFY(isFollowed() == before);
+        shown.stations.show(FakeSessionNode::kStation);
+        QVERIFY(shown.lesson.isOn());
+        QVERIFY(isFollowed() == before);
+        shown.look(FakeSessionNode::kStation, ConsoleDesk::child());
+        QVERIFY(isFollowed() == before);
+        shown.find<QComboBox>("what").setCurrentIndex(0);
+        QVERIFY(!isFollowed()->lesson.section.isCut);
+    }
+
     /// And says so, and leaves the picture as it is.
     void showsNothingAgainThatCannotBeShown()
     {

@@ -229,6 +229,7 @@ private:
         figures.during = m_witness->take();
         figures.sent = attack->sent();
         figures.isTakenForAnother = attack->isTakenForAnother();
+        figures.patientsLaid = attack->patientsLaid();
         figures.measured = attack->measured(figures.length);
         figures.moved = shownBefore.moved(*m_node);
         figures.putOut = m_honest->takeMissed();

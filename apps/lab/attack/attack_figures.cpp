@@ -35,6 +35,11 @@ bool holdsDrift(const AttackFigures& figures)
                   <= kMostDriftRatio * std::max(kLeastUsualDrift_mm, usualDriftOf_mm(figures));
 }
 
+bool holdsJumps(const AttackFigures& figures)
+{
+    return figures.during.places.jumps() <= mostJumpsOf(figures);
+}
+
 bool holdsGap(const AttackFigures& figures)
 {
     return toSeconds(figures.during.largestGap) * 1e3 <= kMostGap_ms;
@@ -65,6 +70,8 @@ double usualDriftOf_mm(const AttackFigures& figures)
     return figures.usual.driftAtPhasesOf_mm(figures.during.places);
 }
 
+std::int64_t mostJumpsOf(const AttackFigures& figures) { return figures.patientsLaid; }
+
 double mostFactsOf(const AttackFigures& figures)
 {
     return figures.kind->mostFacts + figures.kind->factsPerS * toSeconds(figures.length);
@@ -93,8 +100,8 @@ double leastLeakOf_bytes(const AttackFigures& figures)
 bool holds(const AttackFigures& figures)
 {
     return !figures.isTakenForAnother && figures.putOut == 0 && figures.moved == 0
-           && holdsGap(figures) && holdsDrift(figures) && letsIn(figures) && holdsOwn(figures)
-           && holdsMemory(figures);
+           && holdsGap(figures) && holdsDrift(figures) && holdsJumps(figures) && letsIn(figures)
+           && holdsOwn(figures) && holdsMemory(figures);
 }
 
 } // namespace carina::lab

@@ -18,9 +18,10 @@ struct AttackFigures {
     int guests = 0;        ///< who took part besides
     std::int64_t sent = 0; ///< as the attack counts
     bool isTakenForAnother = false;
-    ShownPlaces usual{}; ///< in a period of the trainee's motion, before anybody attacked
-    Seen before{};       ///< in as much time before it as an attack lasts at least
-    Seen during{};       ///< in the time of the attack
+    ShownPlaces usual{};           ///< in a period of the trainee's motion, before anybody attacked
+    Seen before{};                 ///< in as much time before it as an attack lasts at least
+    Seen during{};                 ///< in the time of the attack
+    std::int64_t patientsLaid = 0; ///< in it, because the attacker chose them
     /// How long a newcomer of each role took meanwhile; nothing: not within 10 s.
     std::map<Role, std::optional<Duration>> joined{};
     std::int64_t putOut = 0; ///< of those who only take part, how many were not present throughout
@@ -32,6 +33,10 @@ struct AttackFigures {
 
 /// The drift that is usual in a session at the phases of the motion that were seen in the attack.
 [[nodiscard]] double usualDriftOf_mm(const AttackFigures& figures);
+
+/// How often the trainee's tube may be elsewhere from one sample to the next: once for each patient
+/// that the attacker had laid. Nobody else lays one in that time.
+[[nodiscard]] std::int64_t mostJumpsOf(const AttackFigures& figures);
 
 /// Facts that may come of it, and without how many it was no such attack.
 [[nodiscard]] double mostFactsOf(const AttackFigures& figures);

@@ -120,6 +120,18 @@ class Instructing : public Participating
 public:
     explicit Instructing(const Target& target) : Participating{target, Role::Instructor} {}
 
+    [[nodiscard]] std::int64_t patientsLaid() const override
+    {
+        if (!intruder().welcome())
+            return 0;
+        const ParticipantId self = intruder().welcome()->participant;
+        return std::ranges::count_if(intruder().facts(), [self](const FactRecord& record) {
+            const auto fact = fromRecord(record);
+            return record.author == self && fact
+                   && std::holds_alternative<fact::AnatomyChosen>(fact->body);
+        });
+    }
+
 protected:
     void flood(Intruder& intruder) override
     {
@@ -365,6 +377,13 @@ public:
     {
         return std::ranges::any_of(m_attacks,
                                    [](const auto& attack) { return attack->isTakenForAnother(); });
+    }
+    [[nodiscard]] std::int64_t patientsLaid() const override
+    {
+        std::int64_t sum = 0;
+        for (const auto& attack : m_attacks)
+            sum += attack->patientsLaid();
+        return sum;
     }
     [[nodiscard]] std::vector<Measured> measured(Duration length) const override
     {

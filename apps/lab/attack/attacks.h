@@ -39,6 +39,9 @@ public:
     [[nodiscard]] virtual std::int64_t sent() const = 0;
     /// Whether the host took it for a participant that it is not.
     [[nodiscard]] virtual bool isTakenForAnother() const { return false; }
+    /// Patients that the host had laid because the attacker chose them. Each puts a trainee's tube
+    /// elsewhere, once at most.
+    [[nodiscard]] virtual std::int64_t patientsLaid() const { return 0; }
     /// @param length of the attack so far
     [[nodiscard]] virtual std::vector<Measured> measured(Duration length) const
     {

@@ -35,6 +35,19 @@ ShownPlaces seenPlaces(double drift_mm = 0.0)
     return places;
 }
 
+/// A tube that was shown where it was, and was elsewhere from one sample to the next.
+ShownPlaces jumpedPlaces()
+{
+    ShownPlaces places = seenPlaces();
+    PoseSample sample;
+    for (const double x : {0.0, 1.0}) {
+        sample.time += 16ms;
+        sample.X_FO = RigidTransform::translation(Vec3{x, 0.0, 0.0});
+        places.heard(sample, sample.time);
+    }
+    return places;
+}
+
 /// Of an attack that did what it is for, on a session that held.
 AttackFigures heldAgainst(const AttackKind& kind)
 {
@@ -67,6 +80,7 @@ private Q_SLOTS:
         row("an object of another moved", [](AttackFigures& f) { f.moved = 1; });
         row("a gap", [](AttackFigures& f) { f.during.largestGap = 101ms; });
         row("a drift", [](AttackFigures& f) { f.during.places = seenPlaces(0.21); });
+        row("a jump", [](AttackFigures& f) { f.during.places = jumpedPlaces(); });
         row("no tube seen", [](AttackFigures& f) { f.during.places = {}; });
         row("an instructor comes in late",
             [](AttackFigures& f) { f.joined[Role::Instructor] = 2001ms; });
@@ -123,6 +137,18 @@ private Q_SLOTS:
         figures.usual = seenPlaces(usual_mm);
         figures.during.places = seenPlaces(during_mm);
         QCOMPARE(holds(figures), isHeld);
+    }
+
+    /// A tube jumps when another patient is laid, and not oftener.
+    void allowsAJumpForEachPatientThatTheAttackerHadLaid()
+    {
+        AttackFigures figures = heldAgainst(kindOf("instructing"));
+        figures.during.places = jumpedPlaces();
+        QCOMPARE(figures.during.places.jumps(), 1);
+        QVERIFY(!holds(figures));
+        figures.patientsLaid = 1;
+        QCOMPARE(mostJumpsOf(figures), std::int64_t{1});
+        QVERIFY(holds(figures));
     }
 
     void boundsTheGapBesideGuestsToo()

@@ -1,5 +1,6 @@
 #include "apps/lab/attack/attacks.h"
 
+#include "apps/lab/attack/false_tube.h"
 #include "apps/lab/attack/foreign_actions.h"
 #include "apps/lab/attack/gallery.h"
 #include "apps/lab/attack/impostors.h"
@@ -181,44 +182,6 @@ public:
 
 private:
     FactBody body(const Intruder&) override { return fact::RoleCodeChanged{Role::Observer}; }
-};
-
-/// Shares a tube and streams samples of it that are ahead of the session.
-class FalseTube : public Participating
-{
-public:
-    explicit FalseTube(const Target& target) : Participating{target, Role::Trainee} {}
-
-protected:
-    void flood(Intruder& intruder) override
-    {
-        const Welcome& me = *intruder.welcome();
-        if (!m_shared && intruder.station() != kNoStation) {
-            m_shared = true;
-            const WireRecord proposal = toRecord(
-                Proposal{anyId(), kNobody, intruder.station(),
-                         fact::ObjectShared{ObjectId{}, me.participant, ObjectKind::Tube, "Tube"}});
-            intruder.send(std::span{&proposal, 1});
-        }
-        StreamGroup group{me.participant, me.epoch, intruder.station(), {}};
-        for (std::uint16_t object = 1; object <= kStreamsPerGroup; ++object)
-            group.streams.push_back(sampleOf(ObjectId{object}, intruder.sessionNow()));
-        const WireRecord record = group;
-        intruder.send(std::span{&record, 1});
-    }
-
-private:
-    StreamCpo sampleOf(ObjectId object, SessionTime now)
-    {
-        StreamCpo sample;
-        sample.object = object;
-        sample.sequence = ++m_sequence;
-        sample.time = now + std::chrono::milliseconds{12};
-        return sample;
-    }
-
-    bool m_shared = false;
-    std::uint16_t m_sequence = 0;
 };
 
 /// Sends what is no datagram.
@@ -496,8 +459,9 @@ std::span<const AttackKind> attackKinds()
                    .mostPaths = kIdlePaths,
                    .keepsOut = true},
         AttackKind{.name = "false-tube",
-                   .what = "a trainee streams a second tube, 12 ms ahead of the session",
-                   .begin = begin<FalseTube>,
+                   .what = "a trainee streams a second tube, in time and 200 ms ahead of the "
+                           "session, as its own and in the place of what others have",
+                   .begin = beginFalseTube,
                    .mostFacts = kComings},
         AttackKind{.name = "shown",
                    .what = "a trainee tells without end where its tube was shown",

@@ -82,6 +82,7 @@ void Intruder::receive(PeerAddress, std::span<const std::byte> bytes, LocalTime 
     if (!datagram)
         return;
     m_sessionOffset = datagram->header.sentAt - now.time_since_epoch();
+    m_hostSent = SessionTime{datagram->header.sentAt};
     for (const WireRecord& record : datagram->records) {
         if (const auto* welcome = std::get_if<Welcome>(&record)) {
             m_welcome = *welcome;

@@ -52,6 +52,8 @@ public:
     [[nodiscard]] std::int64_t sent() const { return m_sent; }
     /// Session time by the newest datagram of the host.
     [[nodiscard]] SessionTime sessionNow() const;
+    /// Session time at which the host sent that datagram; in onRecord, the one of the record.
+    [[nodiscard]] SessionTime hostSent() const { return m_hostSent; }
 
     /// Calls this with each record of the host.
     void onRecord(std::function<void(const WireRecord&)> heard) { m_heard = std::move(heard); }
@@ -96,6 +98,7 @@ private:
     std::int64_t m_factsHeard = 0;
     BundleHeader m_header; ///< of the next datagram
     Duration m_sessionOffset{};
+    SessionTime m_hostSent{};
     std::int64_t m_sent = 0;
     std::unique_ptr<TransportPump> m_pump; // last: serves what is above
 };

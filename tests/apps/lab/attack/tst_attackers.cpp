@@ -1,0 +1,92 @@
+#include "apps/lab/attack/attacks.h"
+#include "tests/engine/net/node/nodes.h"
+#include "tests/support/test_class.h"
+
+#include <QTimer>
+
+#include <algorithm>
+#include <memory>
+#include <string_view>
+
+namespace carina::attackers_test
+{
+namespace
+{
+
+using lab::Attack;
+using lab::AttackKind;
+using lab::Measured;
+using lab::Target;
+
+constexpr int kPatienceMs = 20'000;
+
+/// A session with a trainee.
+struct Course {
+    MemoryDisk disk;
+    std::unique_ptr<SessionNode> instructor = host(disk);
+    std::unique_ptr<SessionNode> anna = join(*instructor, "Anna");
+
+    [[nodiscard]] Target target() const
+    {
+        return {instructor->port(), instructor->joinCodes(), cheapKey, "Anna", "Mallory"};
+    }
+};
+
+/// An attack that has a turn in each millisecond.
+class UnderWay
+{
+public:
+    UnderWay(std::string_view name, const Target& target)
+        : m_attack{std::ranges::find(lab::attackKinds(), name, &AttackKind::name)->begin(target)}
+    {
+        m_turn.callOnTimeout([this] { m_attack->step(); });
+        m_turn.start(1);
+    }
+
+    /// Whether what it measures by itself is within its bounds.
+    [[nodiscard]] bool isHeld() const
+    {
+        const auto all = m_attack->measured(monotonicNow() - m_began);
+        return !all.empty() && std::ranges::all_of(all, [](const Measured& each) {
+            return each.figure >= each.least && each.figure <= each.most;
+        });
+    }
+    const Attack* operator->() const { return m_attack.get(); }
+
+private:
+    std::unique_ptr<Attack> m_attack;
+    LocalTime m_began = monotonicNow();
+    QTimer m_turn;
+};
+
+} // namespace
+
+/// Attackers against a host in this program, which holds: each does what it is for.
+class TestAttackers : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void falseTubeReachesAnObserverAsTheAttackersOwn()
+    {
+        Course course;
+        course.anna->publish(ObjectKind::Tube, "Tube", stillTube(*course.anna));
+        QTRY_VERIFY_WITH_TIMEOUT(onlyObject(*course.instructor), kSoonMs);
+        const UnderWay attack{"false-tube", course.target()};
+        QTRY_VERIFY_WITH_TIMEOUT(attack.isHeld(), kPatienceMs);
+        QVERIFY(attack->sent() > 0);
+    }
+
+    void countsThePatientsThatAnInstructorHadLaid()
+    {
+        Course course;
+        const UnderWay attack{"instructing", course.target()};
+        QTRY_VERIFY_WITH_TIMEOUT(attack->patientsLaid() > 1, kPatienceMs);
+    }
+};
+
+CARINA_TEST(TestAttackers)
+
+} // namespace carina::attackers_test
+
+#include "tst_attackers.moc"

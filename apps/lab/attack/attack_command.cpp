@@ -86,14 +86,18 @@ constexpr Key kMeasuredMost{"most", "that may be; null: no bound", 2};
 constexpr Key kFacts{"facts", "by which the log is longer afterwards", 1};
 constexpr Key kLeastFacts{"least_facts", "without which it was no such attack", 1};
 constexpr Key kMostFacts{"most_facts", "that may come of it", 1};
+constexpr Key kPaths{"paths",
+                     "encrypted paths that the attacker had, at most at once, over which nobody "
+                     "came in; of these the host keeps 64 for the code of a role",
+                     1};
 constexpr Key kMemory{
     "memory_kb",
     "by which the least that console and trainee hold in the 3 to 25 s after it is more than "
-    "before it",
+    "before it; null: not measured, which does not hold",
     1};
 constexpr Key kMostMemory{"most_memory_kb",
-                          "that may come of it: what programs that draw vary by, and the facts and "
-                          "idle paths that the attack leaves",
+                          "that may come of it: what programs that draw vary by, 1 for each of "
+                          "`facts`, and at the console 64 for each of `paths`",
                           1};
 constexpr Key kLeastLeak{"least_leak_bytes",
                          "the least that the console would have to keep of each of `sent` to "
@@ -104,17 +108,17 @@ constexpr Key kHolds{"holds", "whether all of these are within their bounds", 1}
 
 double inMilliseconds(Duration duration) { return toSeconds(duration) * 1e3; }
 
-QJsonArray arrayOf(const auto& numbers)
-{
-    QJsonArray array;
-    for (const double each : numbers)
-        array.append(each);
-    return array;
-}
-
 QJsonValue orNull(const std::optional<double>& number)
 {
     return number && std::isfinite(*number) ? QJsonValue{*number} : QJsonValue::Null;
+}
+
+QJsonArray arrayOf(const auto& numbers)
+{
+    QJsonArray array;
+    for (const std::optional<double> each : numbers)
+        array.append(orNull(each));
+    return array;
 }
 
 QJsonObject joinsOf(const AttackFigures& figures)
@@ -161,6 +165,7 @@ QJsonObject objectOf(const AttackFigures& figures)
             {attack_key::kFacts, qint64{figures.facts}},
             {attack_key::kLeastFacts, leastFactsOf(figures)},
             {attack_key::kMostFacts, mostFactsOf(figures)},
+            {attack_key::kPaths, qint64{figures.paths}},
             {attack_key::kMemory, arrayOf(figures.memory_kb)},
             {attack_key::kMostMemory, arrayOf(mostMemoryOf_kb(figures))},
             {attack_key::kLeastLeak, leastLeakOf_bytes(figures)},
@@ -235,22 +240,39 @@ Command attackCommand()
                   .options = {attack_option::kSeconds, attack_option::kOnly, attack_option::kGuests,
                               attack_option::kPrograms},
                   .schema = attack_key::kSchema,
-                  .keys = {attack_key::kSeconds,       attack_key::kGuests,
-                           attack_key::kAttacks,       attack_key::kName,
-                           attack_key::kLasted,        attack_key::kSent,
-                           attack_key::kLeastSent,     attack_key::kTaken,
-                           attack_key::kGapBefore,     attack_key::kGap,
-                           attack_key::kMostGap,       attack_key::kLate,
-                           attack_key::kUsualDrift,    attack_key::kDrift,
-                           attack_key::kJumps,         attack_key::kMostJumps,
-                           attack_key::kJoin,          attack_key::kPutOut,
-                           attack_key::kMoved,         attack_key::kMeasured,
-                           attack_key::kMeasuredWhat,  attack_key::kMeasuredFigure,
-                           attack_key::kMeasuredLeast, attack_key::kMeasuredMost,
-                           attack_key::kFacts,         attack_key::kLeastFacts,
-                           attack_key::kMostFacts,     attack_key::kMemory,
-                           attack_key::kMostMemory,    attack_key::kLeastLeak,
-                           attack_key::kHolds,         kAcceptable}}},
+                  .keys = {attack_key::kSeconds,
+                           attack_key::kGuests,
+                           attack_key::kAttacks,
+                           attack_key::kName,
+                           attack_key::kLasted,
+                           attack_key::kSent,
+                           attack_key::kLeastSent,
+                           attack_key::kTaken,
+                           attack_key::kGapBefore,
+                           attack_key::kGap,
+                           attack_key::kMostGap,
+                           attack_key::kLate,
+                           attack_key::kUsualDrift,
+                           attack_key::kDrift,
+                           attack_key::kJumps,
+                           attack_key::kMostJumps,
+                           attack_key::kJoin,
+                           attack_key::kPutOut,
+                           attack_key::kMoved,
+                           attack_key::kMeasured,
+                           attack_key::kMeasuredWhat,
+                           attack_key::kMeasuredFigure,
+                           attack_key::kMeasuredLeast,
+                           attack_key::kMeasuredMost,
+                           attack_key::kFacts,
+                           attack_key::kLeastFacts,
+                           attack_key::kMostFacts,
+                           attack_key::kPaths,
+                           attack_key::kMemory,
+                           attack_key::kMostMemory,
+                           attack_key::kLeastLeak,
+                           attack_key::kHolds,
+                           kAcceptable}}},
         .experiment = runAttacks};
 }
 

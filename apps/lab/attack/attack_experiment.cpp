@@ -37,6 +37,14 @@ constexpr Duration kSlice = 100ms;      ///< between two looks at how much was s
 constexpr Duration kMemoryLook = 500ms; ///< between two looks at memory
 constexpr double kSettled_kb = 2048.0;  ///< by which memory varies in any case
 
+/// What each program holds, kB; nothing where that could not be measured.
+using HeldMemory = std::vector<std::optional<double>>;
+
+std::optional<double> lesserOf(const std::optional<double>& a, const std::optional<double>& b)
+{
+    return a && b ? std::optional{std::min(*a, *b)} : std::nullopt;
+}
+
 /// Works the event loop, and what else there is to do, for a time.
 void workFor(Duration length, const std::function<void()>& step)
 {
@@ -181,21 +189,23 @@ private:
         return static_cast<std::int64_t>(m_node->state()->lastApplied().value);
     }
 
-    [[nodiscard]] std::vector<double> memory_kb() const
+    [[nodiscard]] HeldMemory memory_kb() const
     {
-        std::vector<double> memory;
-        for (const auto& program : m_session->programs())
-            memory.push_back(program->footprint().value_or(Footprint{}).memory_kb);
+        HeldMemory memory;
+        for (const auto& program : m_session->programs()) {
+            const auto footprint = program->footprint();
+            memory.push_back(footprint ? std::optional{footprint->memory_kb} : std::nullopt);
+        }
         return memory;
     }
 
     /// The least that each program holds, while the event loop works for a time.
-    [[nodiscard]] std::vector<double> leastMemoryIn(Duration length) const
+    [[nodiscard]] HeldMemory leastMemoryIn(Duration length) const
     {
-        std::vector<double> least = memory_kb();
+        HeldMemory least = memory_kb();
         for (const LocalTime end = monotonicNow() + length; monotonicNow() < end;) {
             workFor(std::min<Duration>(kMemoryLook, end - monotonicNow()), [] {});
-            std::ranges::transform(least, memory_kb(), least.begin(), std::ranges::min);
+            std::ranges::transform(least, memory_kb(), least.begin(), lesserOf);
         }
         return least;
     }
@@ -205,7 +215,7 @@ private:
         AttackFigures figures{.kind = &kind, .guests = m_settings.guests, .usual = m_usual};
         const std::int64_t factsBefore = facts();
         static_cast<void>(m_witness->take());
-        const std::vector<double> memoryBefore = leastMemoryIn(m_settings.length);
+        const HeldMemory memoryBefore = leastMemoryIn(m_settings.length);
         figures.before = m_witness->take();
 
         const ShownObjects shownBefore{*m_node};
@@ -230,6 +240,7 @@ private:
         figures.sent = attack->sent();
         figures.isTakenForAnother = attack->isTakenForAnother();
         figures.patientsLaid = attack->patientsLaid();
+        figures.paths = attack->mostPaths();
         figures.measured = attack->measured(figures.length);
         figures.moved = shownBefore.moved(*m_node);
         figures.putOut = m_honest->takeMissed();
@@ -241,7 +252,7 @@ private:
 
     /// @pre the attack has ended
     AttackFigures afterwards(AttackFigures figures, std::int64_t factsBefore,
-                             const std::vector<double>& memoryBefore)
+                             const HeldMemory& memoryBefore)
     {
         workFor(kCalm, [] {});
         figures.facts = facts() - factsBefore;
@@ -251,14 +262,16 @@ private:
 
     /// The least that the programs hold more than before, until the free pages of their heaps have
     /// gone back to the system, which each does from time to time.
-    std::vector<double> memoryAbove_kb(const std::vector<double>& before)
+    HeldMemory memoryAbove_kb(const HeldMemory& before)
     {
-        std::vector<double> above(before.size(), std::numeric_limits<double>::infinity());
+        HeldMemory above(before.size(), std::numeric_limits<double>::infinity());
         const LocalTime until = monotonicNow() + kPagesGoBack;
-        while (std::ranges::max(above) > kSettled_kb && monotonicNow() < until) {
-            const std::vector<double> after = leastMemoryIn(kMemoryLook);
+        const auto isMuch = [](const std::optional<double>& each) { return each > kSettled_kb; };
+        while (std::ranges::any_of(above, isMuch) && monotonicNow() < until) {
+            const HeldMemory after = leastMemoryIn(kMemoryLook);
             for (std::size_t i = 0; i < above.size(); ++i)
-                above[i] = std::min(above[i], after[i] - before[i]);
+                above[i] = after[i] && before[i] ? lesserOf(above[i], *after[i] - *before[i])
+                                                 : std::nullopt;
         }
         return above;
     }

@@ -1,7 +1,6 @@
 #include "apps/lab/attack/attack_figures.h"
 
 #include <algorithm>
-#include <functional>
 
 namespace carina::lab
 {
@@ -24,7 +23,9 @@ constexpr double kBytesPerKb = 1024.0;
 
 bool holdsMemory(const AttackFigures& figures)
 {
-    return std::ranges::equal(figures.memory_kb, mostMemoryOf_kb(figures), std::less_equal<>{});
+    return std::ranges::equal(
+        figures.memory_kb, mostMemoryOf_kb(figures),
+        [](const std::optional<double>& held, double most) { return held && *held <= most; });
 }
 
 bool holdsDrift(const AttackFigures& figures)
@@ -86,9 +87,10 @@ double leastFactsOf(const AttackFigures& figures)
 /// Only the host of a session has paths.
 std::array<double, 2> mostMemoryOf_kb(const AttackFigures& figures)
 {
-    const double facts = kFact_kb * mostFactsOf(figures);
-    return {kConsoleVaries_kb + facts + kPath_kb * figures.kind->mostPaths,
-            kTraineeVaries_kb + facts};
+    const double facts = kFact_kb * double(figures.facts);
+    // What the host has ended, the attacker may not know yet.
+    const double paths = std::min(double(figures.paths), figures.kind->mostPaths);
+    return {kConsoleVaries_kb + facts + kPath_kb * paths, kTraineeVaries_kb + facts};
 }
 
 double leastLeakOf_bytes(const AttackFigures& figures)

@@ -28,7 +28,9 @@ struct AttackFigures {
     std::int64_t moved = 0;  ///< objects of others that an observer was shown elsewhere than before
     std::vector<Measured> measured{}; ///< by the attack
     std::int64_t facts = 0;           ///< by which the log is longer afterwards
-    std::vector<double> memory_kb{};  ///< by which console and trainee hold more afterwards
+    std::int64_t paths = 0;           ///< over which nobody came in, at most at once
+    /// By which console and trainee hold more afterwards; nothing where that was not measured.
+    std::vector<std::optional<double>> memory_kb{};
 };
 
 /// The drift that is usual in a session at the phases of the motion that were seen in the attack.
@@ -46,7 +48,7 @@ struct AttackFigures {
 inline constexpr double kMostGap_ms = 100.0;
 
 /// The memory that may come of it at console and trainee: what programs that draw vary by, and the
-/// facts and paths that the attack leaves.
+/// facts and paths that came of the attack.
 [[nodiscard]] std::array<double, 2> mostMemoryOf_kb(const AttackFigures& figures);
 
 /// The least that the console would have to keep of each datagram, handshake or Hello sent, in

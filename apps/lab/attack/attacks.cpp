@@ -246,8 +246,12 @@ public:
     void step() override
     {
         const LocalTime now = monotonicNow();
-        for (const auto& path : m_paths)
+        std::int64_t open = 0;
+        for (const auto& path : m_paths) {
             path->serve([](std::span<const std::byte>, LocalTime) {});
+            open += path->state() == ClientPath::State::Encrypted ? 1 : 0;
+        }
+        m_mostOpen = std::max(m_mostOpen, open);
         if (now < m_next)
             return;
         m_next = now + std::chrono::milliseconds{15};
@@ -259,6 +263,7 @@ public:
             now));
     }
     [[nodiscard]] std::int64_t sent() const override { return m_opened; }
+    [[nodiscard]] std::int64_t mostPaths() const override { return m_mostOpen; }
 
 private:
     static constexpr std::size_t kPaths = 400;
@@ -268,6 +273,7 @@ private:
     std::vector<std::unique_ptr<ClientPath>> m_paths;
     LocalTime m_next{};
     std::int64_t m_opened = 0;
+    std::int64_t m_mostOpen = 0;
 };
 
 /// Sends ClientHellos without a cookie, from one address.
@@ -346,6 +352,13 @@ public:
         std::int64_t sum = 0;
         for (const auto& attack : m_attacks)
             sum += attack->patientsLaid();
+        return sum;
+    }
+    [[nodiscard]] std::int64_t mostPaths() const override
+    {
+        std::int64_t sum = 0;
+        for (const auto& attack : m_attacks)
+            sum += attack->mostPaths();
         return sum;
     }
     [[nodiscard]] std::vector<Measured> measured(Duration length) const override

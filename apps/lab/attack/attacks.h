@@ -42,6 +42,8 @@ public:
     /// Patients that the host had laid because the attacker chose them. Each puts a trainee's tube
     /// elsewhere, once at most.
     [[nodiscard]] virtual std::int64_t patientsLaid() const { return 0; }
+    /// Encrypted paths over which nobody came in, at most at once.
+    [[nodiscard]] virtual std::int64_t mostPaths() const { return 0; }
     /// @param length of the attack so far
     [[nodiscard]] virtual std::vector<Measured> measured(Duration length) const
     {
@@ -57,7 +59,7 @@ struct AttackKind {
     double mostFacts = 0.0;   ///< that may come of it, whatever its length
     double factsPerS = 0.0;   ///< and beside these, in a second
     double leastPerS = 0.0;   ///< facts in a second, without which it was no such attack
-    double mostPaths = 0.0;   ///< that it leaves at the host for a while
+    double mostPaths = 0.0;   ///< over which nobody comes in, that the host keeps of it at once
     double leastSent = 100.0; ///< it goes on until it has sent as much
     StrategyKind strategy = StrategyKind::SessionClock; ///< of the session meanwhile
     std::optional<Role> spoils{}; ///< role whose code is void by it, so that nobody new comes in

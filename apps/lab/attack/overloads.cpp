@@ -3,6 +3,7 @@
 #include "apps/lab/attack/participating.h"
 #include "engine/session/facts/fact_codec.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -139,6 +140,9 @@ public:
             if (path->isIn())
                 path->send(std::array<WireRecord, 1>{FactAck{}});
         }
+        const auto open = std::ranges::count_if(
+            m_paths, [](const std::unique_ptr<Intruder>& path) { return path && path->isIn(); });
+        m_mostOpen = std::max<std::int64_t>(m_mostOpen, open);
     }
     [[nodiscard]] std::int64_t sent() const override
     {
@@ -147,12 +151,14 @@ public:
             sum += path ? path->sent() : 0;
         return sum;
     }
+    [[nodiscard]] std::int64_t mostPaths() const override { return m_mostOpen; }
 
 private:
     static constexpr std::size_t kPaths = 16;
     WayIn m_way;
     std::array<std::unique_ptr<Intruder>, kPaths> m_paths;
     std::int64_t m_before = 0; ///< over paths that were ended
+    std::int64_t m_mostOpen = 0;
 };
 
 } // namespace

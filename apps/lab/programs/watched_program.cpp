@@ -19,13 +19,16 @@ std::optional<Footprint> footprintOf(std::int64_t processId)
     if (processId == 0 || !status.open(QIODevice::ReadOnly))
         return std::nullopt;
     Footprint footprint;
+    bool hasMemory = false; // one that has ended, and that nobody has waited for, has none
     for (const QByteArray& line : status.readAll().split('\n')) {
         const QByteArray value = line.simplified().split(' ').value(1);
         if (line.startsWith("RssAnon:"))
-            footprint.memory_kb = value.toDouble();
+            footprint.memory_kb = value.toDouble(&hasMemory);
         if (line.startsWith("Threads:"))
             footprint.threads = value.toInt();
     }
+    if (!hasMemory)
+        return std::nullopt;
     const QDir open{folder.filePath(QStringLiteral("fd"))};
     footprint.descriptors = static_cast<int>(
         open.entryList(QDir::NoDotAndDotDot | QDir::AllEntries | QDir::System | QDir::Hidden)

@@ -18,7 +18,7 @@ struct Footprint {
     int threads = 0;
 };
 
-/// @returns std::nullopt for a process that there is not.
+/// @returns std::nullopt for a process that there is not, or that has ended.
 [[nodiscard]] std::optional<Footprint> footprintOf(std::int64_t processId);
 
 /// A program that runs beside this one, and whose footprint is measured.

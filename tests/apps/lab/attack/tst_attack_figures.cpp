@@ -92,6 +92,11 @@ private Q_SLOTS:
         row("too little of what was measured",
             [](AttackFigures& f) { f.measured.front().figure = 0.4; });
         row("too much of it", [](AttackFigures& f) { f.measured.front().figure = 2.1; });
+        row("memory of the console that was not measured",
+            [](AttackFigures& f) { f.memory_kb[0] = std::nullopt; });
+        row("memory of the trainee that was not measured",
+            [](AttackFigures& f) { f.memory_kb[1] = std::nullopt; });
+        row("no memory measured", [](AttackFigures& f) { f.memory_kb.clear(); });
         row("memory of the console", [](AttackFigures& f) { f.memory_kb[0] = 1e5; });
         row("memory of the trainee", [](AttackFigures& f) { f.memory_kb[1] = 1e5; });
     }
@@ -114,6 +119,37 @@ private Q_SLOTS:
             figures.memory_kb[0] = double(figures.sent) * kSmallestBlock_bytes / kBytesOfKb;
             QVERIFY(!holds(figures));
         }
+    }
+
+    /// Not those that the attacker's budget allows.
+    void boundsTheMemoryByTheFactsThatThereAre()
+    {
+        AttackFigures figures = heldAgainst(kindOf("crowd"));
+        const auto few = mostMemoryOf_kb(figures);
+        figures.facts += 100;
+        const auto more = mostMemoryOf_kb(figures);
+        for (std::size_t i = 0; i < few.size(); ++i) {
+            QCOMPARE(more[i], few[i] + 100.0);
+            figures.memory_kb[i] = few[i] + 100.0;
+        }
+        QVERIFY(holds(figures));
+        figures.facts -= 1;
+        QVERIFY(!holds(figures));
+    }
+
+    /// As many as there were, of which the host keeps 64, of one who opens any.
+    void boundsTheMemoryOfTheHostByThePathsThatThereWere()
+    {
+        constexpr double kPath_kb = 64.0;
+        AttackFigures figures = heldAgainst(kindOf("paths"));
+        const auto none = mostMemoryOf_kb(figures);
+        figures.paths = 3;
+        QCOMPARE(mostMemoryOf_kb(figures)[0], none[0] + 3.0 * kPath_kb);
+        QCOMPARE(mostMemoryOf_kb(figures)[1], none[1]);
+        figures.paths = 400;
+        QCOMPARE(mostMemoryOf_kb(figures)[0], none[0] + 64.0 * kPath_kb);
+        figures.kind = &kindOf("crowd");
+        QCOMPARE(mostMemoryOf_kb(figures)[0], none[0]);
     }
 
     /// Twice what is usual in the same run; as little as it is, 0.2 mm is enough.

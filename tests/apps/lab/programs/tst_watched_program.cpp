@@ -5,6 +5,9 @@
 
 #include <vector>
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 namespace carina::watched_program_test
 {
 
@@ -43,6 +46,19 @@ private Q_SLOTS:
             ended = program.processId();
         }
         QVERIFY(!footprintOf(ended).has_value());
+    }
+
+    /// The system still knows it, and says nothing of its memory, which is not the same as none.
+    void hasNoFootprintOfAProcessThatNobodyHasWaitedFor()
+    {
+        const pid_t ended = fork();
+        if (ended == 0)
+            _exit(0);
+        siginfo_t end{};
+        QCOMPARE(waitid(P_PID, static_cast<id_t>(ended), &end, WEXITED | WNOWAIT), 0);
+        QVERIFY(QFile::exists(QStringLiteral("/proc/%1/status").arg(ended)));
+        QVERIFY(!footprintOf(ended).has_value());
+        QCOMPARE(waitpid(ended, nullptr, 0), ended);
     }
 
     void hasNoFootprintWhereThereIsNoProgram()

@@ -37,7 +37,10 @@ constexpr Key kGuests{"guests", "as given"};
 constexpr Key kAttacks{"attacks", "one object each:"};
 constexpr Key kName{"name", "of the attack", 1};
 constexpr Key kLasted{"lasted_s", "how long it was", 1};
-constexpr Key kSent{"sent", "datagrams, handshakes or Hellos of the attacker", 1};
+constexpr Key kSent{"sent",
+                    "datagrams that the attacker sent over its paths, paths that came to be "
+                    "encrypted, ClientHellos, or tokens that the host refused",
+                    1};
 constexpr Key kLeastSent{"least_sent", "without which it was no such attack", 1};
 constexpr Key kTaken{"taken_for_another",
                      "whether the host took the attacker for another participant; never", 1};

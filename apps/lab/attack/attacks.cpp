@@ -17,6 +17,7 @@
 #include <array>
 #include <iterator>
 #include <ranges>
+#include <utility>
 
 namespace carina::lab
 {
@@ -223,7 +224,7 @@ public:
             m_intruder.hello(m_name + std::to_string(m_names), ProposalId{m_names}, m_names);
         }
     }
-    [[nodiscard]] std::int64_t sent() const override { return m_names; }
+    [[nodiscard]] std::int64_t sent() const override { return m_intruder.sent(); }
 
 private:
     static constexpr int kHellos = 5;
@@ -247,9 +248,12 @@ public:
     {
         const LocalTime now = monotonicNow();
         std::int64_t open = 0;
-        for (const auto& path : m_paths) {
-            path->serve([](std::span<const std::byte>, LocalTime) {});
-            open += path->state() == ClientPath::State::Encrypted ? 1 : 0;
+        for (Idle& idle : m_paths) {
+            idle.path->serve([](std::span<const std::byte>, LocalTime) {});
+            if (idle.path->state() != ClientPath::State::Encrypted)
+                continue;
+            ++open;
+            m_opened += std::exchange(idle.wasOpen, true) ? 0 : 1;
         }
         m_mostOpen = std::max(m_mostOpen, open);
         if (now < m_next)
@@ -257,22 +261,27 @@ public:
         m_next = now + std::chrono::milliseconds{15};
         if (m_paths.size() == kPaths)
             m_paths.erase(m_paths.begin());
-        ++m_opened;
-        m_paths.push_back(std::make_unique<ClientPath>(
+        m_paths.push_back({std::make_unique<ClientPath>(
             QHostAddress{QHostAddress::LocalHost}, m_target.port, m_credentials, m_nothing, [] {},
-            now));
+            now)});
     }
     [[nodiscard]] std::int64_t sent() const override { return m_opened; }
     [[nodiscard]] std::int64_t mostPaths() const override { return m_mostOpen; }
 
 private:
     static constexpr std::size_t kPaths = 400;
+
+    struct Idle {
+        std::unique_ptr<ClientPath> path;
+        bool wasOpen = false;
+    };
+
     Target m_target;
     ClientCredentials m_credentials;
     std::optional<ExpectedCertificate> m_nothing;
-    std::vector<std::unique_ptr<ClientPath>> m_paths;
+    std::vector<Idle> m_paths;
     LocalTime m_next{};
-    std::int64_t m_opened = 0;
+    std::int64_t m_opened = 0; ///< that came to be encrypted
     std::int64_t m_mostOpen = 0;
 };
 
@@ -297,8 +306,9 @@ public:
 
     void step() override
     {
-        for (int i = 0; i < kHellos && !m_hello.isEmpty(); ++i, ++m_sent)
-            m_socket.writeDatagram(m_hello, QHostAddress{QHostAddress::LocalHost}, m_port);
+        const QHostAddress host{QHostAddress::LocalHost};
+        for (int i = 0; i < kHellos && !m_hello.isEmpty(); ++i)
+            m_sent += m_socket.writeDatagram(m_hello, host, m_port) == m_hello.size() ? 1 : 0;
         while (readRaw(m_socket)) {}
     }
     [[nodiscard]] std::int64_t sent() const override { return m_sent; }

@@ -35,7 +35,8 @@ public:
     virtual ~Attack() = default;
     /// Sends what a turn has time for; to be called in a loop that also works the events.
     virtual void step() = 0;
-    /// Datagrams, handshakes or Hellos sent, as the attack counts.
+    /// What really went out or came about, as the attack counts: datagrams over a path, paths that
+    /// came to be encrypted, ClientHellos that the socket took, tokens that the host refused.
     [[nodiscard]] virtual std::int64_t sent() const = 0;
     /// Whether the host took it for a participant that it is not.
     [[nodiscard]] virtual bool isTakenForAnother() const { return false; }

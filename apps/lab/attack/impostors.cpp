@@ -3,6 +3,8 @@
 #include "apps/lab/attack/attendee.h"
 #include "engine/session/facts/fact_codec.h"
 
+#include <limits>
+
 namespace carina::lab
 {
 namespace
@@ -92,6 +94,8 @@ public:
 
     void step() override
     {
+        if (m_known.participant)
+            knock(monotonicNow());
         if (!m_watcher.isIn() || !m_namesake.isIn())
             return;
         if (!m_watcher.welcome() && m_connection % kTurns == 1)
@@ -100,16 +104,24 @@ public:
         m_namesake.hello(m_target.victim, ProposalId{m_random()}, ++m_connection);
         if (!m_known.participant)
             m_known = knownOf(m_target.victim, m_watcher.facts());
-        else
-            knock(monotonicNow());
     }
-    [[nodiscard]] std::int64_t sent() const override { return m_namesake.sent() + m_knocks; }
+    [[nodiscard]] std::int64_t sent() const override { return m_namesake.sent() + m_refused; }
     [[nodiscard]] bool isTakenForAnother() const override { return m_namesake.welcome() || m_isIn; }
+    [[nodiscard]] std::vector<Measured> measured(Duration length) const override
+    {
+        return {{"tokens at random in a second that the host refused",
+                 double(m_refused) / toSeconds(length), 1.0,
+                 std::numeric_limits<double>::infinity()}};
+    }
 
 private:
     static constexpr std::uint32_t kTurns = 100;
+    /// As often as leaves others of its address their share of the handshakes.
+    static constexpr Duration kKnock = std::chrono::milliseconds{30};
+    /// A busy host answers late; it says nothing where its share of handshakes is used up.
+    static constexpr Duration kPatience = std::chrono::milliseconds{250};
 
-    /// A path that is offered a token at random, and no code.
+    /// A path over which the host is offered a token at random, and no code.
     struct Door {
         ClientCredentials credentials;
         std::optional<ExpectedCertificate> nothing{};
@@ -129,18 +141,26 @@ private:
 
     void knock(LocalTime now)
     {
-        if (m_door) {
-            m_door->path.serve([](std::span<const std::byte>, LocalTime) {});
-            m_isIn = m_isIn || m_door->path.state() == ClientPath::State::Encrypted;
-        }
+        if (m_door && isUndecided(now))
+            return;
+        m_door = nullptr;
         if (now < m_nextKnock)
             return;
-        m_nextKnock = now + std::chrono::milliseconds{15};
-        ++m_knocks;
+        m_nextKnock = now + kKnock;
         TokenFolder tokens{{}, Role::Trainee, m_target.victim};
         static_cast<void>( // in memory, which does not fail
             tokens.keep(m_known.sessionId, {*m_known.participant, randomKey()}));
         m_door = std::make_unique<Door>(m_target, std::move(tokens), now);
+    }
+
+    /// Whether the host may still answer; counts what it has answered.
+    bool isUndecided(LocalTime now)
+    {
+        ClientPath& path = m_door->path;
+        path.serve([](std::span<const std::byte>, LocalTime) {});
+        m_isIn = m_isIn || path.state() == ClientPath::State::Encrypted;
+        m_refused += path.offer() && path.state() == ClientPath::State::Failed ? 1 : 0;
+        return path.state() == ClientPath::State::Opening && now < path.opened() + kPatience;
     }
 
     Target m_target;
@@ -151,7 +171,7 @@ private:
     std::uint32_t m_connection = 1;
     std::unique_ptr<Door> m_door;
     LocalTime m_nextKnock{};
-    std::int64_t m_knocks = 0;
+    std::int64_t m_refused = 0; ///< tokens
     bool m_isIn = false;
 };
 

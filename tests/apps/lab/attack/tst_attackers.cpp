@@ -3,6 +3,7 @@
 #include "tests/support/test_class.h"
 
 #include <QTimer>
+#include <QUdpSocket>
 
 #include <algorithm>
 #include <memory>
@@ -75,6 +76,45 @@ private Q_SLOTS:
         const UnderWay attack{"false-tube", course.target()};
         QTRY_VERIFY_WITH_TIMEOUT(attack.isHeld(), kPatienceMs);
         QVERIFY(attack->sent() > 0);
+    }
+
+    void falseTokensAreOfferedAndRefused()
+    {
+        Course course;
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*course.anna), kSoonMs);
+        const UnderWay attack{"false-token", course.target()};
+        QTRY_VERIFY_WITH_TIMEOUT(attack.isHeld(), kPatienceMs);
+        QVERIFY(!attack->isTakenForAnother());
+    }
+
+    void idlePathsAreCountedOnceTheyAreOpen()
+    {
+        Course course;
+        const UnderWay attack{"paths", course.target()};
+        QTRY_VERIFY_WITH_TIMEOUT(attack->sent() > 2, kPatienceMs);
+        QVERIFY(attack->mostPaths() > 0);
+        QVERIFY(attack->mostPaths() <= attack->sent());
+    }
+
+    /// Nothing came of it where nobody answers.
+    void attemptsDoNotCount_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const char* name : {"paths", "strangers", "names", "impostor", "false-token"})
+            QTest::newRow(name) << QString::fromLatin1(name);
+    }
+    void attemptsDoNotCount()
+    {
+        QFETCH(const QString, name);
+        Course course;
+        QUdpSocket silent;
+        QVERIFY(silent.bind(QHostAddress::LocalHost));
+        Target target = course.target();
+        target.port = silent.localPort();
+        const UnderWay attack{name.toStdString(), target};
+        QTRY_VERIFY_WITH_TIMEOUT(silent.hasPendingDatagrams(), kSoonMs); // it was tried
+        QCOMPARE(attack->sent(), std::int64_t{0});
+        QCOMPARE(attack->mostPaths(), std::int64_t{0});
     }
 
     void countsThePatientsThatAnInstructorHadLaid()

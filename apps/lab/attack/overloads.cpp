@@ -3,7 +3,6 @@
 #include "apps/lab/attack/participating.h"
 #include "engine/session/facts/fact_codec.h"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -125,42 +124,6 @@ private:
     std::vector<std::unique_ptr<Asking>> m_all;
 };
 
-class Strangers : public Attack
-{
-public:
-    explicit Strangers(const Target& target) : m_way{wayIn(target, Role::Observer)} {}
-
-    void step() override
-    {
-        for (std::unique_ptr<Intruder>& path : m_paths) {
-            if (path && path->ended() > 0)
-                m_before += std::exchange(path, nullptr)->sent();
-            if (!path)
-                path = std::make_unique<Intruder>(m_way);
-            if (path->isIn())
-                path->send(std::array<WireRecord, 1>{FactAck{}});
-        }
-        const auto open = std::ranges::count_if(
-            m_paths, [](const std::unique_ptr<Intruder>& path) { return path && path->isIn(); });
-        m_mostOpen = std::max<std::int64_t>(m_mostOpen, open);
-    }
-    [[nodiscard]] std::int64_t sent() const override
-    {
-        std::int64_t sum = m_before;
-        for (const auto& path : m_paths)
-            sum += path ? path->sent() : 0;
-        return sum;
-    }
-    [[nodiscard]] std::int64_t mostPaths() const override { return m_mostOpen; }
-
-private:
-    static constexpr std::size_t kPaths = 16;
-    WayIn m_way;
-    std::array<std::unique_ptr<Intruder>, kPaths> m_paths;
-    std::int64_t m_before = 0; ///< over paths that were ended
-    std::int64_t m_mostOpen = 0;
-};
-
 } // namespace
 
 std::unique_ptr<Attack> beginShowing(const Target& target)
@@ -169,10 +132,5 @@ std::unique_ptr<Attack> beginShowing(const Target& target)
 }
 
 std::unique_ptr<Attack> beginCrowd(const Target& target) { return std::make_unique<Crowd>(target); }
-
-std::unique_ptr<Attack> beginStrangers(const Target& target)
-{
-    return std::make_unique<Strangers>(target);
-}
 
 } // namespace carina::lab

@@ -11,7 +11,5 @@ namespace carina::lab
 [[nodiscard]] std::unique_ptr<Attack> beginShowing(const Target& target);
 /// One person under many names, each of which keeps within its own budget.
 [[nodiscard]] std::unique_ptr<Attack> beginCrowd(const Target& target);
-/// Sends over paths over which nobody takes part, and opens others for those that are ended.
-[[nodiscard]] std::unique_ptr<Attack> beginStrangers(const Target& target);
 
 } // namespace carina::lab

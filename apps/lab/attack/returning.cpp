@@ -141,6 +141,32 @@ private:
     LocalTime m_nextHello{};
 };
 
+class Names : public Attack
+{
+public:
+    explicit Names(const Target& target)
+        : m_name{target.attacker}, m_intruder{wayIn(target, Role::Trainee)}
+    {
+    }
+
+    void step() override
+    {
+        if (!m_intruder.isIn())
+            return;
+        for (int i = 0; i < kHellos; ++i) {
+            ++m_names;
+            m_intruder.hello(m_name + std::to_string(m_names), ProposalId{m_names}, m_names);
+        }
+    }
+    [[nodiscard]] std::int64_t sent() const override { return m_intruder.sent(); }
+
+private:
+    static constexpr int kHellos = 5;
+    std::string m_name;
+    Intruder m_intruder;
+    std::uint32_t m_names = 0;
+};
+
 } // namespace
 
 std::unique_ptr<Attack> beginTurns(const Target& target) { return std::make_unique<Turns>(target); }
@@ -149,5 +175,7 @@ std::unique_ptr<Attack> beginHungry(const Target& target)
 {
     return std::make_unique<Hungry>(target);
 }
+
+std::unique_ptr<Attack> beginNames(const Target& target) { return std::make_unique<Names>(target); }
 
 } // namespace carina::lab

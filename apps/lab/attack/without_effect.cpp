@@ -1,6 +1,6 @@
-#include "apps/lab/attack/steady.h"
+#include "apps/lab/attack/without_effect.h"
 
-#include "apps/lab/attack/attendee.h"
+#include "apps/lab/attack/participating.h"
 #include "engine/session/facts/fact_codec.h"
 #include "engine/sync/strategies/relayed_message.h"
 
@@ -129,11 +129,36 @@ private:
     std::vector<std::unique_ptr<SteadySender>> m_all;
 };
 
+class Garbage : public Participating
+{
+public:
+    explicit Garbage(const Target& target) : Participating{target, Role::Observer} {}
+
+protected:
+    void flood(Intruder& intruder) override
+    {
+        for (int i = 0; i < kDatagrams; ++i) {
+            std::array<std::byte, 800> bytes{};
+            for (std::byte& byte : bytes)
+                byte = std::byte(anyNumber());
+            intruder.sendBytes(bytes);
+        }
+    }
+
+private:
+    static constexpr int kDatagrams = 10;
+};
+
 } // namespace
 
 std::unique_ptr<Attack> beginSteady(const Target& target)
 {
     return std::make_unique<Steady>(target);
+}
+
+std::unique_ptr<Attack> beginGarbage(const Target& target)
+{
+    return std::make_unique<Garbage>(target);
 }
 
 } // namespace carina::lab

@@ -137,6 +137,7 @@ void ClientTransport::take(std::unique_ptr<ClientPath> path, TransportListener& 
     m_found.clear();
     m_search.reset();
     m_nextTry = now;
+    m_unfinished = 0;
     listener.connected(++m_address, m_path->offer()->identity.who, now);
 }
 
@@ -147,12 +148,20 @@ bool ClientTransport::needsPath(LocalTime now) const
 
 void ClientTransport::beginTry(LocalTime now)
 {
-    if (m_opening.size() >= kMostTries)
+    if (m_opening.size() >= kMostTries) {
+        m_unfinished += m_opening.front()->roundTrip() ? 1 : 0;
         m_opening.erase(m_opening.begin());
+    }
     m_opening.push_back(std::make_unique<ClientPath>(
         m_host, m_port, m_credentials, m_expected, [this] { tellNews(); }, now));
     ++m_tries;
-    m_nextTry = now + std::max(kShortestTry, kTryRoundTrips * m_roundTrip);
+    m_nextTry = now + untilNextTry();
+}
+
+Duration ClientTransport::untilNextTry() const
+{
+    const Duration shortest = m_unfinished < kEagerTries ? kShortestTry : kPatientTry;
+    return std::max(shortest, kTryRoundTrips * m_roundTrip);
 }
 
 LocalTime ClientTransport::nextWake() const

@@ -23,12 +23,17 @@ namespace carina
 /// whose program was started again, while nobody answers at the place that it was given
 /// (ClientCredentials::sought). The first that proves to have the client's token is the host from
 /// then on; what others say has no effect (HostPlace::Found).
+///
+/// A host that answers and does not go on has as many handshakes as it takes from this address:
+/// after kEagerTries of those, a client asks each kPatientTry, so that all who wait get in sooner.
 class ClientTransport : public SecureTransport
 {
 public:
     static constexpr std::size_t kMostTries = 3;
     static constexpr Duration kShortestTry = std::chrono::milliseconds{250};
     static constexpr int kTryRoundTrips = 4;
+    static constexpr int kEagerTries = 5;
+    static constexpr Duration kPatientTry = std::chrono::seconds{1};
     static constexpr Duration kSilence = std::chrono::milliseconds{750};
     static constexpr Duration kSearchAfter = std::chrono::milliseconds{1500};
     static constexpr Duration kFoundTry = std::chrono::milliseconds{1000};
@@ -60,6 +65,7 @@ private:
     void take(std::unique_ptr<ClientPath> path, TransportListener& listener, LocalTime now);
     [[nodiscard]] bool needsPath(LocalTime now) const;
     void beginTry(LocalTime now);
+    [[nodiscard]] Duration untilNextTry() const;
     void serveSearch(TransportListener& listener, LocalTime now);
     [[nodiscard]] bool needsSearch(LocalTime now) const;
     void tryFound(LocalTime now);
@@ -80,6 +86,7 @@ private:
     LocalTime m_nextTry;
     Duration m_roundTrip{};
     int m_tries = 0;
+    int m_unfinished = 0; ///< tries since the last path that were answered and came to nothing
     bool m_toldRefusal = false;
 };
 

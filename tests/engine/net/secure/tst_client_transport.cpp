@@ -2,6 +2,8 @@
 #include "tests/engine/net/secure/transports.h"
 #include "tests/support/test_class.h"
 
+#include <QNetworkDatagram>
+
 namespace carina::client_transport_test
 {
 
@@ -67,6 +69,32 @@ private Q_SLOTS:
         QVERIFY(!client.heard.refusal);
         host.keys.emplace(Role::Trainee, key);
         QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty(), kHandshakeMs);
+    }
+
+    void asksLessOftenOfAHostThatOnlyAnswers()
+    {
+        // As a host does that has had all the handshakes of this address: after the cookie,
+        // nothing.
+        QUdpSocket host;
+        QVERIFY(host.bind(kLoopback, 0));
+        QDtlsClientVerifier cookies;
+        TestClient client{host.localPort(), randomKey()};
+        LocalTime now = monotonicNow();
+        const auto triesIn = [&](Duration length) {
+            const int before = client.transport.tries();
+            for (const LocalTime end = now + length; now < end; now += 10ms) {
+                client.transport.serve(client.heard, now);
+                while (host.hasPendingDatagrams()) {
+                    const QNetworkDatagram asked = host.receiveDatagram();
+                    static_cast<void>(cookies.verifyClient(
+                        &host, asked.data(), asked.senderAddress(), quint16(asked.senderPort())));
+                }
+            }
+            return client.transport.tries() - before;
+        };
+        QCOMPARE(triesIn(2s), 7); // beside the one with which it began
+        const int later = triesIn(10s);
+        QVERIFY2(later >= 9 && later <= 11, qPrintable(QString::number(later)));
     }
 
     void silenceIsAnsweredByAPathOfItsOwn()

@@ -170,10 +170,10 @@ void SyncHost::advance(LocalTime now)
 
 void SyncHost::serve(LocalTime now)
 {
-    m_behind = countBehind();
     m_actions.setLongestWait(longestWait());
     if (waitsForTicks() && now < m_streams.nextTick())
         return serveBetween(now);
+    m_behind = countBehind();
     const bool tick = m_streams.isDue(now);
     const bool isForAnybody = tick || m_actions.nextDue() <= now;
     if (tick)
@@ -187,6 +187,8 @@ void SyncHost::serve(LocalTime now)
 
 void SyncHost::serveBetween(LocalTime now)
 {
+    if (!fewCatchUp())
+        return;
     for (auto& [address, peer] : m_peers)
         if (catchesUp(peer) && nextDueTo(peer) <= now)
             sendDue(address, peer, false, now);
@@ -216,14 +218,16 @@ LocalTime SyncHost::nextWake() const
 {
     if (!m_exceeding.empty() || m_arrivals.stored(logEnd()))
         return LocalTime::min();
-    LocalTime wake = std::min(
-        {m_actions.nextDue(), m_streams.nextDue(), m_shown.nextDue(), m_nobodySilentBefore});
-    LocalTime between = LocalTime::max(); // ticks
-    for (const auto& [address, peer] : m_peers) {
-        LocalTime& earliest = catchesUp(peer) ? between : wake;
-        earliest = std::min(earliest, nextDueTo(peer));
-    }
-    return std::min(between, waitsForTicks() ? std::max(wake, m_streams.nextTick()) : wake);
+    const bool inTicks = waitsForTicks();
+    LocalTime wake = inTicks ? m_streams.nextTick()
+                             : std::min({m_actions.nextDue(), m_streams.nextDue(),
+                                         m_shown.nextDue(), m_nobodySilentBefore});
+    if (inTicks && !fewCatchUp())
+        return wake;
+    for (const auto& [address, peer] : m_peers)
+        if (!inTicks || catchesUp(peer))
+            wake = std::min(wake, nextDueTo(peer));
+    return wake;
 }
 
 void SyncHost::relayShown(LocalTime now)
@@ -398,6 +402,7 @@ void SyncHost::welcome(PeerAddress address, const Arrival& arrival, LocalTime no
     peer.link.heard(header, heard);
     m_nobodySilentBefore = std::min(m_nobodySilentBefore, heard + kPeerTimeout);
     m_peers.emplace(address, std::move(peer));
+    m_behind = countBehind();
     countMembers(now);
     m_actions.join(address, admission.participant, now);
 }

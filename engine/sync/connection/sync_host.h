@@ -228,11 +228,10 @@ private:
     {
         return peer.facts.acknowledged().value + FactSender::kFirstWindow < m_log.size();
     }
-    /// Whether a peer is sent the log between ticks, too: of few who have not caught up.
-    [[nodiscard]] bool catchesUp(const Peer& peer) const
-    {
-        return m_behind <= kFewBehind && isBehind(peer);
-    }
+    /// Whether anybody is sent the log between ticks, too.
+    [[nodiscard]] bool fewCatchUp() const { return m_behind > 0 && m_behind <= kFewBehind; }
+    /// Whether a peer is: of few who have not caught up.
+    [[nodiscard]] bool catchesUp(const Peer& peer) const { return fewCatchUp() && isBehind(peer); }
     /// Between ticks: sends what is due to those who catch up.
     void serveBetween(LocalTime now);
     /// How many have not caught up.
@@ -255,7 +254,7 @@ private:
     LocalTime m_nobodySilentBefore = LocalTime::max();
     /// Peers that sent far too much since the last turn.
     std::set<PeerAddress> m_exceeding;
-    std::size_t m_behind = 0; ///< peers that have not caught up, in this turn
+    std::size_t m_behind = 0; ///< peers that have not caught up, in the last turn for all
     Arrivals m_arrivals;
     /// Since when a program asks to come in as a participant of whom another is here.
     std::map<PeerAddress, LocalTime> m_asksSince;

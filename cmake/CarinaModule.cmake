@@ -82,12 +82,13 @@ macro(carina_test_of program source class)
   endif()
   set(label fast)
   set(timeout 120)
-  if(${class} IN_LIST arg_SLOW)
+  set(patience)
+  if(${class} IN_LIST arg_SLOW) # by itself Qt Test gives a function five minutes
     set(label slow)
     set(timeout 600)
+    set(patience ";QTEST_FUNCTION_TIMEOUT=7200000")
   endif()
-  set(patience)
-  if(CARINA_SANITIZER) # ten times as slow; by itself Qt Test gives a function five minutes
+  if(CARINA_SANITIZER) # ten times as slow
     set(timeout 1200)
     set(patience ";QTEST_FUNCTION_TIMEOUT=1200000")
   endif()

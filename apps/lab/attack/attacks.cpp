@@ -1,15 +1,15 @@
 #include "apps/lab/attack/attacks.h"
 
-#include "apps/lab/attack/endless_proposals.h"
-#include "apps/lab/attack/false_tube.h"
-#include "apps/lab/attack/foreign_actions.h"
-#include "apps/lab/attack/gallery.h"
-#include "apps/lab/attack/impostors.h"
-#include "apps/lab/attack/outsiders.h"
-#include "apps/lab/attack/overloads.h"
-#include "apps/lab/attack/returning.h"
-#include "apps/lab/attack/together.h"
-#include "apps/lab/attack/without_effect.h"
+#include "apps/lab/attack/attackers/endless_proposals.h"
+#include "apps/lab/attack/attackers/false_tube.h"
+#include "apps/lab/attack/attackers/foreign_actions.h"
+#include "apps/lab/attack/attackers/gallery.h"
+#include "apps/lab/attack/attackers/impostors.h"
+#include "apps/lab/attack/attackers/outsiders.h"
+#include "apps/lab/attack/attackers/overloads.h"
+#include "apps/lab/attack/attackers/returning.h"
+#include "apps/lab/attack/attackers/together.h"
+#include "apps/lab/attack/attackers/without_effect.h"
 
 #include <array>
 

@@ -1,6 +1,6 @@
 #include "apps/lab/attack/guests.h"
 
-#include "apps/lab/attack/attendee.h"
+#include "apps/lab/attack/attackers/attendee.h"
 #include "apps/lab/attack/derived_once.h"
 #include "apps/lab/commands.h"
 #include "apps/lab/drift/launcher_pipe.h"

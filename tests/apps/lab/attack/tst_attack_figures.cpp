@@ -1,5 +1,5 @@
 #include "apps/lab/attack/attack_figures.h"
-#include "apps/lab/attack/attendee.h"
+#include "apps/lab/attack/attackers/attendee.h"
 #include "tests/support/test_class.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "apps/lab/attack/false_samples.h"
+#include "apps/lab/attack/attackers/false_samples.h"
 #include "tests/support/test_class.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/lab/attack/intruder.h"
+#include "apps/lab/attack/attackers/intruder.h"
 
 #include <random>
 

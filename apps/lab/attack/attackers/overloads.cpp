@@ -1,6 +1,6 @@
-#include "apps/lab/attack/overloads.h"
+#include "apps/lab/attack/attackers/overloads.h"
 
-#include "apps/lab/attack/participating.h"
+#include "apps/lab/attack/attackers/participating.h"
 #include "engine/session/facts/fact_codec.h"
 
 #include <array>

@@ -1,6 +1,6 @@
-#include "apps/lab/attack/foreign_actions.h"
+#include "apps/lab/attack/attackers/foreign_actions.h"
 
-#include "apps/lab/attack/attendee.h"
+#include "apps/lab/attack/attackers/attendee.h"
 #include "engine/session/facts/fact_codec.h"
 #include "engine/sync/strategies/relayed_message.h"
 

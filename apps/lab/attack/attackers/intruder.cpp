@@ -1,4 +1,4 @@
-#include "apps/lab/attack/intruder.h"
+#include "apps/lab/attack/attackers/intruder.h"
 
 #include "engine/session/facts/fact_codec.h"
 #include "engine/sync/connection/peer_link.h"

@@ -1,6 +1,6 @@
-#include "apps/lab/attack/gallery.h"
+#include "apps/lab/attack/attackers/gallery.h"
 
-#include "apps/lab/attack/attendee.h"
+#include "apps/lab/attack/attackers/attendee.h"
 #include "engine/session/facts/fact_codec.h"
 #include "engine/sync/streams/stream_slots.h"
 #include "engine/sync/streams/stream_tick.h"

@@ -1,7 +1,7 @@
-#include "apps/lab/attack/false_tube.h"
+#include "apps/lab/attack/attackers/false_tube.h"
 
-#include "apps/lab/attack/false_samples.h"
-#include "apps/lab/attack/participating.h"
+#include "apps/lab/attack/attackers/false_samples.h"
+#include "apps/lab/attack/attackers/participating.h"
 #include "engine/session/facts/fact_codec.h"
 
 #include <array>

@@ -1,4 +1,4 @@
-#include "apps/lab/attack/together.h"
+#include "apps/lab/attack/attackers/together.h"
 
 #include "engine/core/monotonic_clock.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "apps/lab/attack/attackers/attendee.h"
 #include "apps/lab/attack/attacks.h"
-#include "apps/lab/attack/attendee.h"
 
 namespace carina::lab
 {

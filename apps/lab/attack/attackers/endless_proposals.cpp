@@ -1,6 +1,6 @@
-#include "apps/lab/attack/endless_proposals.h"
+#include "apps/lab/attack/attackers/endless_proposals.h"
 
-#include "apps/lab/attack/participating.h"
+#include "apps/lab/attack/attackers/participating.h"
 #include "engine/anatomy/patient/patient_name.h"
 #include "engine/session/facts/fact_codec.h"
 

@@ -1,6 +1,6 @@
-#include "apps/lab/attack/without_effect.h"
+#include "apps/lab/attack/attackers/without_effect.h"
 
-#include "apps/lab/attack/participating.h"
+#include "apps/lab/attack/attackers/participating.h"
 #include "engine/session/facts/fact_codec.h"
 #include "engine/sync/strategies/relayed_message.h"
 

@@ -1,4 +1,4 @@
-#include "apps/lab/attack/outsiders.h"
+#include "apps/lab/attack/attackers/outsiders.h"
 
 #include "engine/core/monotonic_clock.h"
 

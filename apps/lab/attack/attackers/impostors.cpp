@@ -1,6 +1,6 @@
-#include "apps/lab/attack/impostors.h"
+#include "apps/lab/attack/attackers/impostors.h"
 
-#include "apps/lab/attack/attendee.h"
+#include "apps/lab/attack/attackers/attendee.h"
 #include "engine/session/facts/fact_codec.h"
 
 #include <limits>

@@ -1,4 +1,4 @@
-#include "apps/lab/attack/attendee.h"
+#include "apps/lab/attack/attackers/attendee.h"
 
 #include <utility>
 

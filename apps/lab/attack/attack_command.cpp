@@ -21,7 +21,9 @@ constexpr Option kSeconds{
     "seconds", "S",
     "how long each attack at least, 4 to 600; 10 unless given. One that is to send many datagrams "
     "goes on until it has, 120 s at most"};
-constexpr Option kOnly{"only", "NAME", "one attack: one of the names above; all unless given"};
+constexpr Option kOnly{"only", "NAMES",
+                       "these attacks, in this order: names as above, with commas between them; "
+                       "all once unless given"};
 constexpr Option kGuests{
     "guests", "N", "others who come in before and only take part, 0 to 240; none unless given"};
 constexpr Option kPrograms{"programs", "DIR",
@@ -175,6 +177,26 @@ QJsonObject objectOf(const AttackFigures& figures)
             {attack_key::kHolds, holds(figures)}};
 }
 
+Result<std::vector<const AttackKind*>> kindsIn(const Words& words)
+{
+    std::vector<const AttackKind*> all;
+    QStringList names;
+    for (const AttackKind& kind : attackKinds()) {
+        all.push_back(&kind);
+        names += QString::fromLatin1(kind.name);
+    }
+    if (!words.has(attack_option::kOnly))
+        return all;
+    std::vector<const AttackKind*> chosen;
+    for (const QString& name : words.text(attack_option::kOnly).split(QLatin1Char{','})) {
+        const qsizetype index = names.indexOf(name);
+        if (index < 0)
+            return words.unknownWord(attack_option::kOnly, names);
+        chosen.push_back(all[std::size_t(index)]);
+    }
+    return chosen;
+}
+
 Result<AttackSettings> settingsOf(const Words& words)
 {
     const auto seconds = words.number(attack_option::kSeconds, 4.0, 600.0, 10.0);
@@ -186,14 +208,10 @@ Result<AttackSettings> settingsOf(const Words& words)
     AttackSettings settings{.programs = SessionPrograms::in(words.text(attack_option::kPrograms)),
                             .length = fromSeconds(*seconds),
                             .guests = static_cast<int>(*guests)};
-    QStringList names;
-    for (const AttackKind& kind : attackKinds()) {
-        names += QString::fromLatin1(kind.name);
-        if (!words.has(attack_option::kOnly) || words.text(attack_option::kOnly) == names.back())
-            settings.kinds.push_back(&kind);
-    }
-    if (settings.kinds.empty())
-        return words.unknownWord(attack_option::kOnly, names);
+    const auto kinds = kindsIn(words);
+    if (!kinds)
+        return tl::unexpected(kinds.error());
+    settings.kinds = *kinds;
     settings.begins = [count = settings.kinds.size(), begun = 0](const AttackKind& kind) mutable {
         std::fprintf(stderr, "attack: %d of %zu: %s\n", ++begun, count, kind.name);
     };

@@ -11,7 +11,7 @@ namespace
 
 using namespace std::chrono_literals;
 
-constexpr Duration kLook = 500us;
+constexpr Duration kWitnessLooks = 500us;
 
 } // namespace
 
@@ -41,7 +41,7 @@ Seen Witness::take()
 void Witness::watch()
 {
     std::shared_ptr<const RemoteObject> object;
-    for (; !m_ends; std::this_thread::sleep_for(kLook)) {
+    for (; !m_ends; std::this_thread::sleep_for(kWitnessLooks)) {
         if (!object)
             object = tube();
         const auto now = m_node.now();

@@ -29,8 +29,8 @@ struct ScenePlayer {
 
 struct SceneFigures {
     QString network;
-    std::vector<ScenePlayer> players; ///< the console first
-    SceneComparison compared;
+    std::vector<ScenePlayer> players{}; ///< the console first
+    SceneComparison compared{};
 };
 
 /// Runs the console and the trainees, each in its window on a display of its own, watches them, has

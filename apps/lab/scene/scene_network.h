@@ -37,7 +37,7 @@ public:
 
 struct SceneNetworkSettings {
     int participants = 0;
-    std::set<int> remote; ///< those at the end of the long path
+    std::set<int> remote{}; ///< those at the end of the long path
     DriftScenario scenario{};
     std::uint32_t seed = 1;
     std::uint16_t hostPort = 0;

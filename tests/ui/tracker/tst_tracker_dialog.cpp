@@ -6,6 +6,7 @@
 #include "ui/tracker/tracker_tools.h"
 
 #include <QAbstractButton>
+#include <QAbstractSpinBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFile>
@@ -301,10 +302,13 @@ private Q_SLOTS:
     {
         const TrackerDialog dialog{{.source = TrackerSource::Polaris}, onePort()};
         for (const QLineEdit* edit : dialog.findChildren<QLineEdit*>())
-            if (qobject_cast<QComboBox*>(edit->parentWidget()) == nullptr)
+            if (qobject_cast<QComboBox*>(edit->parentWidget()) == nullptr
+                && qobject_cast<QAbstractSpinBox*>(edit->parentWidget()) == nullptr)
                 QVERIFY2(!edit->accessibleName().isEmpty(), qPrintable(edit->objectName()));
         for (const QComboBox* box : dialog.findChildren<QComboBox*>())
-            QVERIFY(!box->accessibleName().isEmpty());
+            QVERIFY2(!box->accessibleName().isEmpty(), qPrintable(box->objectName()));
+        for (const QAbstractSpinBox* box : dialog.findChildren<QAbstractSpinBox*>())
+            QVERIFY2(!box->accessibleName().isEmpty(), qPrintable(box->objectName()));
         QVERIFY(!find<QTableWidget>(dialog, "tools").accessibleName().isEmpty());
     }
 };

@@ -42,8 +42,8 @@ void OfferBox::press()
 
 void OfferBox::refresh()
 {
-    m_button->setText(m_offer.isOn() ? tr("Stop &giving to other programs")
-                                     : tr("&Give poses to other programs…"));
+    m_button->setText(m_offer.isOn() ? tr("No &longer for other programs")
+                                     : tr("&Let other programs read the poses…"));
     m_text->setText(m_offer.text());
     m_text->setVisible(m_offer.isOn());
 }

@@ -27,7 +27,7 @@ OfferDialog::OfferDialog(OfferSwitch& offer, QWidget* parent)
       m_warning{new PlainLabel},
       m_problem{new MessageLine}
 {
-    setWindowTitle(tr("Give poses to other programs"));
+    setWindowTitle(tr("Let other programs read the poses"));
     setMinimumWidth(kOfferWidth);
     layOut();
     connect(m_port, &QSpinBox::valueChanged, this, &OfferDialog::refresh);

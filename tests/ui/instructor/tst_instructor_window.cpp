@@ -881,14 +881,16 @@ private Q_SLOTS:
         Shown::settle();
         for (const QByteArray& dock : {change, people})
             QVERIFY2(shown.dock(dock.constData()).isEnabled(), dock.constData());
-        std::map<QString, QStringList> keys;
+        QMap<QString, QStringList> keys;
         for (const QWidget* control : shown.window.findChildren<QWidget*>())
             if (const QString key = altKeyOf(*control); !key.isEmpty())
                 keys[key] += control->objectName() + QLatin1Char{' '} + textOf(*control);
         QVERIFY(keys.size() > 8);
-        for (const auto& [key, controls] : keys)
+        for (const auto& [key, controls] : keys.toStdMap())
             QVERIFY2(controls.size() == 1,
-                     qPrintable(key + QStringLiteral(": ") + controls.join(QStringLiteral(", "))));
+                     qPrintable(key + QStringLiteral(": ") + controls.join(QStringLiteral(", "))
+                                + QStringLiteral("; in use: ")
+                                + QStringList{keys.keys()}.join(QLatin1Char{' '})));
     }
 
     /// The last first, whichever panel it was in.

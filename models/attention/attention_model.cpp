@@ -264,6 +264,9 @@ void AttentionModel::addBrokenOff(const SessionState& state, SessionTime now, Re
         if (station.closed || !broken || broken->shown.by != m_session.node().self()
             || now >= broken->at + kBrokenOffTold)
             continue;
+        const auto dismissed = m_notShownAgain.find(id);
+        if (dismissed != m_notShownAgain.end() && dismissed->second == broken->at)
+            continue;
         const QString to = nameIn(state, broken->shown.to);
         all.push_back({.concern = Concern::BrokenOff,
                        .text = atStation(state, id,
@@ -272,7 +275,8 @@ void AttentionModel::addBrokenOff(const SessionState& state, SessionTime now, Re
                                              .arg(to.isEmpty() ? tr("everybody") : to,
                                                   lessonText(broken->shown.lesson, false))),
                        .action = tr("Show again"),
-                       .station = id});
+                       .station = id,
+                       .canBeDismissed = true});
     }
 }
 
@@ -359,6 +363,16 @@ void AttentionModel::act(const Attention& attention)
         Q_EMIT showWanted(attention);
         return;
     }
+    look();
+}
+
+void AttentionModel::dismiss(const Attention& attention)
+{
+    const auto state = m_session.node().state();
+    const auto station = state->stations().find(attention.station);
+    if (attention.concern == Concern::BrokenOff && station != state->stations().end()
+        && station->second.brokenOff)
+        m_notShownAgain.insert_or_assign(attention.station, station->second.brokenOff->at);
     look();
 }
 

@@ -40,6 +40,7 @@ struct Attention {
     StationId station = kNoStation;
     ParticipantId participant = kNobody;
     ObjectId object{};
+    bool canBeDismissed = false; ///< besides what its action does
 
     friend bool operator==(const Attention&, const Attention&) = default;
 };
@@ -80,6 +81,8 @@ public:
     /// Does what the action says, or asks by showWanted for the place where it can be done. Nothing
     /// where the matter is settled already.
     void act(const Attention& attention);
+    /// Tells no more of a matter that can be dismissed, unless it comes up anew.
+    void dismiss(const Attention& attention);
 
     /// Looks again; a timer calls it.
     void look();
@@ -117,6 +120,8 @@ private:
     std::optional<SessionTime> m_developmentsAt;
     std::map<ObjectId, SessionTime> m_unseenSince;
     std::optional<Error> m_dismissed; ///< the refusal that was read
+    /// When what broke off did so that is told no more.
+    std::map<StationId, SessionTime> m_notShownAgain;
     Reports m_all;
 };
 

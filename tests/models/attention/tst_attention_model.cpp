@@ -183,6 +183,43 @@ private Q_SLOTS:
         QCOMPARE(console.texts(), QStringList{});
     }
 
+    /// Until it breaks off once more.
+    void saysNoMoreOfWhatIsNotToBeShownAgain()
+    {
+        Console console;
+        const auto comesInAnew = [&] {
+            console.node.advance(seconds{1});
+            console.node.decide(fact::ParticipantJoined{{}, Role::Instructor, "Ina"});
+            console.look();
+        };
+        const auto show = [&] {
+            console.node.decide(
+                fact::LessonShown{kNobody,
+                                  {{true, LessonCut::All, {0.0, 1.0, 0.0}, 0.1}, true, {}}},
+                FakeSessionNode::kInstructor);
+            console.look();
+        };
+        show();
+        comesInAnew();
+        QCOMPARE(console.texts().size(), 1);
+        const Attention brokenOff = console.model.all().front();
+        QVERIFY(brokenOff.canBeDismissed);
+        const int before = console.node.proposed;
+        console.model.dismiss(brokenOff);
+        QCOMPARE(console.texts(), QStringList{});
+        console.node.advance(seconds{1});
+        console.look();
+        QCOMPARE(console.texts(), QStringList{});
+        QCOMPARE(console.node.proposed, before); // for others nothing is changed
+        show();
+        comesInAnew();
+        QCOMPARE(console.texts().size(), 1);
+        console.asks(kTom);
+        QVERIFY(!console.model.all().front().canBeDismissed);
+        console.model.dismiss(console.model.all().front());
+        QCOMPARE(console.texts().size(), 2);
+    }
+
     void saysWhichToolIsOutOfViewOnceItStaysSo()
     {
         Console console;

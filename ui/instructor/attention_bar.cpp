@@ -18,12 +18,13 @@ namespace
 {
 
 constexpr int kAttentionMargin = 8; ///< pixels, as beside the stations above
+constexpr int kTextSpare = 4;       ///< pixels, so that rounding wraps no line
 
-/// The text with its mark, in which & is no mark of a key.
-QString entryOf(const Attention& attention)
+/// What a choice does and to what, in which & is no mark of a key.
+QString entryOf(const QString& action, const Attention& attention)
 {
     QString text = AttentionBar::tr("%1: %2", "what a choice does; what is the matter")
-                       .arg(attention.action, attention.text);
+                       .arg(action, attention.text);
     return text.replace(QLatin1Char{'&'}, QStringLiteral("&&"));
 }
 
@@ -37,13 +38,21 @@ QStringList actionWords()
 } // namespace
 
 AttentionBar::AttentionBar(QWidget* parent)
-    : QWidget{parent}, m_action{new QPushButton}, m_text{new PlainLabel}, m_more{new QToolButton}
+    : QWidget{parent},
+      m_action{new QPushButton},
+      m_dismiss{new QPushButton{AttentionModel::tr("Dismiss")}},
+      m_text{new PlainLabel},
+      m_more{new QToolButton}
 {
     setAccessibleName(tr("What needs attention"));
     m_action->setObjectName(QStringLiteral("attend"));
     m_action->setFocusPolicy(Qt::TabFocus); // who clicks it does not hold it
+    m_dismiss->setObjectName(QStringLiteral("dismissAttention"));
+    m_dismiss->setFocusPolicy(Qt::TabFocus);
+    m_dismiss->setToolTip(tr("It is not told any more; nothing else changes"));
     m_text->setObjectName(QStringLiteral("attention"));
     m_text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_text->setWordWrap(true);
     m_more->setObjectName(QStringLiteral("moreAttention"));
     m_more->setPopupMode(QToolButton::InstantPopup);
     m_more->setFocusPolicy(Qt::StrongFocus);
@@ -51,9 +60,12 @@ AttentionBar::AttentionBar(QWidget* parent)
     auto* row = new QHBoxLayout{this};
     row->setContentsMargins(kAttentionMargin, 1, kAttentionMargin, 1);
     row->addWidget(m_action);
+    row->addWidget(m_dismiss);
     row->addWidget(m_text, 1);
     row->addWidget(m_more);
     connect(m_action, &QPushButton::clicked, this, [this] { m_model->act(Attention{m_shown}); });
+    connect(m_dismiss, &QPushButton::clicked, this,
+            [this] { m_model->dismiss(Attention{m_shown}); });
     connect(&m_others, &QMenu::aboutToShow, this, &AttentionBar::listOthers);
 }
 
@@ -67,7 +79,6 @@ void AttentionBar::setModel(AttentionModel& model)
         widest = std::max(widest, m_action->sizeHint().width());
     }
     m_action->setFixedWidth(widest);
-    setFixedHeight(sizeHint().height()); // whatever it says
     connect(&model, &AttentionModel::changed, this, &AttentionBar::refresh);
     refresh();
 }
@@ -80,7 +91,8 @@ Attention AttentionBar::first() const
         return {};
     const auto same = std::ranges::find_if(
         all, [this](const Attention& each) { return isSameMatter(each, m_shown); });
-    const bool isHeld = m_action->underMouse() || m_action->hasFocus();
+    const bool isHeld = m_action->underMouse() || m_action->hasFocus() || m_dismiss->underMouse()
+                        || m_dismiss->hasFocus();
     return isHeld && same != all.end() ? *same : all.front();
 }
 
@@ -88,21 +100,21 @@ void AttentionBar::refresh()
 {
     const auto& all = m_model->all();
     const Attention before = std::exchange(m_shown, first());
-    setVisible(!all.empty());
     m_more->setVisible(all.size() > 1);
     m_action->setText(m_shown.action);
     m_action->setAccessibleDescription(m_shown.text);
+    m_dismiss->setVisible(m_shown.canBeDismissed);
+    m_dismiss->setAccessibleDescription(m_shown.text);
     m_more->setText(tr("and %n more", nullptr, int(all.size()) - 1));
     showText();
+    setVisible(!all.empty());
     if (!all.empty() && (before.text.isEmpty() || !isSameMatter(before, m_shown)))
         announce(m_shown.text);
 }
 
-/// As much as there is room for; the tool tip and the accessible name have all of it.
 void AttentionBar::showText()
 {
-    const QString text = tr("▲ %1", "what needs attention").arg(m_shown.text);
-    m_text->setText(m_text->fontMetrics().elidedText(text, Qt::ElideRight, m_text->width()));
+    m_text->setText(tr("▲ %1", "what needs attention").arg(m_shown.text));
     m_text->setToolTip(shownAsIs(m_shown.text));
     speakInstead(*m_text, m_shown.text);
 }
@@ -114,27 +126,28 @@ void AttentionBar::announce(const QString& text)
     QAccessible::updateAccessibility(&event);
 }
 
+void AttentionBar::listOther(const Attention& other)
+{
+    m_others.addAction(entryOf(other.action, other), this, [this, other] { m_model->act(other); });
+    if (other.canBeDismissed)
+        m_others.addAction(entryOf(m_dismiss->text(), other), this,
+                           [this, other] { m_model->dismiss(other); });
+}
+
 void AttentionBar::listOthers()
 {
     m_others.clear();
     for (const Attention& each : m_model->all())
         if (!isSameMatter(each, m_shown))
-            m_others.addAction(entryOf(each), this, [this, each] { m_model->act(each); });
+            listOther(each);
 }
 
-void AttentionBar::resizeEvent(QResizeEvent* event)
+/// Its text wraps in what the buttons leave of the width.
+QSize AttentionBar::sizeIn(int width) const
 {
-    QWidget::resizeEvent(event);
-    showText();
-}
-
-/// The room for the text is known once the layout was made.
-bool AttentionBar::event(QEvent* event)
-{
-    const bool isDone = QWidget::event(event);
-    if (event->type() == QEvent::LayoutRequest)
-        showText();
-    return isDone;
+    const int inOneLine = m_text->fontMetrics().horizontalAdvance(m_text->text()) + kTextSpare;
+    const int taken = std::min(width, layout()->totalSizeHint().width() + inOneLine);
+    return {taken, layout()->totalHeightForWidth(taken)};
 }
 
 } // namespace carina

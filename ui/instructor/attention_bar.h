@@ -12,8 +12,9 @@ class QToolButton;
 namespace carina
 {
 
-/// One line with what needs attention most urgently, and the button that settles it or shows where
-/// it is; a menu has the rest. Where nothing needs attention the line is hidden.
+/// What needs attention most urgently, in a whole sentence, the button that settles it or shows
+/// where it is, and one that dismisses it where that can be; a menu has the rest. Where nothing
+/// needs attention the bar is hidden. It is as wide and as high as its sentence needs.
 ///
 /// What is shown stays under a pointer or with the focus until it is settled, so that nobody
 /// presses a button that has just changed its meaning. A screen reader hears each new matter.
@@ -27,12 +28,12 @@ public:
     /// @pre the model outlives the bar.
     void setModel(AttentionModel& model);
 
-protected:
-    void resizeEvent(QResizeEvent* event) override;
-    bool event(QEvent* event) override;
+    /// The least that shows all of the sentence, in at most this width.
+    [[nodiscard]] QSize sizeIn(int width) const;
 
 private:
     void refresh();
+    void listOther(const Attention& other);
     void listOthers();
     void showText();
     void announce(const QString& text);
@@ -41,6 +42,7 @@ private:
     AttentionModel* m_model = nullptr;
     Attention m_shown;
     QPushButton* m_action;
+    QPushButton* m_dismiss;
     QLabel* m_text;
     QToolButton* m_more;
     QMenu m_others;

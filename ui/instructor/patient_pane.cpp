@@ -43,18 +43,26 @@ void PatientPane::show(const PatientModel& patient, StationView& view)
 
 bool PatientPane::eventFilter(QObject* watched, QEvent* event)
 {
-    if (event->type() == QEvent::Resize || event->type() == QEvent::Move
-        || event->type() == QEvent::Show)
+    switch (event->type()) {
+    case QEvent::Resize:
+    case QEvent::Move:
+    case QEvent::Show:
+    case QEvent::Hide:
+    case QEvent::LayoutRequest: // it says something else
         layAttention();
+        break;
+    default:
+        break;
+    }
     return QWidget::eventFilter(watched, event);
 }
 
-/// Over the upper edge of the picture.
+/// Over the upper edge of the picture, of which it takes no more than its sentence needs.
 void PatientPane::layAttention()
 {
     const QRect picture = m_ui->scene->geometry();
-    m_ui->attentionBar->setGeometry(picture.x(), picture.y(), picture.width(),
-                                    m_ui->attentionBar->height());
+    const QSize size = m_ui->attentionBar->sizeIn(picture.width());
+    m_ui->attentionBar->setGeometry({picture.topLeft(), size});
     if (QWindow* window = m_ui->attentionBar->windowHandle())
         window->raise();
 }

@@ -44,6 +44,15 @@ struct Shown {
         node.decide(fact::ObjectWanted{FakeSessionNode::kPatient, true}, kTom);
         look();
     }
+    /// This console showed something until it stopped.
+    void breaksOff()
+    {
+        node.decide(
+            fact::LessonShown{kNobody, {{true, LessonCut::All, {0.0, 1.0, 0.0}, 0.1}, true, {}}},
+            FakeSessionNode::kInstructor);
+        node.decide(fact::ParticipantJoined{{}, Role::Instructor, "Ina"});
+        look();
+    }
     void goesAway(std::size_t whom)
     {
         node.linkReports[whom].state = LinkState::Away;
@@ -112,15 +121,55 @@ private Q_SLOTS:
         QVERIFY(shown.text.text().contains(QStringLiteral("asks")));
     }
 
-    void hasTheWholeTextWhereItIsCut()
+    void showsTheWholeSentenceHoweverNarrow()
     {
         Shown shown;
         shown.goesAway(0);
-        shown.bar.resize(220, shown.bar.height());
-        QVERIFY(shown.text.text().endsWith(QStringLiteral("…")));
-        QCOMPARE(shown.text.accessibleName(),
-                 QStringLiteral("Tom is away: their program is not heard of"));
-        QVERIFY(shown.text.toolTip().contains(QStringLiteral("not heard of")));
+        const QString whole = QStringLiteral("Tom is away: their program is not heard of");
+        const auto linesIn = [&shown](int width) {
+            shown.bar.resize(shown.bar.sizeIn(width));
+            QCoreApplication::sendPostedEvents();
+            const int needed = shown.text.heightForWidth(shown.text.width());
+            return shown.text.height() < needed
+                       ? 0
+                       : qRound(double(needed) / shown.text.fontMetrics().lineSpacing());
+        };
+        QCOMPARE(linesIn(900), 1);
+        QVERIFY(shown.bar.width() < 900); // no more than it needs
+        QVERIFY(linesIn(260) > 1);
+        QCOMPARE(shown.bar.width(), 260);
+        QCOMPARE(shown.text.text(), QStringLiteral("▲ ") + whole);
+        QCOMPARE(shown.text.accessibleName(), whole);
+    }
+
+    void dismissesWhatIsNotToBeShownAgain()
+    {
+        Shown shown;
+        auto& dismiss = *shown.bar.findChild<QPushButton*>(QStringLiteral("dismissAttention"));
+        shown.breaksOff();
+        QCOMPARE(shown.action.text(), QStringLiteral("Show again"));
+        QVERIFY(dismiss.isVisible());
+        QCOMPARE(dismiss.accessibleDescription(), shown.text.accessibleName());
+        QTest::keyClick(&dismiss, Qt::Key_Space);
+        QVERIFY(!shown.bar.isVisible());
+        shown.tomAsks();
+        QVERIFY(!dismiss.isVisible()); // somebody waits for an answer
+        QTest::keyClick(&shown.action, Qt::Key_Space);
+        QVERIFY(!shown.bar.isVisible());
+    }
+
+    void dismissesByTheMenu()
+    {
+        Shown shown;
+        shown.tomAsks();
+        shown.breaksOff();
+        QCOMPARE(shown.action.text(), QStringLiteral("Give"));
+        Q_EMIT shown.more.menu()->aboutToShow();
+        const auto others = shown.more.menu()->actions();
+        QCOMPARE(others.size(), 2);
+        QVERIFY(others[1]->text().startsWith(QStringLiteral("Dismiss: Shown to everybody")));
+        others[1]->trigger();
+        QVERIFY(!shown.more.isVisible());
     }
 };
 

@@ -22,8 +22,9 @@ public:
     /// Panels that stand in one place, the first in front.
     using Group = QList<QDockWidget*>;
 
-    /// Pixels: with it the picture has half of a window of 1280x800, and two thirds of 1920x1080.
-    static constexpr int kColumnWidth = 470;
+    /// Pixels: with it the picture has half of a window of 1280x800, and two thirds of 1920x1080,
+    /// also without what is under the sentence that says what needs attention.
+    static constexpr int kColumnWidth = 430;
     /// From this height on, each group has a place of its own: that of the first holds its panels
     /// then, too.
     static constexpr int kHighWindow = 1440;

@@ -127,7 +127,7 @@ void TrackerPanel::offer(const TreatmentChoice& choice)
     auto* predict = new QCheckBox{tr("P&redict poses to the moment they are seen")};
     predict->setObjectName(QStringLiteral("predict"));
     predict->setChecked(choice.now.predicts);
-    auto* smooth = new QCheckBox{tr("&Smooth tools that are held still (1-Euro filter)")};
+    auto* smooth = new QCheckBox{tr("&Smooth tools held still (1-Euro filter)")};
     smooth->setObjectName(QStringLiteral("smooth"));
     smooth->setToolTip(
         tr("Removes the tracker's jitter from tools that rest. Slow motion is drawn a "

@@ -94,5 +94,7 @@ def not_reached(nodes, stops):
             and not (node.role in BY_ARROWS and "checked" not in node.states)]
 
 
-def share_of(picture, window):
-    return picture.box[2] * picture.box[3] / (window.box[2] * window.box[3])
+def share_of(picture, window, cover=None):
+    """Without what lies over its edge."""
+    covered = cover.box[2] * cover.box[3] if cover else 0
+    return (picture.box[2] * picture.box[3] - covered) / (window.box[2] * window.box[3])

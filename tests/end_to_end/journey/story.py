@@ -165,8 +165,8 @@ class Story:
         self.keep("condition changed")
 
     def has_changed(self, person, before):
-        """Whether the picture is another than in a film of before, at any moment of a breath. The
-        console's moves down when something needs attention, and so tells nothing."""
+        """Whether the picture is another than in a film of before, at any moment of a breath. Over the
+        console's lies what needs attention, so that it tells nothing."""
         box = self.picture_of(person).box
         after = breathing.film([(person.view.computer.screen, box)], FILM_S / 2)[0]
         changed = breathing.apart(before, after)
@@ -259,6 +259,7 @@ class Story:
             wait_for("nothing is said to be shown", lambda: not any(
                 SHOWN in words for words in trainee.view.words()), ANSWERS_S)
         self.open(console, CONSOLE)
+        self.check_share()  # also beside the sentence over its edge
         self.keep("resumed")
 
     def end(self):
@@ -339,7 +340,8 @@ class Story:
     def check_share(self):
         view = self.console.view
         window = view.wait("its window", role="frame", name=CONSOLE)
-        share = checks.share_of(self.picture_of(self.console), window)
+        share = checks.share_of(self.picture_of(self.console), window,
+                                view.find(name="What needs attention"))
         print(f"the picture has {share:.3f} of the window at {self.asked.size}")
         if share < LEAST_SHARE.get(self.asked.size, 0.5):
             self.faults.append(f"the picture has only {share:.3f} of the window")

@@ -86,6 +86,26 @@ struct Shown : ConsoleDesk {
         const auto& scene = find<SceneView>("scene");
         return {scene.mapTo(&window, QPoint{}), scene.size()};
     }
+    /// What lies over the picture's edge and says what needs attention.
+    [[nodiscard]] QRect attentionAt()
+    {
+        const auto& bar = find<QWidget>("attentionBar");
+        return bar.isVisible() ? QRect{bar.mapTo(&window, QPoint{}), bar.size()} : QRect{};
+    }
+    /// Something long to say: much was shown until this console stopped.
+    void breakOffALesson()
+    {
+        node.linkReports = {{kTom, LinkState::Connected, {}, {}, {}},
+                            {kOlga, LinkState::Connected, {}, {}, {}}};
+        Lesson lesson{{true, LessonCut::All, {0.0, 1.0, 0.0}, 0.1}, true, {}};
+        lesson.looks = {{.first = 1, .last = 1, .isHighlighted = true, .isNamed = true},
+                        {.first = 2, .last = 2, .style = LessonStyle::Hidden},
+                        {.first = 3, .last = 3, .style = LessonStyle::Ghost}};
+        node.decide(fact::LessonShown{kNobody, lesson}, FakeSessionNode::kInstructor);
+        node.decide(fact::ParticipantJoined{{}, Role::Instructor, "Ina"});
+        attention.look();
+        settle();
+    }
     [[nodiscard]] QAction& action(const char* name) { return find<QAction>(name); }
     [[nodiscard]] QDockWidget& dock(const char* name) { return find<QDockWidget>(name); }
     /// Where each button of the bar stands.
@@ -296,6 +316,32 @@ private Q_SLOTS:
         shown.decide(SessionPhase::Running);
         Shown::settle();
         QVERIFY2(shown.share() >= least, qPrintable(QString::number(shown.share())));
+    }
+
+    /// Even without what its sentence covers.
+    void leavesThePictureItsShareWhereSomethingNeedsAttention_data()
+    {
+        givesThePictureMostOfTheWindow_data();
+    }
+    void leavesThePictureItsShareWhereSomethingNeedsAttention()
+    {
+        QFETCH(const QSize, size);
+        QFETCH(const double, least);
+        const test::ScratchFolder kept;
+        Shown shown{kept, size};
+        shown.breakOffALesson();
+        const auto& text = shown.find<QLabel>("attention");
+        QVERIFY2(text.text().endsWith(QStringLiteral("parts seen through, view")),
+                 qPrintable(text.text()));
+        QVERIFY(text.height() >= text.heightForWidth(text.width()));
+        const QRect covered = shown.attentionAt();
+        QVERIFY(!covered.isEmpty());
+        QVERIFY(shown.pictureAt().contains(covered));
+        const double left = shown.share()
+                            - double(covered.width()) * covered.height()
+                                  / (double(size.width()) * size.height());
+        qInfo("the picture has %.3f of the window beside its sentence", left);
+        QVERIFY2(left >= least, qPrintable(QString::number(left)));
     }
 
     void holdsItsHighestPanelsWithoutScrolling_data()

@@ -46,6 +46,7 @@ constexpr StationId kRoom{1};
 constexpr ObjectId kPatient = FakeSessionNode::kPatient;
 constexpr ObjectId kLungs{3};
 constexpr std::size_t kPanels = 9;
+constexpr std::chrono::seconds kDrawn{30}; ///< a frame, by a loaded software renderer
 
 /// One with the same surfaces as the console's.
 SharedPatientModel anotherPatient()
@@ -342,6 +343,27 @@ private Q_SLOTS:
                                   / (double(size.width()) * size.height());
         qInfo("the picture has %.3f of the window beside its sentence", left);
         QVERIFY2(left >= least, qPrintable(QString::number(left)));
+    }
+
+    /// Of which one is at the upper edge, as the patient lies.
+    void writesNoSideOverWhatNeedsAttention()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        shown.respiration.setPosition(BodyPosition::RightLateral);
+        shown.takeEffect();
+        shown.find<QToolButton>("front").click();
+        shown.breakOffALesson();
+        const int bottom = shown.attentionAt().bottom();
+        const auto left = [&shown]() -> QRect {
+            for (const QLabel* label : shown.find<SceneView>("scene").findChildren<QLabel*>())
+                if (label->text() == QStringLiteral("Left") && label->isVisible())
+                    return {label->mapTo(&shown.window, QPoint{}), label->size()};
+            return {};
+        };
+        const auto isAbove = [&] { return left().bottom() < shown.pictureAt().center().y(); };
+        QVERIFY(soon([&] { return !left().isNull() && isAbove(); }, kDrawn));
+        QVERIFY(soon([&] { return left().top() > bottom; }, kDrawn));
     }
 
     void holdsItsHighestPanelsWithoutScrolling_data()

@@ -39,7 +39,7 @@ SideLabels::SideLabels(QWidget& over, std::string body)
 {
 }
 
-void SideLabels::place(const SceneFrame& frame, const CameraPose& pose)
+void SideLabels::place(const SceneFrame& frame, const CameraPose& pose, int covered)
 {
     const auto body = frame.bodies.find(m_body);
     if (!m_body.empty() && body == frame.bodies.end())
@@ -48,9 +48,10 @@ void SideLabels::place(const SceneFrame& frame, const CameraPose& pose)
     for (const auto& [word, dir_F] : m_sides) {
         const QPointF half{0.5 * word->width(), 0.5 * word->height()};
         const QPointF inside = half + QPointF{kFromEdge, kFromEdge};
-        const auto middle = pointedAt(
-            q_AF * dir_F, pose,
-            QRectF{m_over.rect()}.adjusted(inside.x(), inside.y(), -inside.x(), -inside.y()));
+        const auto middle =
+            pointedAt(q_AF * dir_F, pose,
+                      QRectF{m_over.rect()}.adjusted(inside.x(), inside.y() + covered, -inside.x(),
+                                                     -inside.y()));
         word->setVisible(middle.has_value());
         if (!middle)
             continue;

@@ -39,7 +39,8 @@ public:
 
     /// Moves the labels to the edges to which the patient's right and left point in a frame. They
     /// are hidden while the body is not drawn or the camera looks nearly along its left-right axis.
-    void place(const SceneFrame& frame, const CameraPose& pose);
+    /// @param covered pixels at the upper edge in which they do not stand
+    void place(const SceneFrame& frame, const CameraPose& pose, int covered = 0);
     void hide();
     /// The rectangles of the labels that are shown.
     [[nodiscard]] std::vector<QRect> boxes() const;

@@ -274,8 +274,10 @@ void SceneView::placeLabels(const SceneFrame& frame, const std::vector<SceneCame
         return;
     }
     if (m_sides)
-        m_sides->place(frame, cameras.front().pose);
+        m_sides->place(frame, cameras.front().pose, m_covered);
     std::vector<QRect> taken = m_sides ? m_sides->boxes() : std::vector<QRect>{};
+    if (m_covered > 0)
+        taken.emplace_back(0, 0, width(), m_covered);
     m_figureNames.place(frame, sights, taken);
     std::ranges::move(m_figureNames.boxes(), std::back_inserter(taken));
     m_labels.place(frame, sights.front().sight, taken);

@@ -117,6 +117,9 @@ public:
     /// Labels the right and left of a patient at the edges, except in a headset: of the body with
     /// this name, or of a patient that is fixed in A.
     void nameSides(std::string body = {}) { m_sides.emplace(*this, std::move(body)); }
+    /// Keeps labels and names, except in a headset, out of so many pixels at the upper edge, over
+    /// which something else lies.
+    void keepNamesBelow(int covered) { m_covered = covered; }
     void setBackground(const QColor& color);
 
     /// Fixes the level of detail of all parts; std::nullopt chooses it by visible error and drawing
@@ -169,6 +172,7 @@ private:
     PartLabels m_labels;
     FigureNames m_figureNames;
     std::optional<SideLabels> m_sides;
+    int m_covered = 0; ///< pixels at the upper edge
     const SceneView* m_followed = nullptr;
     FrameSource m_source;
     FrameListener m_listener;

@@ -58,6 +58,7 @@ private Q_SLOTS:
     void followsThePatientAsItIsTurned();
     void namesNoSidesOfAPatientThatIsNotDrawn();
     void namesNoSidesToAHeadset();
+    void standsBelowWhatCoversTheUpperEdge();
 };
 
 /// The patient's left is +x of A, behind is +y, the head +z.
@@ -174,6 +175,27 @@ void TestSideLabels::namesNoSidesToAHeadset()
     frame = frontFrame();
     QVERIFY(draws(*view, 2));
     QVERIFY(!wordOn(*view, "Right")->isVisible() && !wordOn(*view, "Left")->isVisible());
+}
+
+/// As the left of a patient who lies on the right side, seen from the front.
+void TestSideLabels::standsBelowWhatCoversTheUpperEdge()
+{
+    constexpr int kCovered = 60; // pixels
+    const auto view = namedView([](int, LocalTime) { return SceneFrame{}; });
+    view->setLie(Lie::OnRightSide);
+    view->showFrom(ViewPreset::Front);
+    QVERIFY(draws(*view, 3));
+    const QLabel* left = wordOn(*view, "Left");
+    QVERIFY(left->isVisible());
+    QVERIFY(left->y() < kCovered);
+    view->keepNamesBelow(kCovered);
+    QVERIFY(draws(*view, 2));
+    QVERIFY(left->isVisible());
+    QVERIFY(left->y() >= kCovered);
+    QVERIFY(left->y() < view->height() / 4);
+    view->keepNamesBelow(0);
+    QVERIFY(draws(*view, 2));
+    QVERIFY(left->y() < kCovered);
 }
 
 CARINA_SCREEN_TEST(TestSideLabels)

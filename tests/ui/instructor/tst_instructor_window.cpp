@@ -338,9 +338,9 @@ private Q_SLOTS:
         const QRect covered = shown.attentionAt();
         QVERIFY(!covered.isEmpty());
         QVERIFY(shown.pictureAt().contains(covered));
-        const double left = shown.share()
-                            - double(covered.width()) * covered.height()
-                                  / (double(size.width()) * size.height());
+        const double left =
+            shown.share()
+            - double(covered.width()) * covered.height() / (double(size.width()) * size.height());
         qInfo("the picture has %.3f of the window beside its sentence", left);
         QVERIFY2(left >= least, qPrintable(QString::number(left)));
     }
@@ -408,6 +408,22 @@ private Q_SLOTS:
         for (const QRect& button : shown.buttons())
             QVERIFY(shown.window.rect().contains(button));
         QCOMPARE(shown.buttons().size(), 9); // none is behind an arrow
+    }
+
+    void namesTwoStationsWhole()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        shown.node.addStation("Room 2");
+        shown.takeEffect();
+        Shown::settle();
+        const auto& tabs = shown.find<QTabBar>("stations");
+        QVERIFY(tabs.isVisible());
+        QCOMPARE(tabs.count(), 2);
+        QCOMPARE(tabs.tabText(0), QStringLiteral("Station 1: 3 here"));
+        QCOMPARE(tabs.tabText(1), QStringLiteral("Room 2: 0 here"));
+        for (int tab = 0; tab < tabs.count(); ++tab)
+            QVERIFY(tabs.rect().contains(tabs.tabRect(tab)));
     }
 
     void bringsAClosedPanelBackByItsKey()

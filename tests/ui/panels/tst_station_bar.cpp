@@ -33,6 +33,8 @@ private Q_SLOTS:
     void closesOnTheSecondPressOnly();
     void closesNoStationThatWasNotAskedAbout();
     void offersAllStationsWhereThereAreSeveral();
+    void showsNamesThatTellStationsApart();
+    void choosesTheStationFromAListWhereThereAreMany();
 };
 
 namespace
@@ -68,6 +70,18 @@ struct Bar {
     void addRoom()
     {
         node.addStation("Room & hall");
+        QCoreApplication::sendPostedEvents();
+    }
+    QComboBox& list = *bar.findChild<QComboBox*>(QStringLiteral("stationList"));
+    void show()
+    {
+        bar.resize(1000, 40);
+        bar.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&bar));
+    }
+    void resizeTo(int width)
+    {
+        bar.resize(width, bar.height());
         QCoreApplication::sendPostedEvents();
     }
     [[nodiscard]] StationDialog& asked() const { return *bar.findChild<StationDialog*>(); }
@@ -198,6 +212,57 @@ void TestStationBar::offersAllStationsWhereThereAreSeveral()
     QVERIFY(bar.stations.isForAll());
     Bar::press(bar.forAll);
     QVERIFY(!bar.stations.isForAll());
+}
+
+/// Each tab is in sight, whole, with its number of participants and enough of its name.
+void TestStationBar::showsNamesThatTellStationsApart()
+{
+    const QString longName = QStringLiteral("The room at the end of the long corridor");
+    Bar bar;
+    bar.addRoom();
+    bar.node.addStation(qPrintable(longName));
+    QCoreApplication::sendPostedEvents();
+    bar.show();
+    int whole = 0;
+    int elided = 0;
+    int listed = 0;
+    for (int width = 1400; width > 300; width -= 20) {
+        bar.resizeTo(width);
+        QVERIFY(bar.tabs.isVisible() != bar.list.isVisible());
+        if (bar.list.isVisible()) {
+            ++listed;
+            continue;
+        }
+        QCOMPARE(listed, 0); // there was less room
+        QCOMPARE(bar.tabs.tabText(0), QStringLiteral("Station 1: 3 here"));
+        for (int tab = 0; tab < bar.tabs.count(); ++tab) {
+            QVERIFY(bar.tabs.rect().contains(bar.tabs.tabRect(tab)));
+            QVERIFY(bar.tabs.tabText(tab).endsWith(QStringLiteral(" here")));
+        }
+        const bool isElided = bar.tabs.tabText(2).contains(QChar{0x2026});
+        QCOMPARE(bar.tabs.tabText(2).startsWith(longName), !isElided);
+        QVERIFY(bar.tabs.tabToolTip(2).contains(longName));
+        ++(isElided ? elided : whole);
+    }
+    QVERIFY(whole > 0 && elided > 0 && listed > 0);
+}
+
+void TestStationBar::choosesTheStationFromAListWhereThereAreMany()
+{
+    Bar bar;
+    for (const char* name : {"Room 2", "Room 3", "Room 4", "Room 5", "Room 6", "Room 7", "Room 8"})
+        bar.node.addStation(name);
+    QCoreApplication::sendPostedEvents();
+    bar.show();
+    bar.resizeTo(600);
+    QVERIFY(bar.list.isVisible());
+    QCOMPARE(bar.list.count(), 8);
+    QCOMPARE(bar.list.currentText(), QStringLiteral("Station 1: 3 here"));
+    QTest::keyClick(&bar.list, Qt::Key_Down);
+    QCOMPARE(bar.stations.shown(), kRoom);
+    bar.stations.show(FakeSessionNode::kStation);
+    QCOMPARE(bar.list.currentIndex(), 0);
+    QCOMPARE(bar.list.accessibleName(), QStringLiteral("Station that is shown"));
 }
 
 CARINA_SCREEN_TEST(TestStationBar)

@@ -3,9 +3,12 @@
 #include "ui/panels/people_menus.h"
 #include "ui/panels/remove_dialog.h"
 #include "ui_participants_panel.h"
+#include "widgets/wrapped_text.h"
 
+#include <QEvent>
 #include <QHeaderView>
 
+#include <algorithm>
 #include <array>
 
 namespace carina
@@ -18,6 +21,10 @@ namespace
 constexpr std::array kFirst{ParticipantsModel::Name, ParticipantsModel::State,
                             ParticipantsModel::Delay, ParticipantsModel::Same,
                             ParticipantsModel::RoleColumn};
+/// Of these, what is in sight beside the names.
+constexpr std::array kInSight{ParticipantsModel::State, ParticipantsModel::Delay,
+                              ParticipantsModel::Same};
+constexpr int kLeastNames = 90; ///< pixels
 
 } // namespace
 
@@ -37,13 +44,7 @@ void ParticipantsPanel::setModel(ParticipantsModel& participants, ConductModel& 
     m_stations = &stations;
     m_people = &people;
     m_ui->table->setModel(&participants);
-    QHeaderView* header = m_ui->table->horizontalHeader();
-    header->setSectionResizeMode(QHeaderView::ResizeToContents); // names and headings whole
-    for (std::size_t place = 0; place < kFirst.size(); ++place)
-        header->moveSection(header->visualIndex(kFirst[place]), int(place));
-    for (const int figure : {ParticipantsModel::Sends, ParticipantsModel::Age,
-                             ParticipantsModel::DriftAngle, ParticipantsModel::DriftDistance})
-        m_ui->table->setColumnHidden(figure, true);
+    layTable();
     m_ui->move->setMenu(&m_moves);
     connect(&m_moves, &QMenu::aboutToShow, this, &ParticipantsPanel::offerStations);
     connect(&stations, &StationsModel::changed, this, &ParticipantsPanel::refresh);
@@ -71,6 +72,56 @@ void ParticipantsPanel::setModel(ParticipantsModel& participants, ConductModel& 
                                        this});
     connect(&people, &PeopleModel::changed, this, &ParticipantsPanel::refreshPerson);
     refresh();
+}
+
+void ParticipantsPanel::layTable()
+{
+    QTableView& table = *m_ui->table;
+    QHeaderView* header = table.horizontalHeader();
+    header->setSectionResizeMode(QHeaderView::ResizeToContents); // contents and headings whole
+    header->setSectionResizeMode(ParticipantsModel::Name, QHeaderView::Fixed);
+    for (std::size_t place = 0; place < kFirst.size(); ++place)
+        header->moveSection(header->visualIndex(kFirst[place]), int(place));
+    for (const int figure : {ParticipantsModel::Sends, ParticipantsModel::Age,
+                             ParticipantsModel::DriftAngle, ParticipantsModel::DriftDistance})
+        table.setColumnHidden(figure, true);
+    table.setItemDelegateForColumn(ParticipantsModel::Name, new WrappedTextDelegate{&table});
+    table.verticalHeader()->setMinimumSectionSize(table.verticalHeader()->defaultSectionSize());
+    table.viewport()->installEventFilter(this);
+    m_fitting.setSingleShot(true);
+    m_fitting.setInterval(0); // a header that is laying its columns is not to be changed
+    connect(&m_fitting, &QTimer::timeout, this, &ParticipantsPanel::fitNames);
+    connect(header, &QHeaderView::sectionResized, this, [this](int column) {
+        if (column != ParticipantsModel::Name)
+            m_fitting.start();
+    });
+    connect(m_participants, &QAbstractItemModel::rowsInserted, &m_fitting,
+            qOverload<>(&QTimer::start));
+    connect(m_participants, &QAbstractItemModel::modelReset, &m_fitting,
+            qOverload<>(&QTimer::start));
+}
+
+/// Names have what the columns that stay in sight leave of the width, and as many lines as that
+/// needs.
+void ParticipantsPanel::fitNames()
+{
+    QTableView& table = *m_ui->table;
+    QHeaderView& header = *table.horizontalHeader();
+    int room = table.viewport()->width();
+    for (const int column : kInSight)
+        room -= header.sectionSize(column);
+    const int whole =
+        static_cast<const QAbstractItemView&>(table).sizeHintForColumn(ParticipantsModel::Name);
+    const int least = std::max(kLeastNames, header.sectionSizeHint(ParticipantsModel::Name));
+    header.resizeSection(ParticipantsModel::Name, std::max(least, std::min(room, whole)));
+    table.resizeRowsToContents();
+}
+
+bool ParticipantsPanel::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::Resize || event->type() == QEvent::FontChange)
+        m_fitting.start();
+    return QWidget::eventFilter(watched, event);
 }
 
 void ParticipantsPanel::choose(ParticipantId participant)

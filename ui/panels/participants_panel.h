@@ -6,6 +6,7 @@
 #include "models/station/stations_model.h"
 
 #include <QMenu>
+#include <QTimer>
 #include <QWidget>
 
 #include <functional>
@@ -19,9 +20,10 @@ class ParticipantsPanel;
 namespace carina
 {
 
-/// The participants of the session as a table, and what an instructor may decide about the chosen
-/// one: mute, remove, let back in, give the work, where others see them, and, where several
-/// stations are open, move to another one. Besides, the session can be locked.
+/// The participants of the session as a table, in which a long name has several lines, and what an
+/// instructor may decide about the chosen one: mute, remove, let back in, give the work, where
+/// others see them, and, where several stations are open, move to another one. Besides, the session
+/// can be locked.
 class ParticipantsPanel : public QWidget
 {
     Q_OBJECT
@@ -48,7 +50,12 @@ Q_SIGNALS:
     /// Somebody was removed for good, who still knows the code of the role.
     void banned(carina::Role role);
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
+    void layTable();
+    void fitNames();
     void refresh();
     void offerStations();
     void muteOrNot();
@@ -64,6 +71,7 @@ private:
     ConductModel* m_conduct = nullptr;
     StationsModel* m_stations = nullptr;
     QMenu m_moves; ///< a station each
+    QTimer m_fitting;
     PeopleModel* m_people = nullptr;
     std::function<std::optional<PoseSample>()> m_ownHead; ///< may be empty
 };

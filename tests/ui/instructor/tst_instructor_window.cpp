@@ -426,6 +426,34 @@ private Q_SLOTS:
             QVERIFY(tabs.rect().contains(tabs.tabRect(tab)));
     }
 
+    void keepsStatesOfParticipantsInSight()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        const auto table = [&shown]() -> const QTableView& {
+            return shown.find<QTableView>("table");
+        };
+        shown.node.linkReports = {{kTom, LinkState::Connected, {}, {}, {}},
+                                  {kOlga, LinkState::Connected, {}, {}, {}}};
+        shown.node.pathReports.push_back(
+            {.peer = kTom, .meanDelay = std::chrono::milliseconds{40}});
+        shown.node.decide(
+            fact::ParticipantJoined{{}, Role::Trainee, "Maximiliane-Charlotte von Hohenlohe-Abcd"});
+        shown.takeEffect();
+        shown.dock("participantsDock").raise();
+        Shown::settle();
+        const auto isInSight = [&table](int column) {
+            return table().columnViewportPosition(column) + table().columnWidth(column)
+                   <= table().viewport()->width();
+        };
+        const int last = shown.participants.rowCount() - 1;
+        QVERIFY(soon([&] {
+            return isInSight(ParticipantsModel::State) && isInSight(ParticipantsModel::Delay)
+                   && isInSight(ParticipantsModel::Same)
+                   && table().rowHeight(last) > table().rowHeight(0);
+        }));
+    }
+
     void bringsAClosedPanelBackByItsKey()
     {
         const test::ScratchFolder kept;

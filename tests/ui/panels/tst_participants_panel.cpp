@@ -1,4 +1,5 @@
 #include "tests/models/fake_session_node.h"
+#include "tests/support/soon.h"
 #include "tests/support/test_class.h"
 #include "ui/panels/participants_panel.h"
 #include "ui/panels/remove_dialog.h"
@@ -12,6 +13,8 @@
 #include <QSignalSpy>
 #include <QTableView>
 #include <QToolButton>
+
+#include <algorithm>
 
 namespace carina::participants_panel_test
 {
@@ -36,6 +39,7 @@ private Q_SLOTS:
     void movesToAnotherStationWhereThereIsOne();
     void showsTheFiguresOfWhoIsChosen();
     void keepsItsHeadingsWhole();
+    void keepsStatesInSightBesideALongName();
     void tellsOfRegistrationsWhereThereAreSome();
 };
 
@@ -145,6 +149,41 @@ void TestParticipantsPanel::keepsItsHeadingsWhole()
                 panel.participants.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString()));
     }
     QCOMPARE(seen, 6);
+}
+
+/// Which is whole, in several lines.
+void TestParticipantsPanel::keepsStatesInSightBesideALongName()
+{
+    const QString name = QStringLiteral("Maximiliane-Charlotte von Hohenlohe-Abcd");
+    constexpr int kLongRow = 3;
+    Panel panel;
+    panel.node.decide(fact::ParticipantJoined{{}, Role::Trainee, name.toStdString()});
+    QCoreApplication::sendPostedEvents();
+    QCOMPARE(panel.participants.rowCount(), kLongRow + 1);
+    panel.panel.resize(1200, 400);
+    panel.panel.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&panel.panel));
+    QCoreApplication::processEvents();
+    const QTableView& table = panel.table;
+    const int around = panel.panel.width() - table.viewport()->width();
+    const int beside = table.columnWidth(ParticipantsModel::State)
+                       + table.columnWidth(ParticipantsModel::Delay)
+                       + table.columnWidth(ParticipantsModel::Same);
+    const int third = std::max(100, table.fontMetrics().horizontalAdvance(name) / 3);
+    panel.panel.resize(around + beside + third, 400);
+    const auto isInSight = [&table](int column) {
+        const int left = table.columnViewportPosition(column);
+        return left >= 0 && left + table.columnWidth(column) <= table.viewport()->width();
+    };
+    const auto height = [&table](int row) { return table.rowHeight(row); };
+    QVERIFY(test::soon([&] {
+        return isInSight(ParticipantsModel::State) && isInSight(ParticipantsModel::Delay)
+               && isInSight(ParticipantsModel::Same) && height(kLongRow) > height(kTraineeRow);
+    }));
+    QVERIFY(height(kLongRow)
+            >= static_cast<const QAbstractItemView&>(table).sizeHintForRow(kLongRow));
+    panel.panel.resize(1200, 400); // there is room for it
+    QVERIFY(test::soon([&] { return height(kLongRow) == height(kTraineeRow); }));
 }
 
 void TestParticipantsPanel::tellsOfRegistrationsWhereThereAreSome()

@@ -25,6 +25,8 @@ constexpr int kPlotHeight = 72;
 constexpr double kGapShare = 0.04;    ///< of a sweep, ahead of the newest value
 constexpr double kTickSpacing = 1.4;  ///< least, in lines of text
 constexpr double kTimeSpacing = 24.0; ///< least, pixels
+constexpr double kLineSpacing = 9.0;  ///< least, pixels
+constexpr int kNoteGap = 8;           ///< pixels between the title and the note
 constexpr std::ptrdiff_t kFewValues = 10;
 
 /// The smallest of a few round numbers that is not below a value: a scale of no more than half as
@@ -84,6 +86,7 @@ void WaveformPlot::setFrozen(bool frozen)
     if (std::exchange(m_isFrozen, frozen) == frozen)
         return;
     m_cursor_s.reset();
+    m_mark_s.reset();
     if (!frozen)
         clear();
     update();
@@ -95,13 +98,29 @@ void WaveformPlot::setCursor(std::optional<double> time_s)
     update();
 }
 
-std::optional<WaveformPlot::Value> WaveformPlot::atCursor() const
+void WaveformPlot::setMark(std::optional<double> time_s)
 {
-    if (!m_cursor_s || firstShown() == m_values.end())
+    m_mark_s = time_s;
+    update();
+}
+
+void WaveformPlot::setNote(const QString& note)
+{
+    m_note = note;
+    update();
+}
+
+std::optional<WaveformPlot::Value> WaveformPlot::atCursor() const { return valueAt(m_cursor_s); }
+
+/// The nearest of those that are shown.
+std::optional<WaveformPlot::Value> WaveformPlot::valueAt(std::optional<double> time_s) const
+{
+    if (!time_s || firstShown() == m_values.end())
         return std::nullopt;
-    return *std::min_element(firstShown(), m_values.end(), [this](const Value& a, const Value& b) {
-        return std::abs(a.time_s - *m_cursor_s) < std::abs(b.time_s - *m_cursor_s);
-    });
+    return *std::min_element(firstShown(), m_values.end(),
+                             [at = *time_s](const Value& a, const Value& b) {
+                                 return std::abs(a.time_s - at) < std::abs(b.time_s - at);
+                             });
 }
 
 /// The first value of the present sweep, and of what of the one before is not swept over.
@@ -198,6 +217,8 @@ WaveformPlot::Drawing WaveformPlot::drawing() const
     }
     if (const auto value = atCursor())
         drawn.cursor = xOf(value->time_s, drawn.frame);
+    if (const auto value = valueAt(m_mark_s))
+        drawn.mark = xOf(value->time_s, drawn.frame);
     addTicks(drawn);
     return drawn;
 }
@@ -216,9 +237,30 @@ void WaveformPlot::addTicks(Drawing& drawn) const
          value <= drawn.top - 0.999 * apart; value += step)
         tick(std::abs(value) < 0.5 * step ? 0.0 : value);
     tick(drawn.top);
+    const bool isWritten = drawn.ticks.size() > 2; // something between the ends
+    addLines(isWritten ? step : stepUp(kLineSpacing * perPixel), drawn);
     const double every_s = std::max(1.0, stepUp(kTimeSpacing * m_span_s / drawn.frame.width()));
     for (double time_s = every_s; time_s < m_span_s; time_s += every_s)
         drawn.times.push_back(drawn.frame.left() + time_s / m_span_s * drawn.frame.width());
+}
+
+/// Across the frame at the multiples of a step between both ends.
+void WaveformPlot::addLines(double step, Drawing& drawn)
+{
+    const double perPixel = (drawn.top - drawn.bottom) / drawn.frame.height();
+    const double rounding = 0.01 * step;
+    for (double n = std::ceil((drawn.bottom + rounding) / step); n * step < drawn.top - rounding;
+         n += 1.0)
+        drawn.across.push_back(drawn.frame.bottom() - (n * step - drawn.bottom) / perPixel);
+}
+
+void WaveformPlot::drawTitle(QPainter& painter, const QRectF& title) const
+{
+    const QString name = QStringLiteral("%1 (%2)").arg(m_name, m_unit);
+    painter.drawText(title, Qt::AlignLeft | Qt::AlignVCenter, name);
+    const int room = int(title.width()) - fontMetrics().horizontalAdvance(name) - kNoteGap;
+    painter.drawText(title, Qt::AlignRight | Qt::AlignVCenter,
+                     fontMetrics().elidedText(m_note, Qt::ElideRight, std::max(0, room)));
 }
 
 void WaveformPlot::drawScale(QPainter& painter, const Drawing& drawn) const
@@ -232,15 +274,14 @@ void WaveformPlot::drawScale(QPainter& painter, const Drawing& drawn) const
     painter.setPen({faint, 0.0, Qt::DotLine});
     for (const double x : drawn.times)
         painter.drawLine(QPointF{x, drawn.frame.top()}, QPointF{x, drawn.frame.bottom()});
-    for (const Tick& tick : drawn.ticks)
-        painter.drawLine(QPointF{drawn.frame.left(), tick.y}, QPointF{drawn.frame.right(), tick.y});
+    for (const double y : drawn.across)
+        painter.drawLine(QPointF{drawn.frame.left(), y}, QPointF{drawn.frame.right(), y});
     painter.setPen(palette().color(QPalette::Text));
     const double line = fontMetrics().height();
     for (const Tick& tick : drawn.ticks)
         painter.drawText(QRectF{0.0, tick.y - 0.5 * line, drawn.frame.left() - kPlotMargin, line},
                          Qt::AlignRight | Qt::AlignVCenter, plain(tick.value));
-    painter.drawText(drawn.title, Qt::AlignLeft | Qt::AlignVCenter,
-                     QStringLiteral("%1 (%2)").arg(m_name, m_unit));
+    drawTitle(painter, drawn.title);
     if (m_timeUnit.isEmpty())
         return;
     const QRectF below{drawn.frame.bottomLeft(), QPointF{drawn.frame.right(), height() * 1.0}};
@@ -264,10 +305,12 @@ void WaveformPlot::paintEvent(QPaintEvent*)
         painter.drawLine(QPointF{drawn.now, drawn.frame.top()},
                          QPointF{drawn.now, drawn.frame.bottom()});
     }
-    if (drawn.cursor) {
-        painter.setPen({palette().color(QPalette::Text), 1.0, Qt::DashLine});
-        painter.drawLine(QPointF{*drawn.cursor, drawn.frame.top()},
-                         QPointF{*drawn.cursor, drawn.frame.bottom()});
+    for (const auto& [x, line] :
+         {std::pair{drawn.cursor, Qt::DashLine}, std::pair{drawn.mark, Qt::DotLine}}) {
+        if (!x)
+            continue;
+        painter.setPen({palette().color(QPalette::Text), 1.0, line});
+        painter.drawLine(QPointF{*x, drawn.frame.top()}, QPointF{*x, drawn.frame.bottom()});
     }
     if (hasFocus()) {
         QStyleOptionFocusRect focus;

@@ -13,8 +13,8 @@ namespace carina
 /// A waveform drawn as on patient monitors: the newest point sweeps from left to right and starts
 /// again at the left; to its right, after a gap, is the previous sweep. Curves already drawn do not
 /// move. The scale has round ends and covers zero and both extremes; it grows as needed and shrinks
-/// only at the start of a sweep. Both ends and round values between them are written at their
-/// height, with a line across; lines down mark round times.
+/// only at the start of a sweep. Both ends and, where there is room, round values between them are
+/// written at their height; lines across mark round values and lines down round times.
 ///
 /// While it is frozen, values that arrive are not shown, and a cursor can be set by mouse (click or
 /// drag) or by keyboard (left and right: to the next value; with Shift by ten).
@@ -43,8 +43,10 @@ public:
         std::vector<QPolygonF> curves;
         double now = 0.0;             ///< x of the newest value
         std::vector<Tick> ticks;      ///< from bottom to top, with both ends
+        std::vector<double> across;   ///< y of the lines across
         std::vector<double> times;    ///< x of the lines down
         std::optional<double> cursor; ///< its x
+        std::optional<double> mark;   ///< likewise
     };
 
     explicit WaveformPlot(QWidget* parent = nullptr);
@@ -69,6 +71,11 @@ public:
     [[nodiscard]] bool isFrozen() const { return m_isFrozen; }
     /// Marks the value nearest to a time; std::nullopt: none.
     void setCursor(std::optional<double> time_s);
+    /// Marks another value, with which that at the cursor is compared, likewise.
+    void setMark(std::optional<double> time_s);
+    /// Written above the frame, at its right end.
+    void setNote(const QString& note);
+    [[nodiscard]] const QString& note() const { return m_note; }
     /// The value at the cursor.
     [[nodiscard]] std::optional<Value> atCursor() const;
     /// Removes all values.
@@ -92,12 +99,15 @@ protected:
 private:
     [[nodiscard]] std::deque<Value>::const_iterator firstShown() const;
     [[nodiscard]] double xOf(double time_s, const QRectF& frame) const;
+    [[nodiscard]] std::optional<Value> valueAt(std::optional<double> time_s) const;
     void addTicks(Drawing& drawn) const;
+    static void addLines(double step, Drawing& drawn);
     void point(double x);
     [[nodiscard]] qint64 sweepOf(double time_s) const;
     void rescale(bool mayShrink);
     [[nodiscard]] int axisWidth() const;
     void drawScale(QPainter& painter, const Drawing& drawn) const;
+    void drawTitle(QPainter& painter, const QRectF& title) const;
 
     QString m_name;
     QString m_unit;
@@ -108,6 +118,8 @@ private:
     double m_top = 1.0;
     bool m_isFrozen = false;
     std::optional<double> m_cursor_s;
+    std::optional<double> m_mark_s;
+    QString m_note;
     std::deque<Value> m_values; ///< of the longest sweep
 };
 

@@ -4,6 +4,7 @@
 #include <QImage>
 #include <QSignalSpy>
 
+#include <algorithm>
 #include <cmath>
 
 namespace carina::waveform_plot_test
@@ -153,6 +154,49 @@ private Q_SLOTS:
         for (std::size_t i = 1; i < drawn.ticks.size(); ++i)
             QVERIFY(drawn.ticks[i - 1].y - drawn.ticks[i].y > shown->fontMetrics().height());
         QCOMPARE(drawn.times.size(), std::size_t{9}); // each second of ten
+    }
+
+    // Also where there is no room for numbers between both ends.
+    void drawsLinesAcrossAtRoundValues()
+    {
+        for (const int height : {72, 100, 300}) {
+            const auto shown = plot();
+            shown->resize(400, height);
+            shown->add(0.0, 34.0);
+            shown->add(0.1, -12.0); // a scale from -15 to 40
+            const auto drawn = shown->drawing();
+            QVERIFY2(drawn.across.size() >= 2, qPrintable(QString::number(height)));
+            double before = drawn.frame.bottom() + 1.0;
+            for (const double y : drawn.across) {
+                QVERIFY(y > drawn.frame.top() && y < drawn.frame.bottom());
+                QVERIFY(before > drawn.frame.bottom() || before - y > 8.0);
+                before = y;
+            }
+            const auto isCrossed = [&drawn](double at) {
+                return std::ranges::any_of(drawn.across,
+                                           [at](double y) { return std::abs(y - at) < kPixel; });
+            };
+            QVERIFY(isCrossed(drawn.zero));
+            for (std::size_t i = 1; i + 1 < drawn.ticks.size(); ++i)
+                QVERIFY(isCrossed(drawn.ticks[i].y));
+        }
+    }
+
+    void comparesTwoPlaces()
+    {
+        const auto shown = plot();
+        for (double t = 0.0; t < 5.0; t += 0.5)
+            shown->add(t, t);
+        shown->setFrozen(true);
+        QVERIFY(!shown->drawing().mark);
+        shown->setMark(1.1);
+        shown->setCursor(3.0);
+        const auto drawn = shown->drawing();
+        QVERIFY(drawn.mark && drawn.cursor);
+        QVERIFY(std::abs(*drawn.mark - drawn.frame.left() - 0.1 * drawn.frame.width()) < kPixel);
+        QVERIFY(std::abs(*drawn.cursor - *drawn.mark - 0.2 * drawn.frame.width()) < kPixel);
+        shown->setFrozen(false);
+        QVERIFY(!shown->drawing().mark);
     }
 
     void sweepsInAnotherTime()

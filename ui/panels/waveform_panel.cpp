@@ -1,5 +1,6 @@
 #include "ui/panels/waveform_panel.h"
 
+#include "models/text/shown_as_is.h"
 #include "widgets/plain_label.h"
 #include "widgets/waveform_plot.h"
 
@@ -27,6 +28,31 @@ constexpr double kLeastVolume_ml = 200.0;
 constexpr int kFiguresInterval_ms = 500;
 constexpr int kFigureLines = 3;    ///< at the console's least width
 constexpr int kFiguresWidth = 300; // pixels
+
+/// What rounds to nothing has no sign.
+QString rounded(double value, int decimals)
+{
+    const double power = std::pow(10.0, decimals);
+    return QString::number(std::round(power * value) / power + 0.0, 'f', decimals);
+}
+
+/// A value at the last mark and, where there is another one, how it differs from that.
+QString noteOf(double value, std::optional<double> before, int decimals)
+{
+    const QString now = rounded(value, decimals);
+    if (!before)
+        return now;
+    const QString between = rounded(value - *before, decimals);
+    const bool isMore = value > *before && between != rounded(0.0, decimals);
+    return WaveformPanel::tr("%1 (%2)", "value at a mark; its difference from the mark before")
+        .arg(now, isMore ? QLatin1Char{'+'} + between : between);
+}
+
+QString allOf(double flow_lPerMin, double pressure_cmH2O, double volume_ml)
+{
+    return WaveformPanel::tr("%1\u00a0L/min, %2\u00a0cmH2O, %3\u00a0ml")
+        .arg(rounded(flow_lPerMin, 1), rounded(pressure_cmH2O, 1), rounded(volume_ml, 0));
+}
 
 } // namespace
 
@@ -80,6 +106,9 @@ void WaveformPanel::addControls()
         m_sweep->addItem(tr("%1\u00a0s").arg(sweep_s));
     m_sweep->setCurrentIndex(kUsualSweep);
     m_freeze->setObjectName(QStringLiteral("freeze"));
+    m_freeze->setText(tr("■ Fro&zen"));
+    m_freeze->ensurePolished();
+    m_freeze->setMinimumWidth(m_freeze->sizeHint().width()); // nothing beside it moves
     m_freeze->setText(tr("Free&ze"));
     m_freeze->setCheckable(true);
     m_freeze->setAccessibleName(tr("Freeze the curves to measure them"));
@@ -101,6 +130,7 @@ void WaveformPanel::freeze(bool frozen)
 {
     m_from.reset();
     m_to.reset();
+    m_freeze->setText(frozen ? tr("■ Fro&zen") : tr("Free&ze"));
     for (WaveformPlot* plot : {m_flow, m_pressure, m_volume})
         plot->setFrozen(frozen);
     showMeasured();
@@ -119,34 +149,45 @@ void WaveformPanel::measure(double time_s)
     if (m_to && std::abs(m_to->time_s - time_s) > kStep_s)
         m_from = m_to;
     m_to = {time_s, valueOf(*m_flow), valueOf(*m_pressure), valueOf(*m_volume)};
+    for (WaveformPlot* plot : {m_flow, m_pressure, m_volume})
+        plot->setMark(m_from ? std::optional{m_from->time_s} : std::nullopt);
     showMeasured();
 }
 
+/// In the lines that are there anyway: those of the titles have room for the numbers.
 void WaveformPanel::showMeasured()
 {
-    if (!m_freeze->isChecked()) {
-        m_measured->clear();
-        return;
+    showNotes();
+    QString text;
+    QString all;
+    if (m_freeze->isChecked())
+        text = m_to ? tr("Point at another place to compare") : tr("Point at a place in a curve");
+    if (m_to)
+        all = allOf(m_to->flow_lPerMin, m_to->pressure_cmH2O, m_to->volume_ml);
+    if (m_to && m_from) {
+        const QString seconds = rounded(m_to->time_s - m_from->time_s, 2);
+        text = tr("In brackets: between the marks, %1\u00a0s").arg(seconds);
+        all = tr("%1; between the marks: %2\u00a0s, %3", "values; seconds; differences")
+                  .arg(all, seconds,
+                       allOf(m_to->flow_lPerMin - m_from->flow_lPerMin,
+                             m_to->pressure_cmH2O - m_from->pressure_cmH2O,
+                             m_to->volume_ml - m_from->volume_ml));
     }
-    if (!m_to) {
-        m_measured->setText(tr("Frozen: point at a place in a curve"));
-        return;
-    }
-    const auto told = [](double flow, double pressure, double volume) {
-        return tr("%1\u00a0L/min, %2\u00a0cmH2O, %3\u00a0ml")
-            .arg(flow, 0, 'f', 1)
-            .arg(pressure, 0, 'f', 1)
-            .arg(volume, 0, 'f', 0);
-    };
-    QString text = told(m_to->flow_lPerMin, m_to->pressure_cmH2O, m_to->volume_ml);
-    if (m_from)
-        text += QLatin1Char{'\n'}
-                + tr("in %1\u00a0s: %2")
-                      .arg(m_to->time_s - m_from->time_s, 0, 'f', 2)
-                      .arg(told(m_to->flow_lPerMin - m_from->flow_lPerMin,
-                                m_to->pressure_cmH2O - m_from->pressure_cmH2O,
-                                m_to->volume_ml - m_from->volume_ml));
     m_measured->setText(text);
+    m_measured->setAccessibleDescription(all);
+    m_measured->setToolTip(shownAsIs(all));
+}
+
+void WaveformPanel::showNotes()
+{
+    const auto write = [this](WaveformPlot& plot, double BreathTrace::Sample::*value,
+                              int decimals) {
+        const auto before = m_from ? std::optional{(*m_from).*value} : std::nullopt;
+        plot.setNote(m_to ? noteOf((*m_to).*value, before, decimals) : QString{});
+    };
+    write(*m_flow, &BreathTrace::Sample::flow_lPerMin, 1);
+    write(*m_pressure, &BreathTrace::Sample::pressure_cmH2O, 1);
+    write(*m_volume, &BreathTrace::Sample::volume_ml, 0);
 }
 
 void WaveformPanel::setTrace(BreathTrace& trace)

@@ -15,7 +15,8 @@ class WaveformPlot;
 
 /// Flow, pressure and volume of the patient's breathing as a ventilator shows them, and the figures
 /// of the last breath. A sweep takes 6, 12 or 30 s. Frozen, the curves can be measured: the last
-/// two places pointed at, in any curve, by value and by what lies between them.
+/// two places pointed at, in any curve, are marked, and above each curve stands its value at the
+/// last one and, in brackets, how it differs from that at the other.
 class WaveformPanel : public QWidget
 {
     Q_OBJECT
@@ -33,6 +34,7 @@ private:
     void freeze(bool frozen);
     void measure(double time_s);
     void showMeasured();
+    void showNotes();
 
     BreathTrace* m_trace = nullptr;
     WaveformPlot* m_flow;

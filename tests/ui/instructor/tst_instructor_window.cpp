@@ -9,6 +9,7 @@
 #include "widgets/scene/view/scene_view.h"
 #include "widgets/second_press.h"
 #include "widgets/theme/dark_theme.h"
+#include "widgets/waveform_plot.h"
 
 #include <QComboBox>
 #include <QDockWidget>
@@ -452,6 +453,34 @@ private Q_SLOTS:
                    && isInSight(ParticipantsModel::Same)
                    && table().rowHeight(last) > table().rowHeight(0);
         }));
+    }
+
+    /// In a window in which the panel is scrolled.
+    void keepsTheTimesOfItsCurvesInSightWhileTheyAreMeasured()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        shown.decide(SessionPhase::Running);
+        QDockWidget& dock = shown.dock("waveformDock");
+        dock.raise();
+        Shown::settle();
+        for (int i = 0; i < 300; ++i) {
+            shown.node.advance(std::chrono::milliseconds{20});
+            shown.trace.sample();
+        }
+        shown.find<QToolButton>("freeze").click();
+        const QList<WaveformPlot*> plots = dock.findChildren<WaveformPlot*>();
+        QCOMPARE(plots.size(), 3);
+        for (const double share : {0.36, 0.46}) { // of which there are values
+            const QRectF frame = plots[0]->drawing().frame;
+            QTest::mouseClick(plots[0], Qt::LeftButton, {},
+                              {int(frame.left() + share * frame.width()), 30});
+        }
+        Shown::settle();
+        QVERIFY(shown.find<QLabel>("measured").text().contains(QStringLiteral("between")));
+        const QWidget& view = *qobject_cast<QScrollArea*>(dock.widget())->viewport();
+        for (const WaveformPlot* plot : plots)
+            QVERIFY(plot->mapTo(&view, QPoint{0, plot->height()}).y() <= view.height());
     }
 
     void bringsAClosedPanelBackByItsKey()

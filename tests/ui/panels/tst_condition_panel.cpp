@@ -2,6 +2,7 @@
 #include "tests/support/test_class.h"
 #include "ui/panels/condition_panel.h"
 #include "ui/panels/waveform_panel.h"
+#include "widgets/waveform_plot.h"
 
 #include <QAbstractSpinBox>
 #include <QApplication>
@@ -12,6 +13,9 @@
 #include <QPushButton>
 #include <QSlider>
 #include <QStandardItemModel>
+#include <QToolButton>
+
+#include <cmath>
 
 namespace carina::condition_panel_test
 {
@@ -38,6 +42,8 @@ private Q_SLOTS:
     void changesNothingForAnObserver();
     void namesEveryControlForAScreenReader();
     void tellsTheFiguresOfTheLastBreath();
+    void saysThatTheCurvesAreFrozen();
+    void tellsWhatLiesBetweenTwoMarks();
     void leavesAConsoleOf800PixelsItsHeight();
 };
 
@@ -355,6 +361,64 @@ void TestConditionPanel::tellsTheFiguresOfTheLastBreath()
     QVERIFY2(told.contains(QStringLiteral("19.0\u00a0/min")), qPrintable(told));
     QVERIFY2(!told.contains(QStringLiteral("peak")), qPrintable(told)); // nobody pushes
     QVERIFY2(!told.contains(QStringLiteral("-0.0")), qPrintable(told));
+}
+
+void TestConditionPanel::saysThatTheCurvesAreFrozen()
+{
+    const WaveformPanel panel;
+    auto& freeze = *panel.findChild<QToolButton*>(QStringLiteral("freeze"));
+    const int width = freeze.sizeHint().expandedTo(freeze.minimumSize()).width();
+    QVERIFY(!freeze.text().remove(QLatin1Char{'&'}).contains(QStringLiteral("Frozen")));
+    QTest::keyClick(&freeze, Qt::Key_Space);
+    QVERIFY(freeze.text().remove(QLatin1Char{'&'}).contains(QStringLiteral("■ Frozen")));
+    QCOMPARE(freeze.sizeHint().expandedTo(freeze.minimumSize()).width(), width);
+    QTest::keyClick(&freeze, Qt::Key_Space);
+    QCOMPARE(freeze.text(), QStringLiteral("Free&ze"));
+}
+
+/// Above each curve, and in words for who cannot see them.
+void TestConditionPanel::tellsWhatLiesBetweenTwoMarks()
+{
+    FakeSessionNode node;
+    SessionModel session{node};
+    BreathTrace trace{session, FakeSessionNode::kStation};
+    WaveformPanel panel;
+    panel.setTrace(trace);
+    panel.resize(400, 400);
+    panel.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&panel));
+    node.decide(fact::PhaseChanged{SessionPhase::Running});
+    for (int i = 0; i < 300; ++i) {
+        node.advance(std::chrono::milliseconds{20});
+        trace.sample();
+    }
+    const auto& measured = *panel.findChild<QLabel*>(QStringLiteral("measured"));
+    const QList<WaveformPlot*> plots = panel.findChildren<WaveformPlot*>();
+    QCOMPARE(plots.size(), 3);
+    QTest::keyClick(panel.findChild<QToolButton*>(QStringLiteral("freeze")), Qt::Key_Space);
+    QVERIFY(measured.text().startsWith(QStringLiteral("Point at a place")));
+    const auto pointAt = [&plots](double share) {
+        const QRectF frame = plots[0]->drawing().frame;
+        QTest::mouseClick(plots[0], Qt::LeftButton, {},
+                          {int(frame.left() + share * frame.width()), 30});
+        return plots[0]->atCursor().value_or(WaveformPlot::Value{});
+    };
+    const WaveformPlot::Value first = pointAt(0.36);
+    QCOMPARE(plots[0]->note().toDouble(), qRound(10.0 * first.value) / 10.0);
+    QVERIFY(!plots[0]->drawing().mark);
+    const WaveformPlot::Value second = pointAt(0.46);
+    QVERIFY(plots[0]->drawing().mark);
+    const double between = qRound(10.0 * (second.value - first.value)) / 10.0;
+    QVERIFY2(
+        plots[0]->note().endsWith(QString::number(std::abs(between), 'f', 1) + QLatin1Char{')'}),
+        qPrintable(plots[0]->note()));
+    const QString seconds = QString::number(second.time_s - first.time_s, 'f', 2);
+    QCOMPARE(measured.text(),
+             QStringLiteral("In brackets: between the marks, %1\u00a0s").arg(seconds));
+    QVERIFY(measured.accessibleDescription().contains(
+        QStringLiteral("between the marks: %1\u00a0s, ").arg(seconds)));
+    QTest::keyClick(panel.findChild<QToolButton*>(QStringLiteral("freeze")), Qt::Key_Space);
+    QVERIFY(plots[0]->note().isEmpty() && measured.text().isEmpty());
 }
 
 /// A dock is as tall as its contents ask for, and the console with it: beside bars, titles and tabs

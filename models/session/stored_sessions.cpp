@@ -6,6 +6,7 @@
 #include "engine/session/session_state.h"
 #include "engine/session/station_rules.h"
 #include "models/errors/error_text.h"
+#include "models/text/shown_as_is.h"
 
 #include <QDir>
 #include <QLocale>
@@ -179,9 +180,12 @@ int StoredSessionsModel::rowCount(const QModelIndex& parent) const
 
 QVariant StoredSessionsModel::data(const QModelIndex& index, int role) const
 {
-    if (!index.isValid() || (role != Qt::DisplayRole && role != Qt::AccessibleTextRole))
+    if (!index.isValid())
         return {};
-    return sessionLine(at(index.row()));
+    if (role == Qt::ToolTipRole)
+        return shownAsIs(sessionLine(at(index.row())));
+    const bool isText = role == Qt::DisplayRole || role == Qt::AccessibleTextRole;
+    return isText ? QVariant{sessionLine(at(index.row()))} : QVariant{};
 }
 
 Qt::ItemFlags StoredSessionsModel::flags(const QModelIndex& index) const

@@ -64,17 +64,19 @@ StartPage::StartPage(StoredSessionsModel& stored, PlannedPatient& patient, const
       m_begin{wordedButton("begin", tr("&Begin the session"))},
       m_list{new QListView},
       m_none{lineOfWords("none")},
-      m_asBefore{lineOfWords("asBefore")},
+      m_earlierReach{new QComboBox},
+      m_earlierMeaning{lineOfWords("earlierMeaning")},
       m_resume{wordedButton("resume", tr("&Resume"))},
       m_reach{new QButtonGroup{this}},
       m_meaning{lineOfWords("meaning")},
       m_ready{new QGridLayout},
       m_picture{new PatientPicture},
       m_missing{lineOfWords("missing")},
-      m_problem{new MessageLine},
-      m_isReachChosen{begin.reach != SessionReach::ThisComputer}
+      m_problem{new MessageLine}
 {
     setWindowTitle(tr("Carina instructor"));
+    if (begin.reach != SessionReach::ThisComputer)
+        m_reachWanted = begin.reach;
     m_problem->setObjectName(QStringLiteral("problem"));
     m_problem->setWordWrap(true);
     auto* left = new QVBoxLayout;
@@ -177,7 +179,7 @@ void StartPage::addSite(QFormLayout& form, const QString& site)
 
 QGroupBox* StartPage::whoCanJoin(SessionReach reach)
 {
-    auto* box = new QGroupBox{tr("Who can join a new or an earlier session")};
+    auto* box = new QGroupBox{tr("Who can join a new session")};
     box->setFixedWidth(kColumnWidth);
     auto* row = new QHBoxLayout;
     const auto add = [&](SessionReach which, const char* name, const QString& words) {
@@ -191,10 +193,6 @@ QGroupBox* StartPage::whoCanJoin(SessionReach reach)
     add(SessionReach::Network, "network", tr("Th&is network"));
     add(SessionReach::ByLink, "byLink", tr("By &link"));
     connect(m_reach, &QButtonGroup::idToggled, this, &StartPage::refresh);
-    connect(m_reach, &QButtonGroup::idClicked, this, [this] {
-        m_isReachChosen = true;
-        refresh();
-    });
     m_meaning->setMinimumHeight(2 * fontMetrics().lineSpacing()); // nothing moves beneath it
     auto* column = new QVBoxLayout{box};
     column->addLayout(row);
@@ -210,6 +208,9 @@ QGroupBox* StartPage::earlierSessions()
     m_list->setAccessibleName(tr("Earlier sessions"));
     m_list->setModel(&m_stored);
     m_list->setTextElideMode(Qt::ElideRight);
+    m_list->setWordWrap(true); // a session has as many lines as it needs
+    m_list->setResizeMode(QListView::Adjust);
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this,
             &StartPage::chooseEarlier);
     connect(m_list, &QListView::clicked, this, &StartPage::chooseEarlier);
@@ -218,9 +219,31 @@ QGroupBox* StartPage::earlierSessions()
     auto* column = new QVBoxLayout{box};
     column->addWidget(m_list, 1);
     column->addWidget(m_none, 0, Qt::AlignTop);
-    column->addWidget(m_asBefore);
+    column->addLayout(whoCanJoinEarlier());
+    column->addWidget(m_earlierMeaning);
     column->addWidget(m_resume);
     return box;
+}
+
+QHBoxLayout* StartPage::whoCanJoinEarlier()
+{
+    m_earlierReach->setObjectName(QStringLiteral("earlierReach"));
+    m_earlierReach->setAccessibleName(tr("Who can join the earlier session"));
+    m_earlierReach->setToolTip(tr("At first those who could join it when it was run last"));
+    m_earlierReach->addItem(tr("This computer"), int(SessionReach::ThisComputer));
+    m_earlierReach->addItem(tr("This network"), int(SessionReach::Network));
+    m_earlierReach->addItem(tr("By link"), int(SessionReach::ByLink));
+    connect(m_earlierReach, &QComboBox::currentIndexChanged, this, &StartPage::refresh);
+    connect(m_earlierReach, &QComboBox::activated, this, [this] {
+        m_reachWanted = reachOfEarlier();
+        m_chosen = chosenFile();
+    });
+    auto* label = new PlainLabel{tr("Who can &join it")};
+    label->setBuddy(m_earlierReach);
+    auto* row = new QHBoxLayout;
+    row->addWidget(label);
+    row->addWidget(m_earlierReach, 1);
+    return row;
 }
 
 QGroupBox* StartPage::whatIsReady()
@@ -259,12 +282,9 @@ QString StartPage::patientWords() const
 
 SessionReach StartPage::reach() const { return static_cast<SessionReach>(m_reach->checkedId()); }
 
-/// As it was last, so that nobody is left outside unawares, until a person says otherwise.
 SessionReach StartPage::reachOfEarlier() const
 {
-    return m_isReachChosen || chosenFile().isEmpty()
-               ? reach()
-               : m_stored.at(m_list->currentIndex().row()).reach;
+    return static_cast<SessionReach>(m_earlierReach->currentData().toInt());
 }
 
 void StartPage::choosePatient()
@@ -308,19 +328,22 @@ QString StartPage::chosenFile() const
     return canBeChosen ? m_stored.at(current.row()).file : QString{};
 }
 
-/// Who could join it is not left outside unawares.
+/// Who could join it is not left outside unawares, until a person says otherwise.
 void StartPage::chooseEarlier()
 {
-    if (!chosenFile().isEmpty() && !m_isPreselecting) {
+    if (!chosenFile().isEmpty()) {
         const StoredSession& session = m_stored.at(m_list->currentIndex().row());
-        m_reach->button(int(session.reach))->setChecked(true);
-        m_isReachChosen = true;
-        m_chosen = session.file;
+        if (!m_isPreselecting) {
+            m_reachWanted.reset(); // was said of another one
+            m_chosen = session.file;
+        }
+        m_earlierReach->setCurrentIndex(
+            m_earlierReach->findData(int(m_reachWanted.value_or(session.reach))));
     }
     refresh();
 }
 
-/// What a person chose, else the last to be resumed; who can join a new one stays as it is.
+/// What a person chose, else the last to be resumed.
 void StartPage::preselectEarlier()
 {
     const QScopedValueRollback preselecting{m_isPreselecting, true};
@@ -358,9 +381,9 @@ void StartPage::refresh()
     m_begin->setEnabled(!m_isBusy && missing.isEmpty() && patient.has_value());
     m_resume->setEnabled(!m_isBusy && !chosenFile().isEmpty());
     m_meaning->setText(reachMeaning(reach()));
-    m_asBefore->setVisible(reachOfEarlier() != reach());
-    m_asBefore->setText(
-        tr("For the session chosen here, as it was last: %1").arg(reachMeaning(reachOfEarlier())));
+    m_earlierReach->setEnabled(!m_isBusy && !chosenFile().isEmpty());
+    m_earlierMeaning->setVisible(!chosenFile().isEmpty());
+    m_earlierMeaning->setText(reachMeaning(reachOfEarlier()));
     refreshReadiness();
 }
 

@@ -8,12 +8,14 @@
 #include <QWidget>
 
 #include <functional>
+#include <optional>
 
 class QButtonGroup;
 class QComboBox;
 class QFormLayout;
 class QGridLayout;
 class QGroupBox;
+class QHBoxLayout;
 class QLabel;
 class QLineEdit;
 class QListView;
@@ -70,6 +72,7 @@ private:
     [[nodiscard]] QString patientWords() const;
     [[nodiscard]] SessionReach reach() const;
     [[nodiscard]] SessionReach reachOfEarlier() const;
+    [[nodiscard]] QHBoxLayout* whoCanJoinEarlier();
     [[nodiscard]] QString chosenFile() const;
     void chooseEarlier();
     void preselectEarlier();
@@ -90,7 +93,8 @@ private:
     QPushButton* m_begin;
     QListView* m_list;
     QLabel* m_none;
-    QLabel* m_asBefore; ///< who can join the chosen one, unless that is as above
+    QComboBox* m_earlierReach; ///< who can join the chosen one
+    QLabel* m_earlierMeaning;
     QPushButton* m_resume;
     QButtonGroup* m_reach;
     QLabel* m_meaning;
@@ -100,9 +104,9 @@ private:
     MessageLine* m_problem;
     bool m_isBusy = false;
     bool m_isPreselecting = false;
-    /// Whether a person said who can join, also as the program was started, or chose an earlier
-    /// session, which said it.
-    bool m_isReachChosen;
+    /// Who can join the earlier session in place of who could last, where a person said so, also as
+    /// the program was started.
+    std::optional<SessionReach> m_reachWanted;
     QString m_chosen; ///< file of the earlier session that a person chose last
 };
 

@@ -237,9 +237,7 @@ class Story:
             self.faults.append("the start page has not chosen the only earlier session")
         self.look_at("the start page with an earlier session", console)
         console.take(session)
-        network = console.view.get(role="radio button", name="This network")
-        if "checked" not in network.states:
-            console.activate(network)
+        console.view.wait("who can join it, as before", has="find the session by its name")
         console.activate(console.view.wait_ready("to resume", name="Resume"))
         console.view.wait("the console", STARTS_S, has="join at port")
         began = time.monotonic()

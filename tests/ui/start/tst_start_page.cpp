@@ -16,6 +16,7 @@
 #include <QListView>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTimer>
 
@@ -204,22 +205,59 @@ private Q_SLOTS:
         QVERIFY(list.currentIndex().data().toString().contains(QStringLiteral("Late")));
         QVERIFY(list.selectionModel()->isSelected(list.currentIndex()));
         QVERIFY(page.plan().reach == SessionReach::ThisComputer);
-        const auto& asBefore = find<QLabel>(page, "asBefore");
-        QVERIFY(asBefore.isVisible());
-        QVERIFY(asBefore.text().contains(reachMeaning(SessionReach::Network)));
+        QVERIFY(find<QRadioButton>(page, "thisComputer").isChecked());
+        QCOMPARE(find<QLabel>(page, "meaning").text(), reachMeaning(SessionReach::ThisComputer));
+        auto& reach = find<QComboBox>(page, "earlierReach");
+        const auto& meaning = find<QLabel>(page, "earlierMeaning");
+        QCOMPARE(reach.currentText(), QStringLiteral("This network"));
+        QCOMPARE(meaning.text(), reachMeaning(SessionReach::Network));
+        QVERIFY(meaning.isVisible());
         const QSignalSpy resumed{&page, &StartPage::resumeWanted};
-        const auto resumes = [&](SessionReach reach) {
+        const auto resumes = [&](SessionReach whom) {
             find<QPushButton>(page, "resume").click();
             return resumed.last()[0].toString() == late
-                   && resumed.last()[1].value<SessionReach>() == reach;
+                   && resumed.last()[1].value<SessionReach>() == whom;
         };
         QVERIFY(resumes(SessionReach::Network)); // for those who were in it
         find<QRadioButton>(page, "byLink").click();
-        QVERIFY(!asBefore.isVisible());
+        QVERIFY(page.plan().reach == SessionReach::ByLink);
+        QVERIFY(resumes(SessionReach::Network)); // that is of a new one
+        reach.setFocus();
+        QTest::keyClick(&reach, Qt::Key_Down);
+        QCOMPARE(reach.currentText(), QStringLiteral("By link"));
+        QCOMPARE(meaning.text(), reachMeaning(SessionReach::ByLink));
         QVERIFY(resumes(SessionReach::ByLink)); // a person said so
+        stored.read();
+        QVERIFY(test::soon([&stored] { return stored.isComplete(); }));
+        QVERIFY(resumes(SessionReach::ByLink));
         Q_EMIT list.clicked(list.currentIndex());
-        QVERIFY(page.plan().reach == SessionReach::Network);
         QVERIFY(resumes(SessionReach::Network));
+    }
+
+    void showsEarlierSessionsWholeWithoutScrolling()
+    {
+        const char* name = "Mammoth Winter Workshop, Mammoth Winter Workshop, Mammoth Winter";
+        const test::ScratchFolder folder;
+        storeSession(folder.filePath("session-20260102-101112-000.sqlite"), name,
+                     SessionReach::Network);
+        StoredSessionsModel stored{folder.path()};
+        PlannedPatient patient{AnatomyCache::defaultFolder()};
+        StartPage page{
+            stored,
+            patient,
+            {.name = QStringLiteral("Ward 3"), .patient = QStringLiteral("child")},
+            [](const QString&, const PatientModel*) { return std::vector<ReadyLine>{}; }};
+        page.resize(1280, 800);
+        page.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&page));
+        QVERIFY(test::soon([&stored] { return stored.isComplete() && stored.rowCount() == 1; }));
+        const auto& list = find<QListView>(page, "earlier");
+        const QModelIndex session = stored.index(0);
+        const int line = list.fontMetrics().lineSpacing();
+        QVERIFY(test::soon([&] { return list.visualRect(session).height() >= 2 * line; }));
+        QVERIFY(list.visualRect(session).width() <= list.viewport()->width());
+        QCOMPARE(list.horizontalScrollBar()->maximum(), 0);
+        QVERIFY(session.data(Qt::ToolTipRole).toString().contains(QLatin1String{name}));
     }
 
     /// As when it could not be resumed, after which all are read anew.
@@ -247,7 +285,9 @@ private Q_SLOTS:
         stored.read();
         QVERIFY(test::soon([&stored] { return stored.isComplete(); }));
         QVERIFY(list.currentIndex().data().toString().contains(QStringLiteral("Early")));
-        QVERIFY(page.plan().reach == SessionReach::Network);
+        find<QPushButton>(page, "resume").click();
+        QVERIFY(resumed.last()[1].value<SessionReach>() == SessionReach::Network); // as it was
+        QVERIFY(page.plan().reach == SessionReach::ByLink);
     }
 
     /// In the order in which they are read: who can join stands above what begins the session.

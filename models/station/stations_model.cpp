@@ -34,6 +34,35 @@ std::vector<StationsModel::Row> openStations(const SessionState& state)
     return rows;
 }
 
+QString wholeNumber(double value) { return QString::number(value, 'f', 0); }
+
+double inCentimetres(Length length) { return 0.1 * inMillimetres(length); }
+
+/// One sentence for each figure that is out of its range, with that.
+QStringList figuresOutOfRange(const PatientParameters& patient)
+{
+    QStringList faults;
+    if (patient.ageInYears < kYoungest_years || patient.ageInYears > kOldest_years)
+        faults += StationsModel::tr("%1 years are out of range: an age is %2 to %3 years.")
+                      .arg(wholeNumber(patient.ageInYears), wholeNumber(kYoungest_years),
+                           wholeNumber(kOldest_years));
+    if (patient.height < kLeastHeight || patient.height > kGreatestHeight)
+        faults += StationsModel::tr("%1 cm are out of range: a height is %2 to %3 cm.")
+                      .arg(wholeNumber(inCentimetres(patient.height)),
+                           wholeNumber(inCentimetres(kLeastHeight)),
+                           wholeNumber(inCentimetres(kGreatestHeight)));
+    const auto usual = teethToCarinaRange(patient);
+    if (!usual || !patient.teethToCarina)
+        return faults;
+    if (*patient.teethToCarina < usual->least || *patient.teethToCarina > usual->most)
+        faults += StationsModel::tr("%1 mm are out of range: teeth to carina are %2 to %3 mm in a "
+                                    "patient of this age, height and sex.")
+                      .arg(wholeNumber(inMillimetres(*patient.teethToCarina)),
+                           wholeNumber(inMillimetres(usual->least)),
+                           wholeNumber(inMillimetres(usual->most)));
+    return faults;
+}
+
 } // namespace
 
 StationsModel::StationsModel(SessionModel& session, QObject* parent)
@@ -135,9 +164,9 @@ QString StationsModel::faultOfName(const QString& name, StationId self) const
 
 QString StationsModel::faultOfPatient(const QString& patient)
 {
-    return patientFromWords(patient.toStdString())
-               ? QString{}
-               : tr("Type adult, child, or figures such as: 45 years, 182 cm, man.");
+    const auto said = parametersFromWords(patient.toStdString());
+    return said ? figuresOutOfRange(*said).join(QLatin1Char{' '})
+                : tr("Type adult, child, or figures such as: 45 years, 182 cm, man.");
 }
 
 void StationsModel::add(const QString& name, const QString& patient, After after)

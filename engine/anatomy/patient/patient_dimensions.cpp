@@ -171,9 +171,9 @@ PatientParameters parametersOf(BuiltinPatient patient)
 
 Result<PatientDimensions> dimensionsFor(const PatientParameters& p)
 {
-    if (!(p.ageInYears >= 6.0 && p.ageInYears <= 90.0))
+    if (!(p.ageInYears >= kYoungest_years && p.ageInYears <= kOldest_years))
         return fail(Errc::OutOfRange, "an age is 6 to 90 years");
-    if (!(p.height >= metres(1.0) && p.height <= metres(2.1)))
+    if (!(p.height >= kLeastHeight && p.height <= kGreatestHeight))
         return fail(Errc::OutOfRange, "a height is 100 to 210 cm");
     PatientDimensions d;
     const Windpipe windpipe = windpipeOf(p);

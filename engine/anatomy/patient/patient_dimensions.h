@@ -16,10 +16,16 @@ enum class BuiltinPatient : std::uint8_t { Adult, TwelveYears };
 enum class Sex : std::uint8_t { Female, Male };
 enum class Habitus : std::uint8_t { Slim, Normal, Obese };
 
+/// The ranges of the formulas.
+inline constexpr double kYoungest_years = 6.0;
+inline constexpr double kOldest_years = 90.0;
+inline constexpr Length kLeastHeight = metres(1.0);
+inline constexpr Length kGreatestHeight = metres(2.1);
+
 /// The parameters from which a patient is made.
 struct PatientParameters {
-    double ageInYears = 30.0; ///< 6 to 90
-    Length height;            ///< 1.0 to 2.1 m
+    double ageInYears = 30.0; ///< kYoungest_years to kOldest_years
+    Length height;            ///< kLeastHeight to kGreatestHeight
     Sex sex = Sex::Male;
     Habitus habitus = Habitus::Normal;
     /// Teeth to carina as measured, on a manikin for instance; without it by the formulas.

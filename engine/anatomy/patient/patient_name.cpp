@@ -142,7 +142,7 @@ std::string_view wordOf(Habitus habitus)
 
 } // namespace
 
-Result<PatientParameters> patientFromWords(std::string_view words)
+Result<PatientParameters> parametersFromWords(std::string_view words)
 {
     const std::string lower = inLowerCase(words);
     Said said;
@@ -168,7 +168,15 @@ Result<PatientParameters> patientFromWords(std::string_view words)
                                  {}};
     if (said.millimetres)
         parameters.teethToCarina = metres(*said.millimetres / 1000.0);
-    if (const auto dimensions = dimensionsFor(parameters); !dimensions)
+    return parameters;
+}
+
+Result<PatientParameters> patientFromWords(std::string_view words)
+{
+    const auto parameters = parametersFromWords(words);
+    if (!parameters)
+        return parameters;
+    if (const auto dimensions = dimensionsFor(*parameters); !dimensions)
         return tl::unexpected(dimensions.error());
     return parameters;
 }

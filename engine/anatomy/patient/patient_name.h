@@ -18,6 +18,9 @@ namespace carina
 ///          and for values that dimensionsFor refuses. The detail describes the expected form.
 [[nodiscard]] Result<PatientParameters> patientFromWords(std::string_view words);
 
+/// The same whether or not the values are within their ranges.
+[[nodiscard]] Result<PatientParameters> parametersFromWords(std::string_view words);
+
 /// "Adult", "12 years, 150 cm, boy", "45 years, 162 cm, woman, obese, airway 230 mm".
 /// patientFromWords reads it.
 [[nodiscard]] std::string nameOf(const PatientParameters& parameters);

@@ -190,6 +190,19 @@ void TestStationsModel::saysWhatIsWrongWithAPatient()
         QVERIFY(StationsModel::faultOfPatient(QLatin1String{fine}).isEmpty());
     for (const char* wrong : {"", "somebody", "8 years", "300 years, 180 cm, man"})
         QVERIFY(!StationsModel::faultOfPatient(QLatin1String{wrong}).isEmpty());
+    const auto fault = [](const char* words) {
+        return StationsModel::faultOfPatient(QLatin1String{words});
+    };
+    QCOMPARE(fault("30 years, 300 cm, man"),
+             QStringLiteral("300 cm are out of range: a height is 100 to 210 cm."));
+    QCOMPARE(fault("5 years, 110 cm, boy"),
+             QStringLiteral("5 years are out of range: an age is 6 to 90 years."));
+    const QString both = fault("5 years, 300 cm, man");
+    QVERIFY2(both.contains(QStringLiteral("6 to 90 years"))
+                 && both.contains(QStringLiteral("100 to 210 cm")),
+             qPrintable(both));
+    QVERIFY2(fault("adult, airway 300 mm").contains(QStringLiteral("204 to 276 mm")),
+             qPrintable(fault("adult, airway 300 mm")));
 }
 
 void TestStationsModel::saysWhyNoStationIsAdded()

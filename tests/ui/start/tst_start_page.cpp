@@ -137,7 +137,12 @@ private Q_SLOTS:
         QVERIFY(figures.isEnabled());
         figures.setText(QStringLiteral("a horse"));
         QVERIFY(!find<QPushButton>(shown.page, "begin").isEnabled());
-        QVERIFY(!find<QLabel>(shown.page, "missing").text().isEmpty());
+        const auto& missing = find<QLabel>(shown.page, "missing");
+        QVERIFY(!missing.text().isEmpty());
+        figures.setText(QStringLiteral("5 years, 300 cm, man"));
+        QVERIFY(!find<QPushButton>(shown.page, "begin").isEnabled());
+        for (const char* range : {"5 years", "6 to 90 years", "300 cm", "100 to 210 cm"})
+            QVERIFY2(missing.text().contains(QLatin1String{range}), qPrintable(missing.text()));
         figures.setText(QStringLiteral("adult"));
         QVERIFY(shown.isMade());
         QCOMPARE(shown.page.plan().patient, QStringLiteral("adult"));

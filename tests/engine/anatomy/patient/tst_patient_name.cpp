@@ -18,6 +18,7 @@ private Q_SLOTS:
     void readsFiguresInAnyOrder();
     void refusesWhatSaysNoPatient_data();
     void refusesWhatSaysNoPatient();
+    void understandsFiguresThatAreOutOfRange();
     void namesEveryPatientByAHashThatSaysHowToMakeThem();
     void takesNothingElseForAHash_data();
     void takesNothingElseForAHash();
@@ -129,6 +130,16 @@ void TestPatientName::refusesWhatSaysNoPatient()
     QVERIFY(!read && read.error().code == Errc::OutOfRange);
     QVERIFY2(QString::fromStdString(read.error().detail).contains(asked),
              read.error().detail.c_str());
+}
+
+void TestPatientName::understandsFiguresThatAreOutOfRange()
+{
+    const auto said = parametersFromWords("5 years, 300 cm, man, 1 mm");
+    QVERIFY(said && said->ageInYears == 5.0 && said->teethToCarina);
+    QVERIFY(std::abs(said->height.si - 3.0) < 1e-12);
+    QVERIFY(!patientFromWords("5 years, 300 cm, man, 1 mm"));
+    QVERIFY(!parametersFromWords("5 years, 300 cm"));
+    QVERIFY(parametersFromWords("adult") == patientFromWords("adult"));
 }
 
 void TestPatientName::namesEveryPatientByAHashThatSaysHowToMakeThem()

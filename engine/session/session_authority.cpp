@@ -98,6 +98,9 @@ Result<void> settleIds(const SessionState& state, ParticipantId author, StationI
                                 });
             },
             [&](fact::ParticipantLeft& left) { return checkParticipant(state, left.participant); },
+            [&](fact::ParticipantFellSilent& silent) {
+                return checkParticipant(state, silent.participant);
+            },
             [&](fact::ObjectShared& shared) {
                 return settleId(shared.object, state.objects(), "object",
                                 [&](const SharedObject& known) {
@@ -152,7 +155,7 @@ bool isOfTheHostAlone(const FactBody& body)
     if (const auto* shared = std::get_if<fact::ObjectShared>(&body))
         return isLiftable(shared->kind);
     return isOneOf<fact::SessionCreated, fact::RespirationCheckpoint, fact::ParticipantJoined,
-                   fact::ParticipantLeft, fact::TokenReplaced>(body);
+                   fact::ParticipantLeft, fact::ParticipantFellSilent, fact::TokenReplaced>(body);
 }
 
 /// Whoever is new takes a plain name, and none that looks like that of a participant there ever
@@ -218,6 +221,7 @@ Result<void> checkMoment(const SessionState& state, const FactBody& body)
         return {};
     return std::visit(Overloaded{[](const fact::ParticipantJoined&) { return Result<void>{}; },
                                  [](const fact::ParticipantLeft&) { return Result<void>{}; },
+                                 [](const fact::ParticipantFellSilent&) { return Result<void>{}; },
                                  [](const fact::ObjectShared&) { return Result<void>{}; },
                                  [](const fact::ObjectHandedOver&) { return Result<void>{}; },
                                  [](const fact::ObjectWanted&) { return Result<void>{}; },

@@ -44,11 +44,12 @@ public:
     /// @param proposal its author decides what is permitted. The host itself (0) may propose
     ///        everything, a participant not yet admitted (kNobody) may join, instructors may
     ///        propose everything but SessionCreated, RespirationCheckpoint, ParticipantJoined,
-    ///        ParticipantLeft and TokenReplaced, trainees may state how their registration stands
-    ///        and choose where others see them, and for the station they are at share objects as
-    ///        themselves, hand these over to an instructor or to who asked, ask for ownership,
-    ///        report breaths of the manikin, take up work that nobody does and pass on their own,
-    ///        observers may propose nothing and own nothing, and who is muted nothing either.
+    ///        ParticipantLeft, ParticipantFellSilent and TokenReplaced, trainees may state how
+    ///        their registration stands and choose where others see them, and for the station they
+    ///        are at share objects as themselves, hand these over to an instructor or to who asked,
+    ///        ask for ownership, report breaths of the manikin, take up work that nobody does and
+    ///        pass on their own, observers may propose nothing and own nothing, and who is muted
+    ///        nothing either.
     /// @returns NotPermitted where the author's role does not permit it, for more objects than a
     ///          participant may share or own, for an object that passes to a trainee of another
     ///          station, and where the host or the last instructor is to be muted or removed;

@@ -53,11 +53,21 @@ struct SessionState::Applier {
         // Of a program that comes in again beside itself, the stay goes on.
         joined.since = before && before->present ? before->since : around.committed;
         state.m_participants.insert_or_assign(body.participant, std::move(joined));
+        if (body.participant == kHostOfSession)
+            for (auto& [id, participant] : state.m_participants)
+                participant.fellSilent = false; // in an earlier run of the host
         breakOffLessonsOf(body.participant, wasAway);
         bringAlong(body.participant);
         takeUpWork(body.participant);
     }
     void operator()(const fact::ParticipantLeft& body) const { leave(body.participant); }
+    void operator()(const fact::ParticipantFellSilent& body) const
+    {
+        const bool wasHere = state.isPresent(body.participant);
+        leave(body.participant);
+        if (wasHere) // and was not removed just before
+            known(body.participant)->fellSilent = true;
+    }
     void operator()(const fact::ParticipantMuted& body) const
     {
         if (Participant* participant = known(body.participant))
@@ -287,6 +297,8 @@ struct SessionState::Applier {
             participant->present = false;
             participant->left = around.committed;
         }
+        if (Participant* participant = known(id))
+            participant->fellSilent = false;
         breakOffLessonsOf(id, false);
         for (auto& [number, object] : state.m_objects) {
             std::erase(object.wantedBy, id);

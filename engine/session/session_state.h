@@ -38,6 +38,9 @@ struct Participant {
     Angle turn{};                      ///< of the place where others see them (fact::PlaceChosen)
     SessionTime since{};               ///< when they came in last
     std::optional<SessionTime> left{}; ///< when they left, until they come in again
+    /// They left because nothing was heard of their program any more; until they come in again or
+    /// are removed, or the host is started anew.
+    bool fellSilent = false;
 };
 
 struct SharedObject {

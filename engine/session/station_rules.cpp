@@ -28,7 +28,8 @@ bool changesPatient(const FactBody& body)
 bool isOfNoStation(const FactBody& body)
 {
     return isAnyOf<fact::SessionCreated, fact::PhaseChanged, fact::ParticipantLeft,
-                   fact::StrategyChosen, fact::RegistrationStated>(body)
+                   fact::ParticipantFellSilent, fact::StrategyChosen, fact::RegistrationStated>(
+               body)
            || isAboutConduct(body);
 }
 

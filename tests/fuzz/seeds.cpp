@@ -170,7 +170,8 @@ std::vector<std::string> factBodies()
                           {{true, LessonCut::AllButAirway, {0.0, -1.0, 0.0}, 0.01},
                            true,
                            {{1, 3, LessonStyle::Ghost}, {7, 7, LessonStyle::Solid, true, true}}}},
-        fact::LessonEnded{}};
+        fact::LessonEnded{},
+        fact::ParticipantFellSilent{self}};
     static_assert(std::size(bodies) == std::variant_size_v<FactBody>, "one of each kind");
     std::vector<std::string> all;
     for (const FactBody& body : bodies)

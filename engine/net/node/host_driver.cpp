@@ -113,7 +113,9 @@ void HostDriver::startCore(const std::string& sessionId, std::vector<FactRecord>
         },
         [this](ProposalId proposal) { return m_ledger.decided().settled(proposal).has_value(); },
         [this](const ProposalRecord& record, LocalTime now) { return decideForPeer(record, now); },
-        [this](ParticipantId participant, LocalTime now) { left(participant, now); },
+        [this](ParticipantId participant, Leave why, LocalTime now) {
+            left(participant, why, now);
+        },
         [this](ParticipantId participant) {
             const Participant& who = m_ledger.stored().state().participants().at(participant);
             return who.role != Role::Observer && !who.muted;
@@ -550,10 +552,12 @@ void HostDriver::replaceTokens(const std::vector<SyncHost::Output::Displaced>& d
     }
 }
 
-void HostDriver::left(ParticipantId participant, LocalTime now)
+void HostDriver::left(ParticipantId participant, Leave why, LocalTime now)
 {
+    const FactBody body = why == Leave::Silence ? FactBody{fact::ParticipantFellSilent{participant}}
+                                                : FactBody{fact::ParticipantLeft{participant}};
     // What is refused is shown as the node's refusal; the participant is gone all the same.
-    static_cast<void>(decideByHost(kNoStation, fact::ParticipantLeft{participant}, now));
+    static_cast<void>(decideByHost(kNoStation, body, now));
 }
 
 void HostDriver::dropAbsent(LocalTime now)
@@ -566,7 +570,7 @@ void HostDriver::dropAbsent(LocalTime now)
         if (participant.present && id != kSelf && !m_core->isHere(id))
             absent.push_back(id);
     for (const ParticipantId id : absent)
-        left(id, now);
+        left(id, Leave::Meant, now); // whether they wanted to come back nobody knows
 }
 
 } // namespace carina

@@ -67,7 +67,7 @@ private:
     /// The facts that are decided cannot be stored: everything is as it was before them.
     void giveUp(const Error& why, LocalTime now);
 
-    void left(ParticipantId participant, LocalTime now);
+    void left(ParticipantId participant, Leave why, LocalTime now);
     /// What has to be done before a fact is entered.
     /// @returns TooMuchSent while the key of a role's last code is being derived; then it must not
     ///          be.

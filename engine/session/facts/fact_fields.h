@@ -101,6 +101,9 @@ template <>
 inline constexpr std::tuple kFields<RegistrationStanding>{
     &RegistrationStanding::state, &RegistrationStanding::reason, &RegistrationStanding::error};
 template <>
+inline constexpr std::tuple kFields<fact::ParticipantFellSilent>{
+    &fact::ParticipantFellSilent::participant};
+template <>
 inline constexpr std::tuple kFields<fact::WorkTaken>{&fact::WorkTaken::participant,
                                                      &fact::WorkTaken::before};
 template <>

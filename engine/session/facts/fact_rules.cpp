@@ -78,6 +78,7 @@ struct BodyCheck {
         return checkTexts({&f.name});
     }
     Result<void> operator()(const fact::ParticipantLeft&) const { return {}; }
+    Result<void> operator()(const fact::ParticipantFellSilent&) const { return {}; }
     Result<void> operator()(const fact::ObjectShared& f) const
     {
         if (isLiftable(f.kind) != (f.owner == kNobody))

@@ -66,6 +66,7 @@ struct ParticipantJoined {
 
     friend bool operator==(const ParticipantJoined&, const ParticipantJoined&) = default;
 };
+/// A participant left on purpose, or the host ended the connection of their program.
 struct ParticipantLeft {
     ParticipantId participant;
 
@@ -147,18 +148,17 @@ struct ParticipantMoved {
 
 /// The index of an alternative defines the kind byte on the wire and on disk: add new ones at the
 /// end.
-using FactBody =
-    std::variant<fact::SessionCreated, fact::PhaseChanged, fact::StationAdded,
-                 fact::ParticipantJoined, fact::ParticipantLeft, fact::ObjectShared,
-                 fact::AnatomyChosen, fact::BreathingRateSet, fact::TidalVolumeSet,
-                 fact::InspiratoryFractionSet, fact::ObjectHandedOver, fact::ObjectWanted,
-                 fact::PatientBuildSet, fact::LungConditionsSet, fact::VentilatorSet,
-                 fact::TubePlaced, fact::ManikinBreathed, fact::RespirationCheckpoint,
-                 fact::BodyPositionSet, fact::ParticipantMuted, fact::ParticipantRemoved,
-                 fact::BanLifted, fact::SessionLocked, fact::RoleCodeChanged, fact::TokenReplaced,
-                 fact::StrategyChosen, fact::RegistrationStated, fact::StationRenamed,
-                 fact::StationClosed, fact::ParticipantMoved, fact::WorkTaken, fact::PlaceChosen,
-                 fact::BreathingStopped, fact::BagSqueezed, fact::LessonShown, fact::LessonEnded>;
+using FactBody = std::variant<
+    fact::SessionCreated, fact::PhaseChanged, fact::StationAdded, fact::ParticipantJoined,
+    fact::ParticipantLeft, fact::ObjectShared, fact::AnatomyChosen, fact::BreathingRateSet,
+    fact::TidalVolumeSet, fact::InspiratoryFractionSet, fact::ObjectHandedOver, fact::ObjectWanted,
+    fact::PatientBuildSet, fact::LungConditionsSet, fact::VentilatorSet, fact::TubePlaced,
+    fact::ManikinBreathed, fact::RespirationCheckpoint, fact::BodyPositionSet,
+    fact::ParticipantMuted, fact::ParticipantRemoved, fact::BanLifted, fact::SessionLocked,
+    fact::RoleCodeChanged, fact::TokenReplaced, fact::StrategyChosen, fact::RegistrationStated,
+    fact::StationRenamed, fact::StationClosed, fact::ParticipantMoved, fact::WorkTaken,
+    fact::PlaceChosen, fact::BreathingStopped, fact::BagSqueezed, fact::LessonShown,
+    fact::LessonEnded, fact::ParticipantFellSilent>;
 
 /// Whether programs propose such facts automatically, so that no person waits for the result.
 [[nodiscard]] inline bool isByItself(const FactBody& body)
@@ -173,6 +173,7 @@ using FactBody =
 {
     return std::holds_alternative<fact::ParticipantJoined>(body)
            || std::holds_alternative<fact::ParticipantLeft>(body)
+           || std::holds_alternative<fact::ParticipantFellSilent>(body)
            || std::holds_alternative<fact::ParticipantRemoved>(body);
 }
 

@@ -10,6 +10,13 @@ namespace carina
 namespace fact
 {
 
+/// Nothing is heard of the program of a participant any more: they have left as after
+/// ParticipantLeft, but not on purpose, and may come back.
+struct ParticipantFellSilent {
+    ParticipantId participant;
+
+    friend bool operator==(const ParticipantFellSilent&, const ParticipantFellSilent&) = default;
+};
 /// A participant is at work at the station from now on: it is their tube that is in the patient,
 /// and their jaw probe that opens the mouth.
 struct WorkTaken {

@@ -140,7 +140,7 @@ void SyncHost::take(PeerAddress from, std::span<const std::byte> bytes, LocalTim
         return;
     }
     if (leaves)
-        return remove(from, now);
+        return remove(from, Leave::Meant, now);
     Peer& peer = found->second;
     peer.heard(header, sessionTime(now), now);
     // The lag with which actions begin is for those who act.
@@ -310,9 +310,9 @@ void SyncHost::drop(PeerAddress address, LocalTime now)
     const auto peer = m_peers.find(address);
     const bool isSame = peer != m_peers.end() && arriving == peer->second.participant;
     if (peer != m_peers.end())
-        remove(address, now);
+        remove(address, Leave::Silence, now);
     if (arriving && !isSame && !isHere(*arriving))
-        m_rules.left(*arriving, now);
+        m_rules.left(*arriving, Leave::Meant, now); // who was not in yet is not missed
 }
 
 bool SyncHost::isHere(ParticipantId participant) const
@@ -392,7 +392,7 @@ void SyncHost::welcome(PeerAddress address, const Arrival& arrival, LocalTime no
     displace(address, admission.participant, now);
     forgetParticipant(admission.participant, now);
     if (m_peers.contains(address))
-        remove(address, now);
+        remove(address, Leave::Meant, now); // the same program came in as another
     PeerBudget& budget = m_budgets.comesIn(admission.participant, m_rules.limits,
                                            m_rules.sharedBudget(address), now);
     const bool continues = hello.session == m_session && hello.lastFact <= logEnd();
@@ -469,7 +469,7 @@ void SyncHost::displace(PeerAddress from, ParticipantId participant, LocalTime n
     m_asksSince.erase(asked);
 }
 
-void SyncHost::remove(PeerAddress address, LocalTime now)
+void SyncHost::remove(PeerAddress address, Leave why, LocalTime now)
 {
     const auto leaving = m_peers.find(address);
     const ParticipantId participant = leaving->second.participant;
@@ -479,7 +479,7 @@ void SyncHost::remove(PeerAddress address, LocalTime now)
     m_actions.leave(address, now);
     m_streams.leave(participant);
     if (!isHere(participant)) // or it is coming in again
-        m_rules.left(participant, now);
+        m_rules.left(participant, why, now);
 }
 
 void SyncHost::forgetParticipant(ParticipantId participant, LocalTime now)
@@ -558,7 +558,7 @@ void SyncHost::dropSilentPeers(LocalTime now)
             m_nobodySilentBefore = std::min(m_nobodySilentBefore, end);
     }
     for (const PeerAddress address : silent)
-        remove(address, now);
+        remove(address, Leave::Silence, now);
 }
 
 void SyncHost::endExceedingPeers(LocalTime now)
@@ -572,7 +572,7 @@ void SyncHost::endExceedingPeers(LocalTime now)
         m_output.ended.push_back(address);
         const ParticipantId participant = peer.participant;
         m_arrivals.forget(participant); // or it would come in over another path, barred
-        remove(address, now);
+        remove(address, Leave::Meant, now);
         m_budgets.bar(participant, now);
     }
 }

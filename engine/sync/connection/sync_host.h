@@ -18,6 +18,12 @@
 namespace carina
 {
 
+/// Why a participant is no longer here.
+enum class Leave : std::uint8_t {
+    Meant,  ///< a Goodbye, or by the host
+    Silence ///< nothing is heard of the program, or its path ended without a Goodbye
+};
+
 /// Callbacks into the session, which decides. What it decides becomes a fact of the log later, when
 /// it is on disk, by SyncHost::append, or is given up by SyncHost::giveUp.
 struct HostRules {
@@ -31,7 +37,7 @@ struct HostRules {
     /// Decides on a new proposal.
     std::function<Result<void>(const ProposalRecord& proposal, LocalTime)> decide;
     /// A participant sent Goodbye or timed out.
-    std::function<void(ParticipantId, LocalTime)> left;
+    std::function<void(ParticipantId, Leave, LocalTime)> left;
     /// Whether a participant may move objects, including its own: by its role, and unless muted.
     std::function<bool(ParticipantId)> mayAct;
     /// What is taken from a participant.
@@ -192,7 +198,7 @@ private:
                                                          LocalTime now);
     void welcomeArrivals(LocalTime now);
     void welcome(PeerAddress address, const Arrival& arrival, LocalTime now);
-    void remove(PeerAddress address, LocalTime now);
+    void remove(PeerAddress address, Leave why, LocalTime now);
     /// Passes on what its owner showed of an object, when that is due.
     void relayShown(LocalTime now);
     void forward(const ShownPose& shown, ParticipantId from);

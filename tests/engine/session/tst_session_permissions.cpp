@@ -119,6 +119,8 @@ void TestSessionPermissions::permitsByRole_data()
     });
     row("sends the other trainee away", "ynnnnn",
         [](auto) { return fact::ParticipantLeft{kSampleOtherTrainee}; });
+    row("says that the other trainee fell silent", "ynnnnn",
+        [](auto) { return fact::ParticipantFellSilent{kSampleOtherTrainee}; });
     row("shares its own stylus", "yyynnn", [](auto id) {
         return fact::ObjectShared{{}, id, ObjectKind::Stylus, "stylus"};
     });
@@ -223,6 +225,7 @@ void TestSessionPermissions::takesOnlyPeopleAndObjectsAfterTheEnd_data()
     };
     row("join", fact::ParticipantJoined{{}, Role::Observer, "Late"}, "fine");
     row("leave", fact::ParticipantLeft{kSampleTrainee}, "fine");
+    row("fall silent", fact::ParticipantFellSilent{kSampleTrainee}, "fine");
     row("share", fact::ObjectShared{{}, kSampleTrainee, ObjectKind::Head, "head"}, "fine");
     row("hand over", fact::ObjectHandedOver{kSampleTube, kSampleInstructor, 1}, "fine");
     row("ask", fact::ObjectWanted{kSampleTube}, "fine");
@@ -382,6 +385,7 @@ void TestSessionPermissions::knowsTheStationItIsAbout_data()
     };
     row("join", fact::ParticipantJoined{{}, Role::Observer, "New"}, "fine", "station unknown");
     row("leave", fact::ParticipantLeft{kSampleTrainee}, "fine", "fine");
+    row("fall silent", fact::ParticipantFellSilent{kSampleTrainee}, "fine", "fine");
     row("share", fact::ObjectShared{{}, kSampleTrainee, ObjectKind::Head, "head"}, "fine",
         "station unknown");
     row("anatomy", fact::AnatomyChosen{"aa", "A"}, "fine", "station unknown");

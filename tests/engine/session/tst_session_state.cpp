@@ -16,6 +16,9 @@ private Q_SLOTS:
     void isEmptyBeforeTheFirstFact();
     void knowsWhoAndWhatIsThere();
     void remembersWhoLeftAndTakesThemBack();
+    void tellsWhoFellSilentFromWhoLeft_data();
+    void tellsWhoFellSilentFromWhoLeft();
+    void nobodyWhoWasRemovedFallsSilent();
     void countsTheObjectsOfThosePresent();
     void givesAnObjectToItsNewOwner();
     void keepsEachParticipantsRegistrationForItsStay();
@@ -99,6 +102,53 @@ void TestSessionState::remembersWhoLeftAndTakesThemBack()
                            StationId{5}));
     QVERIFY(state.participants().at(kSampleTrainee).present);
     QVERIFY(state.participants().at(kSampleTrainee).station == StationId{5});
+}
+
+void TestSessionState::tellsWhoFellSilentFromWhoLeft_data()
+{
+    QTest::addColumn<QList<FactBody>>("after"); // Tom fell silent
+    QTest::addColumn<bool>("isAway");
+    const FactBody left = fact::ParticipantLeft{kSampleTrainee};
+    const FactBody silent = fact::ParticipantFellSilent{kSampleTrainee};
+    const FactBody back = fact::ParticipantJoined{kSampleTrainee, Role::Trainee, "Tom"};
+    QTest::newRow("nothing") << QList<FactBody>{} << true;
+    QTest::newRow("another leaves")
+        << QList<FactBody>{fact::ParticipantLeft{kSampleOtherTrainee}} << true;
+    QTest::newRow("they come back") << QList<FactBody>{back} << false;
+    QTest::newRow("and leave") << QList<FactBody>{back, left} << false;
+    QTest::newRow("and fall silent again") << QList<FactBody>{back, silent} << true;
+    QTest::newRow("they are removed")
+        << QList<FactBody>{fact::ParticipantRemoved{kSampleTrainee, false, {}}} << false;
+    QTest::newRow("they are banned")
+        << QList<FactBody>{fact::ParticipantRemoved{kSampleTrainee, true, {}}} << false;
+    QTest::newRow("the host is started anew")
+        << QList<FactBody>{fact::ParticipantJoined{kSampleHost, Role::Instructor, "Host"}} << false;
+}
+
+void TestSessionState::tellsWhoFellSilentFromWhoLeft()
+{
+    QFETCH(const QList<FactBody>, after);
+    QFETCH(const bool, isAway);
+    LogWriter writer = sampleSession();
+    writer.add(atSeconds(1.0), fact::ParticipantFellSilent{kSampleTrainee});
+    const SessionState silent = stateOf(writer);
+    QVERIFY(!silent.isPresent(kSampleTrainee));
+    QVERIFY(silent.participants().at(kSampleTrainee).left == atSeconds(1.0));
+    for (const FactBody& body : after)
+        writer.add(atSeconds(2.0), body);
+    QCOMPARE(stateOf(writer).participants().at(kSampleTrainee).fellSilent, isAway);
+}
+
+/// Their program is told to be silent, and the host notices that it is.
+void TestSessionState::nobodyWhoWasRemovedFallsSilent()
+{
+    LogWriter writer = sampleSession();
+    writer.add(atSeconds(1.0), fact::ParticipantRemoved{kSampleTrainee, false, {}});
+    writer.add(atSeconds(2.0), fact::ParticipantFellSilent{kSampleTrainee});
+    writer.add(atSeconds(2.0), fact::ParticipantFellSilent{ParticipantId{77}});
+    const SessionState state = stateOf(writer);
+    QVERIFY(!state.participants().at(kSampleTrainee).fellSilent);
+    QVERIFY(!state.participants().contains(ParticipantId{77}));
 }
 
 void TestSessionState::countsTheObjectsOfThosePresent()

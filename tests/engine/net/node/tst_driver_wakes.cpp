@@ -127,6 +127,31 @@ private Q_SLOTS:
         QCOMPARE(arePresent(), std::ptrdiff_t{2});
         world.runByWakes(2 * kTurns);
         QCOMPARE(arePresent(), std::ptrdiff_t{1});
+        const auto state = world.board.state();
+        for (const auto& [id, who] : state->participants())
+            QVERIFY(!who.fellSilent); // nobody knows whether they wanted to come back
+    }
+
+    /// One whose program is killed, and another one who leaves.
+    void whoFallsSilentIsToldFromWhoLeaves()
+    {
+        HeldStore::Disk disk;
+        DriverWorld world{disk};
+        auto& anna = world.add("Anna");
+        auto& ben = world.add("Ben");
+        world.run(500ms);
+        const ParticipantId silent = anna.board.part(&NodeBoard::View::self);
+        const ParticipantId left = ben.board.part(&NodeBoard::View::self);
+        for (const auto& [to, bytes] : ben.driver->close(world.now))
+            world.host->receive(ben.address, bytes, world.now);
+        for (const LocalTime end = world.now + kPeerTimeout + 500ms; world.now < end;
+             world.now += 1ms) {
+            static_cast<void>(world.host->advance(world.now));
+            world.host->waitForDisk(world.now);
+        }
+        const auto state = world.board.state();
+        QVERIFY(!state->isPresent(silent) && state->participants().at(silent).fellSilent);
+        QVERIFY(!state->isPresent(left) && !state->participants().at(left).fellSilent);
     }
 
     void pathsThatNobodyUsesEnd()

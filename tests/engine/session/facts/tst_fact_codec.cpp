@@ -103,6 +103,7 @@ std::vector<Golden> goldenFacts()
          "23 ffff 00 00 0000000000000000 000000000000f03f 0000000000000000 0000000000000000 00"
          "00"},
         {"lesson ended", fact::LessonEnded{}, "24"},
+        {"participant fell silent", fact::ParticipantFellSilent{ParticipantId{0x0102}}, "25 0201"},
         {"pointer shared",
          fact::ObjectShared{ObjectId{1}, ParticipantId{2}, ObjectKind::Pointer, ""},
          "06 0100 0200 0a 00"},
@@ -163,7 +164,7 @@ void TestFactCodec::refusesBadBytes_data()
         QTest::newRow(name) << hex.replace(' ', "") << QString::fromUtf8(detail);
     };
     row("kind 0", "00", "kind of fact 0");
-    row("kind 37", "25", "kind of fact 37");
+    row("kind 38", "26", "kind of fact 38");
     row("kind 255", "ff", "kind of fact 255");
     row("phase 4", "02 04", "fact of kind 2: enumerator");
     row("role 3", "04 0100 03 00", "fact of kind 4: enumerator");

@@ -42,6 +42,7 @@ struct TestSession {
     std::vector<FactRecord> disk;
     bool isFast = true; ///< the disk: otherwise the test appends to the host's log
     std::vector<std::pair<ParticipantId, LocalTime>> departures;
+    std::vector<Leave> reasons;        ///< of these
     std::set<ParticipantId> observers; ///< who may not act
     bool areProven = true;             ///< whether each proves by a secret who it is
     PeerLimits limits{1e4, 1e7, 1e4, 1e4, 1e4, 1e4, 1e4};
@@ -116,7 +117,10 @@ struct TestSession {
             [this](const Hello& hello, LocalTime) { return admit(hello.join); },
             [this](ProposalId id) { return isSettled(id); },
             [this](const ProposalRecord& proposal, LocalTime) { return decide(proposal); },
-            [this](ParticipantId who, LocalTime when) { departures.emplace_back(who, when); },
+            [this](ParticipantId who, Leave why, LocalTime when) {
+                departures.emplace_back(who, when);
+                reasons.push_back(why);
+            },
             [this](ParticipantId who) { return !observers.contains(who); },
             [this](ParticipantId) { return limits; },
             [this](ParticipantId who) { return places.contains(who) ? places.at(who) : station; },

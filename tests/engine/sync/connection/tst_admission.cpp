@@ -153,7 +153,17 @@ private Q_SLOTS:
         QVERIFY(alone.greet(1, 10, 77, kNow).empty());
         alone.host.drop(1, kNow + 1ms);
         QCOMPARE(alone.session.departures.size(), std::size_t{1});
+        QVERIFY(alone.session.reasons == std::vector{Leave::Meant});
         QVERIFY(!alone.host.isHere(ParticipantId{1}));
+    }
+
+    /// The path of a program that was in, and did not say goodbye.
+    void participantWhosePathEndsFallsSilent()
+    {
+        HostAlone alone;
+        QVERIFY(isWelcomed(alone.greet(1, 10, 77, kNow)));
+        alone.host.drop(1, kNow + 1ms);
+        QVERIFY(alone.session.reasons == std::vector{Leave::Silence});
     }
 
     void repeatedHelloIsWelcomedAgainWithoutComingInTwice()

@@ -78,6 +78,7 @@ private Q_SLOTS:
         const Duration after = world.session.departures[0].second - lastWord;
         QVERIFY(after >= 3s);
         QVERIFY(after <= 3s + kKeepAlive + 10ms);
+        QVERIFY(world.session.reasons == std::vector{Leave::Silence});
     }
 
     void clientThatLeavesIsGoneAtOnce()
@@ -91,6 +92,7 @@ private Q_SLOTS:
         world.run(6ms);
         QVERIFY(world.host().peers().empty());
         QCOMPARE(world.session.departures.size(), std::size_t{1});
+        QVERIFY(world.session.reasons == std::vector{Leave::Meant});
         QCOMPARE(site.client->state(), SyncClient::State::Closed);
         QCOMPARE(site.client->nextWake(), LocalTime::max());
     }

@@ -185,16 +185,27 @@ bool AttentionModel::hasWrongClock(ParticipantId participant) const
     return path != paths->end() && path->external && path->external->isRefused;
 }
 
+/// Whether somebody has fallen silent who did not mean to leave, as far as is known, and whom
+/// nobody dismissed here.
+bool AttentionModel::isMissed(const Participant& who) const
+{
+    if (who.present || !who.fellSilent || !who.left)
+        return false;
+    const auto dismissed = m_notMissed.find(who.id);
+    return dismissed == m_notMissed.end() || dismissed->second != *who.left;
+}
+
 /// @param hasTracker this program
 void AttentionModel::addPeople(const SessionState& state, SessionTime now, bool hasTracker,
                                Reports& all)
 {
     const auto add = [&](const Participant& who, Concern concern, const QString& text) {
-        all.push_back({.concern = concern,
-                       .text = atStation(state, who.station, text),
-                       .action = tr("Show"),
-                       .station = who.station,
-                       .participant = who.id});
+        all.push_back(
+            {.concern = concern,
+             .text = atStation(state, who.station, text),
+             .action = who.present || concern != Concern::Away ? tr("Show") : tr("Dismiss"),
+             .station = who.station,
+             .participant = who.id});
     };
     for (const auto& [id, who] : state.participants()) {
         const QString name = QString::fromStdString(who.name);
@@ -203,10 +214,10 @@ void AttentionModel::addPeople(const SessionState& state, SessionTime now, bool 
                 tr("Two programs had the token of %1: ask them, and remove the one that is not "
                    "theirs")
                     .arg(name));
-        if (!who.present)
+        if (!who.present && !isMissed(who))
             continue;
         const bool isSelf = id == m_session.node().self();
-        if (!isSelf && isAway(id)) {
+        if (!who.present || (!isSelf && isAway(id))) {
             add(who, Concern::Away, tr("%1 is away: their program is not heard of").arg(name));
             continue;
         }
@@ -351,8 +362,10 @@ void AttentionModel::act(const Attention& attention)
         if (m_patient && m_patient->canFetchAgain())
             m_patient->fetchAgain();
         break;
-    case Concern::TwoPrograms:
     case Concern::Away:
+        missNoLonger(attention);
+        break;
+    case Concern::TwoPrograms:
     case Concern::BrokenOff:
     case Concern::Unseen:
     case Concern::Tracker:
@@ -374,6 +387,19 @@ void AttentionModel::dismiss(const Attention& attention)
         && station->second.brokenOff)
         m_notShownAgain.insert_or_assign(attention.station, station->second.brokenOff->at);
     look();
+}
+
+/// Who is in the session still is shown instead.
+void AttentionModel::missNoLonger(const Attention& away)
+{
+    const auto state = m_session.node().state();
+    const auto who = state->participants().find(away.participant);
+    if (who == state->participants().end())
+        return;
+    if (who->second.present)
+        Q_EMIT showWanted(away);
+    else if (who->second.left)
+        m_notMissed.insert_or_assign(who->first, *who->second.left);
 }
 
 void AttentionModel::give(const Attention& asked)

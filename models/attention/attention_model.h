@@ -22,7 +22,7 @@ enum class Concern : std::uint8_t {
     Refused,        ///< the host refused what was done here
     TwoPrograms,    ///< two programs had one participant's token
     Asked,          ///< somebody asks for an object
-    Away,           ///< a participant's program is not heard of
+    Away,           ///< a participant's program is not heard of, and they did not leave
     Unseen,         ///< a tool of a participant is not seen by their tracker
     Tracker,        ///< that of this program does not track
     NoPatient,      ///< the session's patient is not on this computer
@@ -107,6 +107,8 @@ private:
     void addTracker(const SessionState& state, const TrackerSight& sight, Reports& all) const;
     void addBreathing(const SessionState& state, SessionTime now, Reports& all);
     [[nodiscard]] bool isAway(ParticipantId participant) const;
+    [[nodiscard]] bool isMissed(const Participant& who) const;
+    void missNoLonger(const Attention& away);
     [[nodiscard]] bool hasWrongClock(ParticipantId participant) const;
     [[nodiscard]] bool isUnseen(ObjectId object, SessionTime now);
     void give(const Attention& asked);
@@ -122,6 +124,8 @@ private:
     std::optional<Error> m_dismissed; ///< the refusal that was read
     /// When what broke off did so that is told no more.
     std::map<StationId, SessionTime> m_notShownAgain;
+    /// Who is missed no longer, and when they fell silent.
+    std::map<ParticipantId, SessionTime> m_notMissed;
     Reports m_all;
 };
 

@@ -17,6 +17,12 @@ bool isPresent(const SessionState& state, ParticipantId id)
     return found != state.participants().end() && found->second.present;
 }
 
+bool hasFallenSilent(const SessionState& state, ParticipantId id)
+{
+    const auto found = state.participants().find(id);
+    return found != state.participants().end() && found->second.fellSilent;
+}
+
 } // namespace
 
 SharedObjectModel::SharedObjectModel(SessionModel& session, StationId station, QObject* parent)
@@ -117,10 +123,11 @@ QString SharedObjectModel::ownerText() const
         return {};
     const auto state = m_session.node().state();
     const QString owner = participantWord(*state, object->owner);
-    QString text = object->owner == kNobody           ? tr("○ nobody: in its place")
-                   : isOwn()                          ? tr("● you")
-                   : isPresent(*state, object->owner) ? tr("◆ %1").arg(owner)
-                                                      : tr("○ %1, has left").arg(owner);
+    QString text = object->owner == kNobody                 ? tr("○ nobody: in its place")
+                   : isOwn()                                ? tr("● you")
+                   : isPresent(*state, object->owner)       ? tr("◆ %1").arg(owner)
+                   : hasFallenSilent(*state, object->owner) ? tr("▲ %1, is away").arg(owner)
+                                                            : tr("○ %1, has left").arg(owner);
     const auto travelling = underWay(object->id);
     if (const auto* handed =
             travelling ? std::get_if<fact::ObjectHandedOver>(&*travelling) : nullptr)

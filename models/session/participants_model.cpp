@@ -365,7 +365,7 @@ QString ParticipantsModel::stateText(const Participant& participant,
 QString ParticipantsModel::absenceText(const Participant& participant)
 {
     if (!participant.removal)
-        return tr("○ left");
+        return participant.fellSilent ? tr("▲ away") : tr("○ left");
     return participant.removal->banned ? tr("✕ banned") : tr("○ removed");
 }
 

@@ -147,6 +147,58 @@ private Q_SLOTS:
         QCOMPARE(console.texts(), QStringList{}); // gone is not away
     }
 
+    /// The host ends the path of a program that was killed or stopped, and says so by a fact.
+    void saysWhoFellSilentUntilTheyAreBackOrDismissed()
+    {
+        Console console;
+        const QStringList away{QStringLiteral("Tom is away: their program is not heard of")};
+        const auto fallsSilent = [&] {
+            console.node.linkReports = {{kOlga, LinkState::Connected, {}, {}, {}}};
+            console.node.decide(fact::ParticipantFellSilent{kTom});
+            console.look();
+        };
+        const auto comesBack = [&] {
+            console.everybodyIsHere();
+            console.node.decide(fact::ParticipantJoined{{}, Role::Trainee, "Tom"});
+            console.look();
+        };
+        fallsSilent();
+        QCOMPARE(console.texts(), away);
+        QCOMPARE(console.actions(), QStringList{QStringLiteral("Dismiss")});
+        console.node.advance(std::chrono::hours{1});
+        console.look();
+        QCOMPARE(console.texts(), away);
+        comesBack();
+        QCOMPARE(console.texts(), QStringList{});
+        fallsSilent();
+        QCOMPARE(console.texts(), away);
+        console.model.act(console.model.all().front());
+        QCOMPARE(console.texts(), QStringList{}); // dismissed
+        console.node.advance(seconds{5});
+        comesBack();
+        fallsSilent();
+        QCOMPARE(console.texts(), away); // another time
+        console.node.decide(fact::ParticipantRemoved{kTom, false, {}},
+                            FakeSessionNode::kInstructor);
+        console.look();
+        QCOMPARE(console.texts(), QStringList{}); // nobody waits for them
+        comesBack();
+        console.node.decide(fact::ParticipantRemoved{kTom, true, {}}, FakeSessionNode::kInstructor);
+        console.look();
+        QCOMPARE(console.texts(), QStringList{}); // banned
+    }
+
+    /// Those who were there before a session was resumed have left: the host says no more of them.
+    void nobodyIsAwayWhoWasThereBeforeTheSessionWasResumed()
+    {
+        Console console;
+        console.node.linkReports = {};
+        for (const ParticipantId who : {kTom, kOlga})
+            console.node.decide(fact::ParticipantLeft{who});
+        console.look();
+        QCOMPARE(console.texts(), QStringList{});
+    }
+
     /// Because the console stopped and is here again.
     void saysWhatIsNoLongerShown()
     {

@@ -117,6 +117,9 @@ void TestSharedObjectModel::saysWhoseItIs()
     QVERIFY(!seat.model.isOwn());
     seat.node.decide(fact::ParticipantLeft{FakeSessionNode::kTrainee});
     QCOMPARE(seat.model.ownerText(), QStringLiteral("○ Tom, has left"));
+    seat.node.decide(fact::ParticipantJoined{{}, Role::Trainee, "Tom"});
+    seat.node.decide(fact::ParticipantFellSilent{FakeSessionNode::kTrainee});
+    QCOMPARE(seat.model.ownerText(), QStringLiteral("▲ Tom, is away"));
     seat.model.takeOver();
     QCOMPARE(seat.model.ownerText(), QStringLiteral("● you"));
     QVERIFY(seat.model.isOwn());

@@ -155,6 +155,10 @@ void TestParticipantsModel::saysWhetherSomebodyIsThere()
 void TestParticipantsModel::saysWhoMayNotTakePart()
 {
     Table table;
+    table.node.decide(fact::ParticipantFellSilent{FakeSessionNode::kTrainee});
+    table.deliver();
+    QCOMPARE(table.cell(kTraineeRow, Column::State), QStringLiteral("▲ away"));
+    table.node.decide(fact::ParticipantJoined{{}, Role::Trainee, "Tom"});
     const auto tomIs = [&](FactBody body) {
         table.node.linkReports = {{FakeSessionNode::kTrainee, LinkState::Connected, {}, {}, {}}};
         table.node.decide(std::move(body), FakeSessionNode::kInstructor);

@@ -19,6 +19,19 @@ bool isUnderWay(const SessionNode& node)
     });
 }
 
+/// What rests is where it was set last: its samples go on by the node's thread, however seldom the
+/// picture of this program is drawn.
+PoseSource resting(std::shared_ptr<SharedPose> pose, const SessionNode& node)
+{
+    return [pose = std::move(pose), &node]() -> std::optional<PoseSample> {
+        auto sample = pose->newest();
+        const auto now = node.now();
+        if (sample && now)
+            sample->time = std::max(sample->time, *now);
+        return sample;
+    };
+}
+
 bool canBeShown(const Participant& who, StationId station)
 {
     return who.present && who.station == station && who.role != Role::Instructor;
@@ -29,7 +42,11 @@ bool canBeShown(const Participant& who, StationId station)
 LessonModel::LessonModel(SessionModel& session, StationId station, QObject* parent)
     : QObject{parent}, m_session{session}, m_station{station}
 {
-    connect(&m_session, &SessionModel::changed, this, &LessonModel::changed);
+    connect(&m_session, &SessionModel::changed, this, [this] {
+        if (!isOn())
+            withdraw(); // it was ended otherwise than by this
+        Q_EMIT changed();
+    });
 }
 
 void LessonModel::setStation(StationId station)
@@ -37,8 +54,7 @@ void LessonModel::setStation(StationId station)
     if (station == m_station)
         return;
     m_left.insert_or_assign(m_station, Left{setting(), m_picture, patientAt(m_station)});
-    m_view->set(std::nullopt); // what is looked at is elsewhere
-    m_pointer->set(std::nullopt);
+    withdraw(); // what is looked at is elsewhere
     m_station = station;
     m_target = kNobody;
     m_picture = {};
@@ -205,8 +221,7 @@ void LessonModel::apply(const Setting& wanted)
         for (auto& [station, left] : m_left)
             left.setting.on = false; // what is switched on last goes on
     } else {
-        m_view->set(std::nullopt);
-        m_pointer->set(std::nullopt);
+        withdraw();
         if (isOn())
             m_session.node().propose(m_station, fact::LessonEnded{});
     }
@@ -236,9 +251,16 @@ void LessonModel::shareOnce()
 {
     if (std::exchange(m_isShared, true))
         return;
-    m_session.node().publish(ObjectKind::View, "View", [pose = m_view] { return pose->newest(); });
-    m_session.node().publish(ObjectKind::Pointer, "Pointer",
-                             [pose = m_pointer] { return pose->newest(); });
+    SessionNode& node = m_session.node();
+    node.publish(ObjectKind::View, "View", resting(m_view, node));
+    node.publish(ObjectKind::Pointer, "Pointer", resting(m_pointer, node));
+}
+
+/// Others neither look from here nor see a pointer any more.
+void LessonModel::withdraw()
+{
+    m_view->set(std::nullopt);
+    m_pointer->set(std::nullopt);
 }
 
 void LessonModel::follow(const Lesson& picture)
@@ -309,7 +331,9 @@ QString LessonModel::text() const
     const ShownLesson& lesson = *station->second.lesson;
     const QString what = lessonText(lesson.lesson, m_pointer->newest().has_value());
     return lesson.by == m_session.node().self()
-               ? tr("● Shown to %1: %2").arg(nameOf(lesson.to), what)
+               ? tr("● Shown to %1: %2; your mouse over the picture is the pointer",
+                    "whom; what is shown")
+                     .arg(nameOf(lesson.to), what)
                : tr("◆ %1 shows to %2: %3").arg(nameOf(lesson.by), nameOf(lesson.to), what);
 }
 

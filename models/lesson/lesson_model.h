@@ -65,8 +65,8 @@ public:
     [[nodiscard]] bool canShowAgain() const;
     /// Shows that again, to whom it was shown. Whoever calls follow() makes the picture so first.
     void showAgain();
-    /// What is shown to whom, after its mark: "● Shown to everybody: section, names". Empty while
-    /// nothing is.
+    /// What is shown to whom, after its mark, and what the pointer is: "● Shown to everybody:
+    /// section, names; your mouse over the picture is the pointer". Empty while nothing is.
     [[nodiscard]] QString text() const;
     /// What this person shows at a station that this does not speak of: "● Still shown at Room 5 to
     /// everybody: section". Empty while they do not.
@@ -77,7 +77,8 @@ public:
     void follow(const Lesson& picture);
     /// Where this person looks from now: X_AD. To be called again and again.
     void lookFrom(const RigidTransform& X_AD);
-    /// What they point with: the tip at the origin, pointing along -z; nothing: they do not.
+    /// What they point with, which rests there until this is called again: the tip at the origin,
+    /// pointing along -z; nothing: they do not.
     void pointWith(const std::optional<RigidTransform>& X_AP);
     /// The pointer while this is on, for this program's own picture.
     [[nodiscard]] ObjectPoses poses() const;
@@ -111,6 +112,7 @@ private:
     [[nodiscard]] bool hasEndedByGoing(const Setting& left) const;
     void pause();
     void shareOnce();
+    void withdraw();
     void come();
     [[nodiscard]] QString nameOf(ParticipantId target) const;
     [[nodiscard]] QString changeText(const Setting& wanted) const;

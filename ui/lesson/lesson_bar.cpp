@@ -42,8 +42,8 @@ LessonBar::LessonBar(QWidget* parent)
     m_switch->setCheckable(true);
     m_switch->setFocusPolicy(Qt::StrongFocus);
     m_switch->setToolTip(
-        tr("Shows others your sections, highlights, names and view of the patient, "
-           "and what you point at"));
+        tr("Shows others your sections, highlights, names and view of the patient, and what you "
+           "point at: your mouse over the picture is the pointer"));
     m_to->setObjectName(QStringLiteral("showTo"));
     m_to->setFocusPolicy(Qt::StrongFocus);
     m_to->setPopupMode(QToolButton::InstantPopup);

@@ -24,6 +24,13 @@ void SceneTeacher::pointAt(std::optional<std::uint16_t> part)
     m_mouse_A = ray ? std::optional{ray->dir_A} : std::nullopt;
 }
 
+void SceneTeacher::setElsewhere(bool elsewhere)
+{
+    m_isElsewhere = elsewhere;
+    if (elsewhere)
+        m_model.pointWith(std::nullopt); // what would be pointed at is not drawn
+}
+
 void SceneTeacher::showAgain(PartsPanel& parts, SectionPanel& section)
 {
     const auto before = m_model.brokenOff();

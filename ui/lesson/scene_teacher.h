@@ -25,7 +25,7 @@ public:
     void pointAt(std::optional<std::uint16_t> part);
 
     /// While the view draws another station than the model's, nothing of it is shown.
-    void setElsewhere(bool elsewhere) { m_isElsewhere = elsewhere; }
+    void setElsewhere(bool elsewhere);
 
     /// Shows again what broke off (LessonModel::brokenOff), by making the picture so in its panels.
     /// @pre the view draws the patient of the model's station.

@@ -69,7 +69,9 @@ private Q_SLOTS:
         QVERIFY(desk.shown()->by == kIna && desk.shown()->to == kNobody);
         QVERIFY(desk.shown()->lesson.section == cut(0.01).section);
         QVERIFY(desk.shown()->lesson.showsView);
-        QCOMPARE(desk.model.text(), QStringLiteral("● Shown to everybody: section, view"));
+        QCOMPARE(desk.model.text(),
+                 QStringLiteral("● Shown to everybody: section, view; your mouse over the picture "
+                                "is the pointer"));
         desk.model.setOn(false);
         QVERIFY(!desk.shown() && !desk.model.isOn());
     }
@@ -283,9 +285,36 @@ private Q_SLOTS:
         desk.model.setOn(true);
         desk.model.pointWith(kSomewhere);
         QVERIFY(pointer(desk) && pointer(desk)->X_FO.translation() == kSomewhere.translation());
-        QVERIFY(desk.model.text().endsWith(QStringLiteral("pointer")));
+        QVERIFY(desk.model.text().contains(QStringLiteral("view, pointer;")));
         desk.model.setOn(false);
         QVERIFY(!pointer(desk));
+    }
+
+    /// Others have a pointer that rests for as long as it does: its samples do not wait for a hand,
+    /// nor for a picture.
+    void pointerStaysWhereItRests()
+    {
+        Desk desk;
+        desk.model.setOn(true);
+        desk.model.pointWith(kSomewhere);
+        const auto shared = std::ranges::find(desk.node.published, ObjectKind::Pointer,
+                                              &FakeSessionNode::Published::kind);
+        QVERIFY(shared != desk.node.published.end());
+        desk.node.advance(std::chrono::seconds{10});
+        auto sample = shared->newest();
+        QVERIFY(sample && sample->time == *desk.node.now());
+        QVERIFY(sample->X_FO.translation() == kSomewhere.translation());
+        desk.model.pointWith(std::nullopt); // the mouse leaves the picture
+        QVERIFY(!shared->newest());
+        desk.model.pointWith(kSomewhere);
+        desk.model.setOn(false);
+        QVERIFY(!shared->newest());
+        desk.model.setOn(true);
+        desk.model.pointWith(kSomewhere);
+        QVERIFY(shared->newest());
+        desk.node.decide(fact::LessonEnded{}); // by another instructor
+        QCoreApplication::sendPostedEvents();
+        QVERIFY(!shared->newest());
     }
 
     void saysWhatIsShown()

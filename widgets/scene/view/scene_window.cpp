@@ -1,5 +1,7 @@
 #include "widgets/scene/view/scene_window.h"
 
+#include <QCursor>
+#include <QEnterEvent>
 #include <QGuiApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -20,6 +22,15 @@ constexpr double kKeyStep = 0.05;      ///< of the picture's height
 constexpr double kZoomPerKey = 1.15;   ///< factor
 constexpr double kZoomPerNotch = 1.12; ///< factor
 constexpr double kNotch = 120.0;       ///< eighths of a degree, as wheels report
+
+/// The window of the program, on the screen, that a window is in.
+const QWindow* outermost(const QWindow& window)
+{
+    const QWindow* outer = &window;
+    while (outer->parent() != nullptr)
+        outer = outer->parent();
+    return outer;
+}
 
 } // namespace
 
@@ -55,9 +66,23 @@ void SceneWindow::resizeEvent(QResizeEvent* event)
 
 bool SceneWindow::event(QEvent* event)
 {
-    if (event->type() == QEvent::Leave)
-        m_mousePlace.reset();
+    followMouse(*event);
     return QWindow::event(event);
+}
+
+/// A mouse that rests sends nothing when what had come between it and the picture goes: a menu, or
+/// a name, which is a window of its own that moves with what it names.
+void SceneWindow::followMouse(QEvent& event)
+{
+    if (const auto* enter = dynamic_cast<const QEnterEvent*>(&event))
+        m_mousePlace = enter->position();
+    if (event.type() != QEvent::Leave)
+        return;
+    const QPoint place = QCursor::pos();
+    const QPoint inWindow = mapFromGlobal(place);
+    const bool isOver = isExposed() && QRect{QPoint{}, size()}.contains(inWindow)
+                        && QGuiApplication::topLevelAt(place) == outermost(*this);
+    m_mousePlace = isOver ? std::optional<QPointF>{inWindow} : std::nullopt;
 }
 
 void SceneWindow::mousePressEvent(QMouseEvent* event)

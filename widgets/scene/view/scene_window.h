@@ -28,7 +28,8 @@ public:
 
     /// Mouse and keys do not move the camera while it is held.
     void holdCamera(bool held) { m_held = held; }
-    /// Where the mouse is over the window, in its pixels.
+    /// Where the mouse is over the window, in its pixels, also while it rests, under a name that is
+    /// written over the picture, too.
     [[nodiscard]] const std::optional<QPointF>& mousePlace() const { return m_mousePlace; }
 
     [[nodiscard]] double widthOverHeight() const;
@@ -53,6 +54,7 @@ protected:
 
 private:
     [[nodiscard]] bool turnOrMove(const QKeyEvent& event);
+    void followMouse(QEvent& event);
 
     OrbitCamera m_camera;
     ViewPreset m_preset = ViewPreset::Front;

@@ -2,6 +2,8 @@
 #include "widgets/scene/view/graphics.h"
 #include "widgets/scene/view/scene_window.h"
 
+#include <QCursor>
+#include <QEnterEvent>
 #include <QSignalSpy>
 #include <QWheelEvent>
 
@@ -57,6 +59,7 @@ private Q_SLOTS:
     void comesBackToItsPreset_data();
     void comesBackToItsPreset();
     void letsTheKeyboardLeave();
+    void knowsWhereTheMouseRests();
 
 private:
     [[nodiscard]] Vec3 eye() { return m_window->camera().pose().p_A_eye; }
@@ -197,6 +200,25 @@ void TestSceneWindow::letsTheKeyboardLeave()
     QCOMPARE(tabbed.size(), 2);
     QCOMPARE(tabbed[0][0].toBool(), true);
     QCOMPARE(tabbed[1][0].toBool(), false);
+}
+
+/// A name that is written over the picture is a window: it moves under the mouse and away again,
+/// and the mouse does not move.
+void TestSceneWindow::knowsWhereTheMouseRests()
+{
+    m_window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+    const QPoint place{100, 80};
+    QEvent leave{QEvent::Leave};
+    QCursor::setPos(m_window->mapToGlobal(place));
+    QCoreApplication::sendEvent(m_window.get(), &leave);
+    QCOMPARE(m_window->mousePlace(), std::optional<QPointF>{place});
+    QCursor::setPos(m_window->mapToGlobal(QPoint{700, kHeight + 50}));
+    QCoreApplication::sendEvent(m_window.get(), &leave);
+    QVERIFY(!m_window->mousePlace());
+    QEnterEvent enter{QPointF{place}, QPointF{place}, QPointF{m_window->mapToGlobal(place)}};
+    QCoreApplication::sendEvent(m_window.get(), &enter);
+    QCOMPARE(m_window->mousePlace(), std::optional<QPointF>{place});
 }
 
 CARINA_SCREEN_TEST(TestSceneWindow)

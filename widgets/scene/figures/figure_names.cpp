@@ -6,6 +6,7 @@
 #include <QLabel>
 
 #include <algorithm>
+#include <utility>
 
 namespace carina
 {
@@ -19,7 +20,7 @@ void FigureNames::setFigures(std::span<const SceneFigure> figures)
     m_figures.assign(figures.begin(), figures.end());
     for (std::size_t i = 0; i < m_figures.size(); ++i)
         for (std::size_t eye = 0; eye < kMostEyes && !m_figures[i].name.isEmpty(); ++eye)
-            m_names.push_back({pictureLabel(m_over, m_figures[i].name), i, eye});
+            m_names.push_back({pictureLabel(m_over, m_figures[i].name), i, eye, {}});
     if (m_leaders == nullptr && !m_names.empty())
         m_leaders = new LeaderLines{m_over};
     if (m_leaders != nullptr)
@@ -44,11 +45,14 @@ void FigureNames::layOut(const SceneFrame& frame, const EyeSight& eye, std::size
                          std::span<const QRect> taken)
 {
     std::vector<NameWish> wishes;
-    std::vector<std::size_t> figures; // of the wishes
-    for (const Name& name : m_names) {
+    std::vector<Name*> names; // of the wishes
+    for (Name& name : m_names) {
         const SceneFigure& figure = m_figures[name.figure];
         const auto body = frame.bodies.find(figure.body);
-        if (name.eye != number || body == frame.bodies.end())
+        if (name.eye != number)
+            continue;
+        const QRect before = std::exchange(name.before, {});
+        if (body == frame.bodies.end())
             continue;
         const auto seen =
             seenPoint(body->second.X_AF * Vec3{body->second.scale * figure.p_F_name}, eye.sight);
@@ -56,14 +60,16 @@ void FigureNames::layOut(const SceneFrame& frame, const EyeSight& eye, std::size
             continue;
         wishes.push_back({{seen->at.x() * eye.picture.width(), seen->at.y() * eye.picture.height()},
                           seen->depth,
-                          name.shown->size()});
-        figures.push_back(name.figure);
+                          name.shown->size(),
+                          before});
+        names.push_back(&name);
     }
     std::vector<QRect> takenHere;
     for (const QRect& box : taken)
         takenHere.push_back(box.translated(-eye.picture.topLeft()));
     for (PlacedName name : layOutNames(wishes, eye.picture.size(), takenHere)) {
-        name.wish = figures[name.wish];
+        names[name.wish]->before = name.box;
+        name.wish = names[name.wish]->figure;
         name.box.translate(eye.picture.topLeft());
         name.anchor += eye.picture.topLeft();
         name.leaderEnd += eye.picture.topLeft();

@@ -49,6 +49,7 @@ private:
         QLabel* shown;      ///< owned by m_over; one for each eye
         std::size_t figure; ///< in m_figures
         std::size_t eye;
+        QRect before{}; ///< in the picture of the eye, where it was written last
     };
 
     void layOut(const SceneFrame& frame, const EyeSight& eye, std::size_t number,

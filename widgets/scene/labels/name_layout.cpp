@@ -16,6 +16,9 @@ namespace
 constexpr std::array kDistances{14.0, 30.0, 50.0, 75.0, 105.0, 140.0, 180.0}; ///< pixels, to a box
 constexpr int kDirections = 16;
 constexpr int kGap = 2; ///< pixels between names
+/// Pixels, from an anchor to a name that stays where it was.
+constexpr double kNearestStay = 5.0;
+constexpr double kFarthestStay = 60.0;
 
 /// Directions as they are tried: to the right, then in turns below and above it, last to the left.
 double directionOf(int i)
@@ -75,6 +78,8 @@ public:
 
     void place(std::size_t wish)
     {
+        if (mayStay(m_wishes[wish]) && tryPlace(wish, m_wishes[wish].before))
+            return;
         for (const double distance : kDistances)
             for (int i = 0; i < kDirections; ++i)
                 if (tryPlace(wish, boxBeside(m_wishes[wish].anchor, m_wishes[wish].size, distance,
@@ -85,6 +90,14 @@ public:
     [[nodiscard]] std::vector<PlacedName> take() { return std::move(m_placed); }
 
 private:
+    static bool mayStay(const NameWish& wish)
+    {
+        if (wish.before.size() != wish.size || wish.before.isNull())
+            return false;
+        const double way = QLineF{wish.anchor, nearestIn(wish.before, wish.anchor)}.length();
+        return way >= kNearestStay && way <= kFarthestStay;
+    }
+
     bool tryPlace(std::size_t wish, const QRect& box)
     {
         const QPointF& anchor = m_wishes[wish].anchor;

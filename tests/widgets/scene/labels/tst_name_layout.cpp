@@ -114,6 +114,31 @@ private Q_SLOTS:
         QVERIFY(layOutNames(tooLong, kPicture).empty());
     }
 
+    /// A name that moves with each frame cannot be read, and is seen twice where frames are slow:
+    /// where it was until the next one is drawn, and where it is.
+    void restsWhileWhatItNamesMovesALittle()
+    {
+        NameWish wish{{400.0, 300.0}, 1.0, kName};
+        const QRect first = layOutNames({&wish, 1}, kPicture).at(0).box;
+        wish.before = first;
+        for (const QPointF& by : {QPointF{6, 0}, QPointF{-30, 20}, QPointF{-10, -40}}) {
+            wish.anchor = QPointF{400.0, 300.0} + by;
+            const auto placed = layOutNames({&wish, 1}, kPicture);
+            QCOMPARE(placed.at(0).box, first);
+            QCOMPARE(placed.at(0).anchor, wish.anchor); // the leader line goes with it
+        }
+        const auto goesElsewhere = [&](const NameWish& moved, std::span<const QRect> taken) {
+            const auto placed = layOutNames({&moved, 1}, kPicture, taken);
+            return placed.size() == 1 && placed[0].box != first;
+        };
+        wish.anchor = QPointF{first.center()}; // covered
+        QVERIFY(goesElsewhere(wish, {}));
+        wish.anchor = {200.0, 300.0}; // far away
+        QVERIFY(goesElsewhere(wish, {}));
+        wish.anchor = {400.0, 300.0};
+        QVERIFY(goesElsewhere(wish, {&first, 1}));
+    }
+
     void leavesWhatIsTakenFree()
     {
         const std::vector<NameWish> wishes{{{400.0, 300.0}, 1.0, kName}};

@@ -103,8 +103,8 @@ public:
                        ? tr("The registration is recorded as good. Continue with the overview.")
                        : task.why;
         if (model.site().operatorName.empty())
-            return tr("All points are checked. Enter your name on the overview, then record the "
-                      "verdict.");
+            return tr("All points are checked. Enter your name beside the verdict, then record "
+                      "it.");
         return tr("All points are checked. Record the verdict.");
     }
 

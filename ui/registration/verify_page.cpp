@@ -47,6 +47,7 @@ VerifyPage::VerifyPage(RegistrationModel& registration)
     m_name->setMaxLength(kLongestName);
     connect(m_name, &QLineEdit::editingFinished, this,
             [this] { this->registration().setOperator(m_name->text()); });
+    connect(m_name, &QLineEdit::textChanged, this, &VerifyPage::refreshName);
     m_stylus->setWordWrap(true);
     m_stylus->setObjectName(QStringLiteral("stylus"));
     m_stylus->setAccessibleName(tr("Where the stylus is on the anatomy"));
@@ -72,10 +73,16 @@ void VerifyPage::refresh()
     fillPoints();
     m_take->setEnabled(registration().verifying().next().has_value());
     m_verdict->setText(verdict());
-    const bool isNamed = !registration().site().operatorName.empty();
-    m_nameWanted->setVisible(!isNamed);
-    m_name->setVisible(!isNamed || m_name->hasFocus());
+    refreshName();
     refreshLive();
+}
+
+/// The name is asked for until one is there, also one that is still being typed.
+void VerifyPage::refreshName()
+{
+    const bool isNamed = !registration().site().operatorName.empty();
+    m_nameWanted->setVisible(!isNamed && m_name->text().trimmed().isEmpty());
+    m_name->setVisible(!isNamed || m_name->hasFocus());
 }
 
 void VerifyPage::fillPoints()

@@ -27,6 +27,7 @@ public:
 
 private:
     void fillPoints();
+    void refreshName();
     [[nodiscard]] QString verdict() const;
     [[nodiscard]] QString verdictOfErrors() const;
     [[nodiscard]] QString tolerated() const;

@@ -244,8 +244,16 @@ void TestRegistrationWindow::writesTheRuleOfTheVerdictAndAsksForAName()
     QVERIFY(verdict.text().contains(QStringLiteral("Rule:")));
     auto& name = desk.find<QLineEdit>("judge");
     QVERIFY(name.isVisible());
+    const auto isAskedFor = [&] {
+        const auto labels = desk.window->findChildren<QLabel*>();
+        return std::ranges::any_of(labels, [](const QLabel* label) {
+            return label->isVisible() && label->text().contains(QStringLiteral("is asked for"));
+        });
+    };
+    QVERIFY(isAskedFor());
     name.setFocus();
     QTest::keyClicks(&name, QStringLiteral("A. Frei"));
+    QVERIFY(!isAskedFor());
     desk.find<QTableView>("checks").setFocus();
     QCOMPARE(desk.model->site().operatorName, std::string{"A. Frei"});
     QVERIFY(desk.click("primary"));

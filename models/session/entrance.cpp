@@ -2,6 +2,8 @@
 
 #include "engine/core/expects.h"
 
+#include <algorithm>
+
 namespace carina
 {
 
@@ -47,8 +49,21 @@ void Entrance::look()
 
 bool Entrance::isIn() const { return m_node && m_node->self() != kNobody; }
 
+/// Whether the host has let this program in, as its console then says.
+bool Entrance::isConnected() const
+{
+    if (!m_node)
+        return false;
+    const auto links = m_node->links();
+    return isIn() || std::ranges::any_of(links, [](const LinkReport& link) {
+               return link.state == LinkState::Connected;
+           });
+}
+
 QString Entrance::progress() const
 {
+    if (isConnected())
+        return tr("Connected; waiting for the patient");
     if (!isTrying())
         return {};
     return m_looks < kPatience

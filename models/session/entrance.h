@@ -36,7 +36,8 @@ public:
 
     [[nodiscard]] bool isTrying() const { return m_node && !isIn(); }
     [[nodiscard]] bool isIn() const;
-    /// A sentence on what it waits for while isTrying(); else empty.
+    /// A sentence on what it waits for while isTrying(), and what is waited for once isIn(); else
+    /// empty.
     [[nodiscard]] QString progress() const;
     /// Why the host refused, until the next enter().
     [[nodiscard]] const std::optional<JoinGap>& refusal() const { return m_refusal; }
@@ -49,6 +50,7 @@ Q_SIGNALS:
     void changed();
 
 private:
+    [[nodiscard]] bool isConnected() const;
     void refuse(const Error& why);
 
     JoinSettings m_settings;

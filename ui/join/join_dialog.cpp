@@ -4,6 +4,7 @@
 
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QEvent>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -224,8 +225,11 @@ void JoinDialog::reject()
 
 void JoinDialog::follow()
 {
-    if (m_entrance.isIn())
+    if (m_entrance.isIn()) {
+        m_missing->setText(m_entrance.progress());
+        m_missing->repaint(); // the patient keeps this program busy from now on
         return QDialog::accept();
+    }
     refresh();
     if (const auto& refusal = m_entrance.refusal()) {
         m_missing->setText(refusal->sentence);
@@ -234,6 +238,18 @@ void JoinDialog::follow()
         fieldOf(refusal->field)->setFocus();
         fieldOf(refusal->field)->selectAll();
     }
+}
+
+/// What it says has as many lines as it needs: the window grows for them, and nothing is cut.
+bool JoinDialog::event(QEvent* event)
+{
+    const bool isDone = QDialog::event(event);
+    if (event->type() == QEvent::LayoutRequest && isVisible() && layout() != nullptr) {
+        const int wanted = layout()->totalHeightForWidth(width());
+        if (height() < wanted)
+            resize(width(), wanted);
+    }
+    return isDone;
 }
 
 /// Apart from what is missing or refused, which stays while sessions come and go.

@@ -36,6 +36,9 @@ public:
     /// Stops joining; closes the dialog if no attempt is running.
     void reject() override;
 
+protected:
+    bool event(QEvent* event) override;
+
 private:
     [[nodiscard]] QLineEdit* field(const char* name, const QString& label, const QString& text);
     void layOut();

@@ -143,6 +143,25 @@ private Q_SLOTS:
         entrance.enter(form());
         QCOMPARE(entrance.progress(), QStringLiteral("Joining …"));
     }
+
+    /// However long that took: the console lists them.
+    void saysThatItIsConnected()
+    {
+        const QString connected = QStringLiteral("Connected; waiting for the patient");
+        Entrance entrance{{}, join()};
+        entrance.enter(form());
+        for (int i = 0; i < Entrance::kPatience; ++i)
+            entrance.look();
+        m_node->linkReports = {{FakeSessionNode::kHost, LinkState::Connecting, {}, {}, {}}};
+        QVERIFY(entrance.progress() != connected);
+        m_node->linkReports[0].state = LinkState::Connected;
+        QCOMPARE(entrance.progress(), connected);
+        m_node->becomes(FakeSessionNode::kObserver);
+        entrance.look();
+        QCOMPARE(entrance.progress(), connected);
+        static_cast<void>(entrance.take());
+        QCOMPARE(entrance.progress(), QString{});
+    }
 };
 
 CARINA_TEST(TestEntrance)

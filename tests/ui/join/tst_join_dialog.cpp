@@ -11,6 +11,7 @@
 #include <QComboBox>
 #include <QGuiApplication>
 #include <QLabel>
+#include <QLayout>
 #include <QLineEdit>
 #include <QListView>
 #include <QPushButton>
@@ -118,6 +119,27 @@ private Q_SLOTS:
         QCOMPARE(dialog.form().name, QStringLiteral("Anna"));
         QCOMPARE(dialog.form().address, QStringLiteral("127.0.0.1"));
         QVERIFY(dialog.form().role == Role::Trainee);
+    }
+
+    /// The message of three lines takes its own room.
+    void growsForWhatItSays()
+    {
+        FoundSessionsModel sessions{freePort()};
+        Entrance entrance{{}, join()};
+        JoinDialog dialog{sessions, entrance, complete()};
+        dialog.show();
+        QCoreApplication::sendPostedEvents();
+        dialog.accept();
+        for (int i = 0; i < Entrance::kPatience; ++i)
+            entrance.look();
+        QTRY_VERIFY_WITH_TIMEOUT(
+            dialog.height() >= dialog.layout()->totalHeightForWidth(dialog.width()), kSoonMs);
+        const auto& missing = find<QLabel>(dialog, "missing");
+        const auto& more = find<QPushButton>(dialog, "more");
+        QVERIFY(missing.text().contains(QStringLiteral("not answered yet")));
+        QVERIFY(missing.height() >= missing.heightForWidth(missing.width()));
+        QVERIFY(more.height() >= more.sizeHint().height());
+        QVERIFY(more.parentWidget()->rect().contains(more.geometry()));
     }
 
     /// Nothing is left to choose.

@@ -39,18 +39,22 @@ QValidator::State stateOf(const Box& box, const QString& text, QValidator::State
 }
 
 /// Puts the value back into the text. @returns why, where a number was refused.
-template <class Box> QString putBack(const Box& box, const QString& value, QString& text)
+/// @param below what else to do where it was below the range; may be empty
+template <class Box>
+QString putBack(const Box& box, const QString& value, QString& text, const QString& below = {})
 {
     const auto number = numberIn(box, text);
     const QString typed = typedIn(box, text);
     text = box.prefix() + value + box.suffix();
     if (!number || (*number >= box.minimum() && *number <= box.maximum()))
         return {};
-    return QCoreApplication::translate("carina::CheckedSpinBox",
-                                       "%1 is outside the range: enter %2 to %3%4. The value stays "
-                                       "%5.")
-        .arg(typed, box.locale().toString(box.minimum()), box.locale().toString(box.maximum()),
-             box.suffix(), text);
+    const QString why =
+        QCoreApplication::translate("carina::CheckedSpinBox",
+                                    "%1 is outside the range: enter %2 to %3%4. The value stays "
+                                    "%5.")
+            .arg(typed, box.locale().toString(box.minimum()), box.locale().toString(box.maximum()),
+                 box.suffix(), text);
+    return below.isEmpty() || *number > box.maximum() ? why : why + QLatin1Char{' '} + below;
 }
 
 /// Whether something else is in the field than its value. @param value as text
@@ -93,7 +97,8 @@ QValidator::State CheckedSpinBox::validate(QString& input, int& position) const
 
 void CheckedSpinBox::fixup(QString& input) const
 {
-    if (const QString why = putBack(*this, textFromValue(value()), input); !why.isEmpty()) {
+    if (const QString why = putBack(*this, textFromValue(value()), input, m_below);
+        !why.isEmpty()) {
         showBeneath(*this, why);
         Q_EMIT refused(why);
     }

@@ -19,6 +19,9 @@ class CheckedSpinBox : public QSpinBox
 public:
     explicit CheckedSpinBox(QWidget* parent = nullptr);
 
+    /// A sentence on what else to do, which is said where a number below the range is refused.
+    void adviseBelow(const QString& advice) { m_below = advice; }
+
     [[nodiscard]] QValidator::State validate(QString& input, int& position) const override;
     void fixup(QString& input) const override;
 
@@ -27,6 +30,9 @@ public:
 Q_SIGNALS:
     /// A number was refused; one sentence with the range and its unit.
     void refused(const QString& why) const;
+
+private:
+    QString m_below;
 };
 
 /// A box for numbers with decimals.

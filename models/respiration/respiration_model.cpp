@@ -139,7 +139,12 @@ void RespirationModel::removeCondition(std::size_t place)
 
 QString RespirationModel::inForceText() const
 {
-    const QString ailment = conditionText(std::get<LungConditions>(inForce(0)));
+    const auto conditions = std::get<LungConditions>(inForce(0));
+    QString ailment = conditionText(conditions);
+    if (ownBreathing() == 0.0)
+        ailment = conditions.empty()
+                      ? tr("Own breathing has stopped")
+                      : tr("%1; own breathing has stopped", "what ails the patient").arg(ailment);
     const auto position = std::get<BodyPosition>(inForce(3));
     if (position == BodyPosition::Supine)
         return ailment;
@@ -185,6 +190,17 @@ RespirationModel::Decision RespirationModel::decidedAt(StationId id, std::size_t
 RespirationModel::Decision RespirationModel::inForce(std::size_t thing) const
 {
     return decidedAt(m_stations.shown, thing, m_session.node().now().value_or(SessionTime{}));
+}
+
+/// The share that is left of it now.
+double RespirationModel::ownBreathing() const
+{
+    const auto state = m_session.node().state();
+    const auto station = state->stations().find(m_stations.shown);
+    const SessionTime now = m_session.node().now().value_or(SessionTime{});
+    return station == state->stations().end()
+               ? 1.0
+               : station->second.respiration.settingsAt(now).ownBreathing;
 }
 
 std::optional<RespirationModel::Decision> RespirationModel::pending(std::size_t thing) const

@@ -64,8 +64,8 @@ public:
     void setTube(Length innerDiameter) { set(innerDiameter); }
     void setPosition(BodyPosition position) { set(position); }
 
-    /// The diseases in force and, unless supine, the position: "COPD, both lungs, severity 0.60;
-    /// prone".
+    /// The diseases in force, that the patient's own breathing has stopped and, unless supine, the
+    /// position: "COPD, both lungs, severity 0.60; prone".
     [[nodiscard]] QString inForceText() const;
     /// The pending changes, one per line: "Condition → COPD, both lungs, severity 0.60"; empty if
     /// there are none.
@@ -109,6 +109,7 @@ private:
     [[nodiscard]] Decision decidedAt(StationId station, std::size_t thing, SessionTime t) const;
     [[nodiscard]] std::vector<Setting> present(std::size_t thing) const;
     [[nodiscard]] Decision inForce(std::size_t thing) const;
+    [[nodiscard]] double ownBreathing() const;
     [[nodiscard]] std::optional<Decision> pending(std::size_t thing) const;
     [[nodiscard]] Decision shown(std::size_t thing) const;
     [[nodiscard]] bool isUnderWay(const Decision& sent) const;

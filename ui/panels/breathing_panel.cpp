@@ -73,6 +73,7 @@ void BreathingPanel::addApnoea()
         m_over->addItem(seconds == 0   ? tr("at once")
                         : seconds < 60 ? tr("over %1\u00a0s").arg(seconds)
                                        : tr("over %1\u00a0min").arg(seconds / 60));
+    m_ui->rate->adviseBelow(tr("For apnoea, tick “Breathing stops”."));
     m_left->setObjectName(QStringLiteral("breathingLeft"));
     m_left->setAccessibleName(tr("What is left of the patient's own breathing"));
     m_left->hide();

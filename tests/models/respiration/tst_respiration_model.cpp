@@ -19,6 +19,7 @@ class TestRespirationModel : public QObject
 private Q_SLOTS:
     void showsWhatIsInForce();
     void setsAndTellsWhatTravels();
+    void tellsThatBreathingHasStopped();
     void changesAllStationsAndUndoesEach();
     void endsADragThatAnotherStationInterrupts();
     void choosesAConditionWithASeverityToBeSeen();
@@ -168,6 +169,23 @@ void TestRespirationModel::setsAndTellsWhatTravels()
     QVERIFY(console.decided().ventilator == ventilator);
     QCOMPARE(console.decided().tube, millimetres(6.5));
     QCOMPARE(console.decided().position, BodyPosition::LeftLateral);
+}
+
+void TestRespirationModel::tellsThatBreathingHasStopped()
+{
+    Console console;
+    console.node.decide(fact::PhaseChanged{SessionPhase::Running});
+    console.node.decide(fact::BreathingStopped{true, std::chrono::seconds{10}});
+    console.settle();
+    console.node.advance(std::chrono::seconds{5});
+    QCOMPARE(console.model.inForceText(), QStringLiteral("Normal")); // it stops, but has not yet
+    console.node.advance(std::chrono::seconds{6});
+    QCOMPARE(console.model.inForceText(), QStringLiteral("Own breathing has stopped"));
+    console.model.setCondition(0, kRightPneumothorax);
+    console.settle();
+    QCOMPARE(console.model.inForceText(),
+             QStringLiteral("Pneumothorax, simple, right lung, severity\u00a00.40; own breathing "
+                            "has stopped"));
 }
 
 void TestRespirationModel::choosesAConditionWithASeverityToBeSeen()

@@ -20,6 +20,7 @@ class TestBreathingPanel : public QObject
 private Q_SLOTS:
     void offersOnlyVolumesOfThisPatient();
     void refusesATypedVolumeWithItsRange();
+    void saysHowToHaveNoBreaths();
     void stopsTheBreathing();
     void squeezesABag();
 };
@@ -41,6 +42,28 @@ void TestBreathingPanel::offersOnlyVolumesOfThisPatient()
     QCOMPARE(box.maximum(), 1925);
     QCOMPARE(slider.maximum(), 1925);
     QCOMPARE(node.proposed, 0); // a bound asks for nothing
+}
+
+void TestBreathingPanel::saysHowToHaveNoBreaths()
+{
+    FakeSessionNode node;
+    SessionModel session{node};
+    BreathingModel model{session, FakeSessionNode::kStation};
+    BreathingPanel panel;
+    panel.setModel(model);
+    panel.show();
+    auto& box = *panel.findChild<QSpinBox*>(QStringLiteral("rate"));
+    const auto& refused = *panel.findChild<QLabel*>(QStringLiteral("refused"));
+    const auto type = [&](const char* number) {
+        box.selectAll();
+        QTest::keyClicks(&box, QString::fromLatin1(number));
+        QTest::keyClick(&box, Qt::Key_Return);
+        return refused.text();
+    };
+    const QString advice = QStringLiteral("tick “Breathing stops”");
+    QVERIFY2(type("0").contains(advice), qPrintable(refused.text()));
+    QVERIFY(refused.text().contains(QStringLiteral("4 to 60")));
+    QVERIFY2(!type("99").contains(advice), qPrintable(refused.text()));
 }
 
 // It was 999.

@@ -55,12 +55,19 @@ auto urgency(const Attention& each)
 
 QString percent(double share) { return QString::number(qRound(100.0 * share)); }
 
-/// "Pneumothorax, tension, right lung: developing, lung 88 % closed, mediastinum 6 mm aside".
+/// "Pneumothorax, tension, right lung: developing, lung 88 % closed, mediastinum 6 mm aside"; once
+/// the gas has closed all of the lung that it can, it only pushes on.
 QString developmentText(const Development& each)
 {
     const QString what = conditionText(each.condition.kind);
     const QString where = sideText(each.condition.side).toLower();
     const bool isTension = each.condition.kind == ConditionKind::TensionPneumothorax;
+    if (each.isClosed)
+        return AttentionModel::tr("%1, %2: lung closed but for the last %3\u00a0%, gas still comes "
+                                  "in, mediastinum %4\u00a0mm aside",
+                                  "disease; which lung; how much is open; how far")
+            .arg(what, where, percent(1.0 - each.share),
+                 QString::number(qRound(inMillimetres(each.shift))));
     if (isTension && inMillimetres(each.shift) < 1.0)
         return AttentionModel::tr("%1, %2: developing, lung %3\u00a0% closed",
                                   "disease; which lung; how much of it")

@@ -25,11 +25,16 @@ bool affects(const LungCondition& condition, Side side)
            || condition.side == (side == Side::Right ? ConditionSide::Right : ConditionSide::Left);
 }
 
-/// The gas that came through the tear, of what closes the lung.
+/// The gas that came through the tear, of what would close the whole lung.
 double closedShare(const RespiratoryFold& fold, std::size_t lung)
 {
-    const double most = (1.0 - kLeastOpenShare) * fold.system().lungs[lung].wallVolume.si;
-    return fold.content()[lung].trapped.si / most;
+    return fold.content()[lung].trapped.si / fold.system().lungs[lung].wallVolume.si;
+}
+
+/// The least share of a lung stays open, however much gas came.
+double greatestShare(ConditionKind kind)
+{
+    return kind == ConditionKind::TensionPneumothorax ? 1.0 - kLeastOpenShare : 1.0;
 }
 
 /// How much the blood has taken of what it takes, at the end of expiration.
@@ -100,10 +105,19 @@ std::vector<Development> DevelopmentWatch::at(const SessionState& state, Session
         follow(patient, station, t);
         for (const Course& course : patient.courses)
             if (develops(course))
-                all.push_back({id, course.condition, std::min(1.0, course.points.back().share),
-                               std::ranges::max(course.points, {}, &Point::shift).shift});
+                all.push_back(developmentOf(id, course));
     }
     return all;
+}
+
+Development DevelopmentWatch::developmentOf(StationId station, const Course& course)
+{
+    const ConditionKind kind = course.condition.kind;
+    const double most = greatestShare(kind);
+    const double share = course.points.back().share;
+    return {station, course.condition, std::min(most, share),
+            kind == ConditionKind::TensionPneumothorax && share >= most,
+            std::ranges::max(course.points, {}, &Point::shift).shift};
 }
 
 void DevelopmentWatch::follow(Patient& patient, const Station& station, SessionTime t)

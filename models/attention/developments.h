@@ -13,8 +13,11 @@ namespace carina
 struct Development {
     StationId station;
     LungCondition condition;
-    /// Of the lung, 0 to 1: closed by the gas in the pleural space, or emptied by the blood.
+    /// Of the lung: closed by the gas in the pleural space, 0 to 0.95 (kLeastOpenShare stays open),
+    /// or emptied by the blood, 0 to 1.
     double share = 0.0;
+    /// Whether the gas has closed as much of the lung as it can, and only pushes on.
+    bool isClosed = false;
     /// Of the mediastinum, to either side: the farthest in the last kGrowthTime.
     Length shift;
 
@@ -41,7 +44,7 @@ public:
 private:
     struct Point {
         double breathed = 0.0; ///< s
-        double share = 0.0;    ///< more than 1 where there is more gas than closes the lung
+        double share = 0.0;    ///< of a tear more than the lung where more gas came than it holds
         Length shift;
     };
     struct Course {
@@ -56,6 +59,8 @@ private:
     static void follow(Patient& patient, const Station& station, SessionTime t);
     static void add(Course& course, const Point& point);
     static bool develops(const Course& course);
+    /// @pre it develops
+    static Development developmentOf(StationId station, const Course& course);
 
     std::map<StationId, Patient> m_patients; ///< those that have such a disease
 };

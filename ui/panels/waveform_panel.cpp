@@ -75,7 +75,9 @@ WaveformPanel::WaveformPanel(QWidget* parent)
     m_figures->setObjectName(QStringLiteral("figures"));
     m_figures->setAccessibleName(tr("Figures of the last breath"));
     m_figures->setToolTip(tr(
-        "Of the last breath: tidal volume (gas of one breath), breathing rate, peak pressure "
+        "Of the last breath: tidal volume (gas of one breath, and what of it went to each side: "
+        "into the lung, and through a tear into the space around it), breathing rate, peak "
+        "pressure "
         "(highest at the airway opening), plateau pressure (at the end of inspiration without "
         "flow), auto‑PEEP (pressure of trapped gas at the end of expiration, above PEEP), "
         "alveolar ventilation (gas that reaches the alveoli in a minute), FRC (functional residual "

@@ -357,8 +357,11 @@ private Q_SLOTS:
         console.look();
         QCOMPARE(console.texts().size(), 1);
         text = console.texts().front();
-        QVERIFY2(text.startsWith(begun), qPrintable(text));
-        QVERIFY2(text.contains(QStringLiteral("\u00a0% closed, mediastinum ")), qPrintable(text));
+        // A twentieth stays open, and breathes: the figures of a breath have some ml of that side.
+        QVERIFY2(text.startsWith(QStringLiteral("Pneumothorax, tension, right lung: lung closed "
+                                                "but for the last 5\u00a0%, gas still comes in, "
+                                                "mediastinum ")),
+                 qPrintable(text));
         QVERIFY2(text.endsWith(QStringLiteral("\u00a0mm aside")), qPrintable(text));
         console.sets({});
         console.node.advance(seconds{2});

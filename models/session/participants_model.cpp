@@ -40,6 +40,17 @@ QString stationName(const SessionState& state, StationId station)
     return found == state.stations().end() ? kNothing : QString::fromStdString(found->second.name);
 }
 
+/// Where somebody is; of this program's own participant, which may look at any station, that it is
+/// their place.
+QString placeText(const SessionState& state, const Participant& who, bool isSelf)
+{
+    const QString name = stationName(state, who.station);
+    const auto open = std::ranges::count_if(state.stations(),
+                                            [](const auto& entry) { return !entry.second.closed; });
+    return isSelf && open > 1 ? ParticipantsModel::tr("%1 (your place)", "a station").arg(name)
+                              : name;
+}
+
 /// The number in place of %1.
 QString number(const std::optional<double>& value, int decimals, const QString& words)
 {
@@ -196,6 +207,9 @@ QVariant ParticipantsModel::headerData(int section, Qt::Orientation orientation,
     if (orientation != Qt::Horizontal)
         return {};
     if (role == Qt::ToolTipRole) {
+        if (section == Station)
+            return tr("The station where the participant is: their tools, and what an instructor "
+                      "shows to others, are there, whichever station this window shows");
         if (section == Registration)
             return tr("How far the registration of the participant's manikin can be relied on");
         if (section == Sends)
@@ -287,7 +301,7 @@ std::vector<ParticipantsModel::Row> ParticipantsModel::currentRows() const
         Row row{.id = id,
                 .name = QString::fromStdString(participant.name),
                 .role = roleText(participant.role),
-                .station = stationName(*state, participant.station),
+                .station = placeText(*state, participant, id == node.self()),
                 .state = stateText(participant, links)};
         if (participant.present && state->atWork(participant.station) == id)
             row.role = tr("%1, at work").arg(row.role);

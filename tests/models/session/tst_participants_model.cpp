@@ -88,6 +88,7 @@ void TestParticipantsModel::listsEverybodyWithTheirRole()
 void TestParticipantsModel::saysWhoIsWhere()
 {
     Table table;
+    QCOMPARE(table.cell(kInstructorRow, Column::Station), QStringLiteral("Station 1"));
     table.node.addStation("Room 5");
     table.node.decideAt(StationId{1}, fact::ParticipantMoved{FakeSessionNode::kTrainee});
     table.deliver();
@@ -95,6 +96,11 @@ void TestParticipantsModel::saysWhoIsWhere()
     QCOMPARE(table.cell(kObserverRow, Column::Station), QStringLiteral("Station 1"));
     QCOMPARE(table.cell(kTraineeRow, Column::Station, Qt::AccessibleTextRole),
              QStringLiteral("Station: Room 5"));
+    // Whichever station the console shows.
+    QCOMPARE(table.cell(kInstructorRow, Column::Station), QStringLiteral("Station 1 (your place)"));
+    QVERIFY(table.model.headerData(Column::Station, Qt::Horizontal, Qt::ToolTipRole)
+                .toString()
+                .contains(QStringLiteral("whichever station")));
 }
 
 void TestParticipantsModel::saysWhoIsAtWork()

@@ -129,7 +129,14 @@ demo() {
             "or age, height and sex, as in '45 years, 182 cm, man'"
     [ $register = no ] || [ -z "$site" ] || refuse "--register makes a site, and --site takes one"
     case $tracker in
-        simulated | simulated:*) ;;
+        simulated) ;;
+        simulated:*) # as readSimulatedOptions takes it, whose programs are not built yet
+            local tool='(head|jaw|tube|stylus|manikin|chest|hand|laryngoscope)' number='[0-9]+([.][0-9]+)?'
+            local option="(rate=$number|hidden=$tool|partly=$tool|dropouts=$number)"
+            [[ ${tracker#simulated:} =~ ^$option(,$option)*$ ]] ||
+                refuse "--tracker simulated takes rate=HZ (1 to 1000), hidden=TOOL, partly=TOOL and" \
+                    "dropouts=PERCENT (0 to 90), with commas between, not ${tracker#simulated:};" \
+                    "TOOL is head, jaw, tube, stylus, manikin, chest, hand or laryngoscope" ;;
         site) [ -n "$site" ] || refuse "--tracker site needs --site, which names the devices" ;;
         recorded:* | looped:*) tracker=${tracker%%:*}:$(realpath -e "${tracker#*:}" 2> /dev/null) ||
             refuse "there is no recording ${tracker#*:}" ;;

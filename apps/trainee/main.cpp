@@ -210,12 +210,13 @@ Result<Outfit> outfitFrom(const QCommandLineParser& parser, const program::Measu
 {
     if (const auto drawn = program::checkGraphics(); !drawn)
         return tl::unexpected(drawn.error());
+    auto tracker =
+        program::readSessionTracker(parser); // before a patient is made, which takes long
+    if (!tracker)
+        return tl::unexpected(tracker.error());
     const auto patient = program::choosePatient(parser);
     if (!patient)
         return tl::unexpected(patient.error());
-    auto tracker = program::readSessionTracker(parser);
-    if (!tracker)
-        return tl::unexpected(tracker.error());
     program::TrackerChange change{
         {.site = program::siteOption(parser),
          .tracker = *tracker,

@@ -83,7 +83,8 @@ class Launcher(unittest.TestCase):
                           ["demo", "--seconds", "0"], ["demo", "--patient", "horse"], ["demo", "--patient", "child,"],
                           ["demo", "--anatomy", "no/such/folder"], ["demo", "--headless"], ["demo", "--headless", "no/such/out"],
                           ["demo", "--site", "no/such/file"], ["demo", "--output", "sphere"],
-                          ["demo", "--register", "--site", "carina"]):
+                          ["demo", "--register", "--site", "carina"], ["demo", "--tracker", "simulated:nope"],
+                          ["demo", "--tracker", "simulated:hidden=nose"]):
             run = self.carina(*arguments)
             self.assertEqual((run.returncode, run.stdout), (2, ""), arguments)
             self.assertIn("./carina help", run.stderr)

@@ -12,6 +12,8 @@
 #include <QScrollBar>
 #include <QTableView>
 
+#include <algorithm>
+
 namespace carina::registration_window_test
 {
 

@@ -47,7 +47,7 @@ struct SyncClient::Visitor {
     void operator()(const FactRecord& fact) const
     {
         if (client.m_state == State::Connected)
-            client.takeFact(fact);
+            client.takeFact(fact, now);
     }
     void operator()(const ProposalRefused& refused) const
     {
@@ -129,8 +129,8 @@ LocalTime SyncClient::nextWake() const
     if (m_state != State::Connected)
         return m_nextHello;
     return std::min({m_link.lastHeard() + kPeerTimeout, m_link.lastSent() + keepAlive(),
-                     m_acknowledge ? LocalTime::min() : LocalTime::max(), m_proposals.nextDue(),
-                     m_actions.nextDue(), m_outgoing.empty() ? LocalTime::max() : m_tick.next(),
+                     m_acknowledgement.due(), m_proposals.nextDue(), m_actions.nextDue(),
+                     m_outgoing.empty() ? LocalTime::max() : m_tick.next(),
                      m_shown.empty() ? LocalTime::max() : LocalTime::min()});
 }
 
@@ -219,13 +219,14 @@ void SyncClient::reconnect(LocalTime now)
     m_outgoing.clear();
     m_shown.clear();
     m_actions.disconnected(now);
-    m_acknowledge = false;
+    m_acknowledgement.given();
 }
 
-void SyncClient::takeFact(const FactRecord& fact)
+void SyncClient::takeFact(const FactRecord& fact, LocalTime now)
 {
-    m_acknowledge = true; // also of one that was here: its acknowledgement was lost
-    for (FactRecord& next : m_facts.take(fact)) {
+    std::vector<FactRecord> inOrder = m_facts.take(fact);
+    m_acknowledgement.arrived(inOrder.size(), now);
+    for (FactRecord& next : inOrder) {
         m_proposals.settle(next.proposal);
         m_output.facts.push_back(std::move(next));
     }
@@ -267,11 +268,13 @@ void SyncClient::sendDue(LocalTime now)
     std::vector<WireRecord> records;
     for (ProposalRecord& proposal : m_proposals.takeDue(kProposalBytes, now))
         records.emplace_back(std::move(proposal));
-    if (std::exchange(m_acknowledge, false))
-        records.emplace_back(FactAck{m_facts.last()});
     std::ranges::move(m_actions.takeDue(now), std::back_inserter(records));
     std::ranges::move(dueStreams(now), std::back_inserter(records));
     std::ranges::copy(std::exchange(m_shown, {}), std::back_inserter(records));
+    if (m_acknowledgement.due() <= now || (m_acknowledgement.isOwed() && !records.empty())) {
+        records.emplace_back(FactAck{m_facts.last()});
+        m_acknowledgement.given();
+    }
     const bool isProbe = records.empty();
     if (isProbe && now < m_link.lastSent() + keepAlive())
         return;

@@ -3,6 +3,7 @@
 #include "engine/sync/actions/client_actions.h"
 #include "engine/sync/clock/fitted_clock.h"
 #include "engine/sync/connection/peer_link.h"
+#include "engine/sync/facts/fact_acknowledgement.h"
 #include "engine/sync/facts/fact_replication.h"
 #include "engine/sync/streams/stream_table.h"
 #include "engine/sync/streams/stream_tick.h"
@@ -120,7 +121,7 @@ private:
     void welcomed(const Welcome& welcome, LocalTime now);
     void startAfresh();
     void reconnect(LocalTime now);
-    void takeFact(const FactRecord& fact);
+    void takeFact(const FactRecord& fact, LocalTime now);
     void takeStreams(const StreamGroup& group, LocalTime now);
     [[nodiscard]] std::vector<WireRecord> dueStreams(LocalTime now);
     [[nodiscard]] std::optional<SessionTime> sessionTime(LocalTime t) const;
@@ -144,7 +145,7 @@ private:
     FactNumber m_logAtWelcome;
 
     FactReceiver m_facts;
-    bool m_acknowledge = false;
+    FactAcknowledgement m_acknowledgement;
     ProposalQueue m_proposals;
     FittedClock m_clock;
     std::optional<ExternalTime> m_external;

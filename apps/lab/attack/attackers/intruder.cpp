@@ -4,6 +4,7 @@
 #include "engine/sync/connection/peer_link.h"
 #include "engine/sync/wire/datagram_codec.h"
 
+#include <algorithm>
 #include <array>
 
 namespace carina::lab
@@ -42,9 +43,9 @@ void Intruder::hello(const std::string& name, ProposalId id, std::uint32_t conne
 void Intruder::acknowledge()
 {
     const LocalTime now = monotonicNow();
-    if (!m_owesAck && now < m_nextSign)
+    if (now < std::min(m_acknowledgement.due(), m_nextSign))
         return;
-    m_owesAck = false;
+    m_acknowledgement.given();
     m_nextSign = now + kKeepAlive;
     send(std::array<WireRecord, 1>{FactAck{m_inOrder}});
 }
@@ -109,8 +110,9 @@ void Intruder::receive(PeerAddress, std::span<const std::byte> bytes, LocalTime 
 void Intruder::take(const FactRecord& fact)
 {
     ++m_factsHeard;
-    m_owesAck = true;
-    if (fact.number.value == m_inOrder.value + 1)
+    const bool isNext = fact.number.value == m_inOrder.value + 1;
+    m_acknowledgement.arrived(isNext ? 1 : 0, monotonicNow());
+    if (isNext)
         m_inOrder = fact.number;
     if (fact.number.value != m_state.lastApplied().value + 1)
         return;

@@ -2,6 +2,7 @@
 
 #include "engine/net/secure/client_transport.h"
 #include "engine/session/session_state.h"
+#include "engine/sync/facts/fact_acknowledgement.h"
 #include "evaluation/network/transport_pump.h"
 
 #include <functional>
@@ -91,10 +92,10 @@ private:
     std::function<void(const WireRecord&)> m_heard = [](const WireRecord&) {};
     std::vector<FactRecord> m_facts;
     SessionState m_state;
-    SessionKey m_session{}; ///< in which it was last
-    FactNumber m_inOrder;   ///< the last fact in order since the last Hello
-    bool m_owesAck = false; ///< facts arrived since the last
-    LocalTime m_nextSign{}; ///< when it is to show again that it is there
+    SessionKey m_session{};                ///< in which it was last
+    FactNumber m_inOrder;                  ///< the last fact in order since the last Hello
+    FactAcknowledgement m_acknowledgement; ///< as a program's
+    LocalTime m_nextSign{};                ///< when it is to show again that it is there
     std::int64_t m_factsHeard = 0;
     BundleHeader m_header; ///< of the next datagram
     Duration m_sessionOffset{};

@@ -175,12 +175,6 @@ std::span<const AttackKind> attackKinds()
                    .leastPerS = 2.0 * kLeastOfMany,
                    .mostPaths = kIdlePaths,
                    .isAllOthers = true},
-        AttackKind{.name = "new-codes",
-                   .what = "an instructor gives observers a new code without end",
-                   .begin = beginNewCodes,
-                   .mostFacts = kComings,
-                   .factsPerS = 2.0,
-                   .spoils = Role::Observer},
         AttackKind{
             .name = "gallery",
             .what = "a trainee shares four objects under each of 32 names, and streams all: more "
@@ -188,7 +182,14 @@ std::span<const AttackKind> attackKinds()
             .begin = beginGallery,
             .mostFacts = kComings + kGalleryNames * (2.0 + kGalleryObjects),
             .leastPerS = 2.0,
-            .needsRoom = true}};
+            .needsRoom = true},
+        // Last: it takes the observers' code away.
+        AttackKind{.name = "new-codes",
+                   .what = "an instructor gives observers a new code without end",
+                   .begin = beginNewCodes,
+                   .mostFacts = kComings,
+                   .factsPerS = 2.0,
+                   .spoils = Role::Observer}};
     return kKinds;
 }
 

@@ -205,6 +205,14 @@ private Q_SLOTS:
             QVERIFY2(!actsBesideOthers(kindOf(name)), name);
     }
 
+    /// Who comes new in the next attack would be kept out by the one before.
+    void nothingFollowsWhatSpoilsARole()
+    {
+        const auto spoils = [](const AttackKind& kind) { return kind.spoils.has_value(); };
+        QVERIFY(std::ranges::any_of(attackKinds(), spoils));
+        QVERIFY(std::ranges::is_partitioned(attackKinds(), std::not_fn(spoils)));
+    }
+
     void eachNameDrawsItsOwnIds()
     {
         QVERIFY(randomOf("Ina")() != randomOf("Ida")());

@@ -41,7 +41,7 @@ struct Pair {
                 },
                 [](ProposalId) { return false; },
                 [](const ProposalRecord&, LocalTime) { return fail(Errc::NotPermitted); },
-                [](ParticipantId, LocalTime) {}, [](ParticipantId) { return true; },
+                [](ParticipantId, Leave, LocalTime) {}, [](ParticipantId) { return true; },
                 [](ParticipantId) { return limitsOf(Role::Instructor); },
                 [](ParticipantId) { return StationId{}; },
                 [](PeerAddress) { return std::shared_ptr<SharedBudget>{}; }}},

@@ -385,7 +385,7 @@ void TestConditionPanel::tellsWhatLiesBetweenTwoMarks()
     WaveformPanel panel;
     panel.setTrace(trace);
     panel.resize(400, 400);
-    panel.show();
+    static_cast<QWidget&>(panel).show();
     QVERIFY(QTest::qWaitForWindowExposed(&panel));
     node.decide(fact::PhaseChanged{SessionPhase::Running});
     for (int i = 0; i < 300; ++i) {

@@ -279,6 +279,8 @@ class Story:
         console.activate(console.view.get(role="push button", name="New session"))
         begin = console.view.wait_ready("another session to begin", STARTS_S, name="Begin the session")
         self.open(console, CONSOLE)
+        # Nothing is open to others but what a person opens: each new session anew.
+        console.activate(console.view.get(role="radio button", name="This network"))
         self.keep("start page again")
         console.activate(begin)
         console.activate(self.come_to_the_console())

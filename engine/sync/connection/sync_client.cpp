@@ -12,6 +12,7 @@ namespace
 // Leaves room for header and acknowledgement, so that all proposals sent at once share a datagram.
 constexpr std::size_t kProposalBytes = 1100;
 
+constexpr int kGoodbyes = 3;
 /// Reasons after which a program comes back only when a person wants it to.
 bool isForGood(Errc reason)
 {
@@ -167,7 +168,8 @@ void SyncClient::greetNow(LocalTime now)
 
 void SyncClient::leave(LocalTime now)
 {
-    if (m_state == State::Connected)
+    // Nobody is there to repeat one that is lost, and who leaves would be missed.
+    for (int i = 0; m_state == State::Connected && i < kGoodbyes; ++i)
         send(std::array<WireRecord, 1>{Goodbye{}}, false, now);
     m_state = State::Closed;
 }

@@ -21,6 +21,9 @@ namespace
 {
 
 constexpr Duration kDevelopmentsEvery = std::chrono::seconds{1};
+/// Of more who fell silent only the number is told: who comes in under many names must not bury
+/// everything else.
+constexpr auto kMissedByName = 3;
 
 QString nameIn(const SessionState& state, ParticipantId id)
 {
@@ -214,6 +217,14 @@ void AttentionModel::addPeople(const SessionState& state, SessionTime now, bool 
              .station = who.station,
              .participant = who.id});
     };
+    const auto missed = std::ranges::count_if(
+        state.participants(), [this](const auto& entry) { return isMissed(entry.second); });
+    const bool missesMany = missed > kMissedByName;
+    if (missesMany)
+        all.push_back(
+            {.concern = Concern::Away,
+             .text = tr("%1 participants are away: their programs are not heard of").arg(missed),
+             .action = tr("Dismiss")});
     for (const auto& [id, who] : state.participants()) {
         const QString name = QString::fromStdString(who.name);
         if (who.tokenReplaced && now < *who.tokenReplaced + kReplacedTold)
@@ -221,7 +232,7 @@ void AttentionModel::addPeople(const SessionState& state, SessionTime now, bool 
                 tr("Two programs had the token of %1: ask them, and remove the one that is not "
                    "theirs")
                     .arg(name));
-        if (!who.present && !isMissed(who))
+        if (!who.present && (missesMany || !isMissed(who)))
             continue;
         const bool isSelf = id == m_session.node().self();
         if (!who.present || (!isSelf && isAway(id))) {
@@ -396,17 +407,18 @@ void AttentionModel::dismiss(const Attention& attention)
     look();
 }
 
-/// Who is in the session still is shown instead.
+/// One, or all. Who is in the session still is shown instead.
 void AttentionModel::missNoLonger(const Attention& away)
 {
     const auto state = m_session.node().state();
     const auto who = state->participants().find(away.participant);
-    if (who == state->participants().end())
-        return;
-    if (who->second.present)
+    if (who != state->participants().end() && who->second.present) {
         Q_EMIT showWanted(away);
-    else if (who->second.left)
-        m_notMissed.insert_or_assign(who->first, *who->second.left);
+        return;
+    }
+    for (const auto& [id, participant] : state->participants())
+        if (isMissed(participant) && (id == away.participant || away.participant == kNobody))
+            m_notMissed.insert_or_assign(id, *participant.left);
 }
 
 void AttentionModel::give(const Attention& asked)

@@ -147,6 +147,33 @@ private Q_SLOTS:
         QCOMPARE(console.texts(), QStringList{}); // gone is not away
     }
 
+    /// Whoever comes in under many names and falls silent does not bury everything else.
+    void tellsOfManyWhoFellSilentByTheirNumber()
+    {
+        Console console;
+        const auto comesAndFallsSilent = [&console](const std::string& name) {
+            console.node.decide(fact::ParticipantJoined{{}, Role::Trainee, name});
+            const auto state = console.node.state();
+            for (const auto& [id, who] : state->participants())
+                if (who.name == name)
+                    return console.node.decide(fact::ParticipantFellSilent{id});
+        };
+        for (const char* name : {"Ada", "Bea", "Cleo"})
+            comesAndFallsSilent(name);
+        console.look();
+        QCOMPARE(console.texts().size(), 3);
+        comesAndFallsSilent("Dora");
+        console.look();
+        QCOMPARE(console.texts(), QStringList{QStringLiteral(
+                                      "4 participants are away: their programs are not heard of")});
+        console.model.act(console.model.all().front());
+        QCOMPARE(console.texts(), QStringList{});
+        comesAndFallsSilent("Eva");
+        console.look();
+        QCOMPARE(console.texts(),
+                 QStringList{QStringLiteral("Eva is away: their program is not heard of")});
+    }
+
     /// The host ends the path of a program that was killed or stopped, and says so by a fact.
     void saysWhoFellSilentUntilTheyAreBackOrDismissed()
     {

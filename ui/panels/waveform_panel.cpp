@@ -197,6 +197,7 @@ void WaveformPanel::setTrace(BreathTrace& trace)
     m_trace = &trace;
     connect(&trace, &BreathTrace::sampled, this, &WaveformPanel::show);
     connect(&trace, &BreathTrace::startedAfresh, this, [this] {
+        m_freeze->setChecked(false); // what was measured is of another patient
         for (WaveformPlot* plot : {m_flow, m_pressure, m_volume})
             plot->clear();
         refreshFigures();

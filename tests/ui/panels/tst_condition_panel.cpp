@@ -417,7 +417,14 @@ void TestConditionPanel::tellsWhatLiesBetweenTwoMarks()
              QStringLiteral("In brackets: between the marks, %1\u00a0s").arg(seconds));
     QVERIFY(measured.accessibleDescription().contains(
         QStringLiteral("between the marks: %1\u00a0s, ").arg(seconds)));
-    QTest::keyClick(panel.findChild<QToolButton*>(QStringLiteral("freeze")), Qt::Key_Space);
+    auto& freeze = *panel.findChild<QToolButton*>(QStringLiteral("freeze"));
+    QTest::keyClick(&freeze, Qt::Key_Space);
+    QVERIFY(plots[0]->note().isEmpty() && measured.text().isEmpty());
+    // Of another patient nothing is held.
+    QTest::keyClick(&freeze, Qt::Key_Space);
+    static_cast<void>(pointAt(0.4));
+    Q_EMIT trace.startedAfresh();
+    QVERIFY(!freeze.isChecked());
     QVERIFY(plots[0]->note().isEmpty() && measured.text().isEmpty());
 }
 

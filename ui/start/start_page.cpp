@@ -237,6 +237,7 @@ QHBoxLayout* StartPage::whoCanJoinEarlier()
     connect(m_earlierReach, &QComboBox::activated, this, [this] {
         m_reachWanted = reachOfEarlier();
         m_chosen = chosenFile();
+        m_reachOf = m_chosen;
     });
     auto* label = new PlainLabel{tr("Who can &join it")};
     label->setBuddy(m_earlierReach);
@@ -333,8 +334,11 @@ void StartPage::chooseEarlier()
 {
     if (!chosenFile().isEmpty()) {
         const StoredSession& session = m_stored.at(m_list->currentIndex().row());
+        if (m_isPreselecting && m_reachOf.isEmpty())
+            m_reachOf = session.file; // as the program was started
         if (!m_isPreselecting) {
-            m_reachWanted.reset(); // was said of another one
+            if (session.file != m_reachOf)
+                m_reachWanted.reset(); // was said of another one
             m_chosen = session.file;
         }
         m_earlierReach->setCurrentIndex(

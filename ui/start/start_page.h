@@ -107,7 +107,8 @@ private:
     /// Who can join the earlier session in place of who could last, where a person said so, also as
     /// the program was started.
     std::optional<SessionReach> m_reachWanted;
-    QString m_chosen; ///< file of the earlier session that a person chose last
+    QString m_reachOf; ///< file of the earlier session of which that was said
+    QString m_chosen;  ///< file of the earlier session that a person chose last
 };
 
 } // namespace carina

@@ -2,7 +2,10 @@
 
 #include "apps/lab/attack/attackers/intruder.h"
 
+#include <memory>
+#include <numeric>
 #include <random>
+#include <vector>
 
 namespace carina::lab
 {
@@ -10,6 +13,13 @@ namespace carina::lab
 /// Draws at random, differently for each name: two attackers who drew the same ids would be one to
 /// the host, which takes what it has decided for a repeat, whoever sends it.
 [[nodiscard]] std::mt19937_64 randomOf(const std::string& name);
+
+/// What several who attack together sent.
+template <class One> std::int64_t sentByAll(const std::vector<std::unique_ptr<One>>& all)
+{
+    return std::accumulate(all.begin(), all.end(), std::int64_t{0},
+                           [](std::int64_t sum, const auto& one) { return sum + one->sent(); });
+}
 
 /// One who takes part under a name: comes in, and again where the host ended its path.
 class Attendee

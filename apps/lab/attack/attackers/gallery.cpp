@@ -117,13 +117,7 @@ public:
         for (const auto& one : m_all)
             one->step(now);
     }
-    [[nodiscard]] std::int64_t sent() const override
-    {
-        std::int64_t sum = 0;
-        for (const auto& one : m_all)
-            sum += one->sent();
-        return sum;
-    }
+    [[nodiscard]] std::int64_t sent() const override { return sentByAll(m_all); }
     [[nodiscard]] std::vector<Measured> measured(Duration) const override
     {
         return {{"objects, of the 128 that it has, of which an observer was sent samples in a "

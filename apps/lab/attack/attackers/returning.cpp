@@ -77,13 +77,7 @@ public:
         for (std::size_t i = 0; i < kPresent; ++i)
             m_all[m_first + i]->appear(now);
     }
-    [[nodiscard]] std::int64_t sent() const override
-    {
-        std::int64_t sum = 0;
-        for (const auto& one : m_all)
-            sum += one->sent();
-        return sum;
-    }
+    [[nodiscard]] std::int64_t sent() const override { return sentByAll(m_all); }
 
 private:
     static constexpr std::size_t kNames = 24;

@@ -41,6 +41,8 @@ constexpr std::array kRoleNames{
     NamedRole{PartRole::Vessel, "vessel"},
     NamedRole{PartRole::Muscle, "muscle"},
     NamedRole{PartRole::Skin, "skin"},
+    NamedRole{PartRole::Mucosa, "mucosa"},
+    NamedRole{PartRole::VocalFold, "vocal_fold"},
     NamedRole{PartRole::Other, "other"},
 };
 

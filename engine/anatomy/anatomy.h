@@ -39,6 +39,8 @@ enum class PartRole : std::uint8_t {
     Vessel,
     Muscle,
     Skin,
+    Mucosa,    ///< what lines mouth, pharynx and larynx, with lips and gums
+    VocalFold, ///< white where the mucosa is pink
     Other,
 };
 

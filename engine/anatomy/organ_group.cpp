@@ -18,6 +18,8 @@ OrganGroup groupOf(PartRole role)
     case PartRole::Epiglottis:
     case PartRole::Tongue:
     case PartRole::Pharynx:
+    case PartRole::Mucosa:
+    case PartRole::VocalFold:
         return OrganGroup::Airway;
     case PartRole::Mandible:
     case PartRole::Tooth:

@@ -30,9 +30,9 @@ std::string organOf(const AnatomyPart& part)
                    ? "larynx"
                    : "";
     case PartRole::Pharynx:
-        return hasOneOf(name, {"constrictor"})             ? "pharynx"
-               : hasOneOf(name, {"palate", "oral cavity"}) ? name
-                                                           : "";
+        return hasOneOf(name, {"constrictor"})                  ? "pharynx"
+               : hasOneOf(name, {"hard palate", "soft palate"}) ? name
+                                                                : "";
     case PartRole::Tongue:
         return name == "tongue" ? "tongue" : "";
     case PartRole::Tooth:
@@ -49,6 +49,9 @@ std::string organOf(const AnatomyPart& part)
         return hasOneOf(name, {"thoracic vertebra"}) && !hasOneOf(name, {"dis"}) ? "thoracic spine"
                                                                                  : "";
     case PartRole::Skull:
+        return hasOneOf(name, {"maxilla"}) ? "maxilla" : "";
+    case PartRole::Mucosa:
+    case PartRole::VocalFold:
     case PartRole::Heart:
     case PartRole::Vessel:
     case PartRole::Muscle:

@@ -21,7 +21,8 @@ bool movesWithMandible(const AnatomyPart& part)
     };
     if (part.role == PartRole::Tooth)
         return holds(" lower ") || holds("lower jaw");
-    return part.role == PartRole::Other && holds("lower jaw");
+    return (part.role == PartRole::Other || part.role == PartRole::Mucosa)
+           && (holds("lower jaw") || holds("Lower lip"));
 }
 
 std::shared_ptr<const TriangleMesh> shared(TriangleMesh mesh)

@@ -82,6 +82,10 @@ QString roleWord(PartRole role)
         return said("Muscle");
     case PartRole::Skin:
         return said("Skin");
+    case PartRole::Mucosa:
+        return said("Lining of mouth and larynx");
+    case PartRole::VocalFold:
+        return said("Vocal fold");
     case PartRole::Other:
         return said("Something else");
     }

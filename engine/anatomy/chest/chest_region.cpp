@@ -34,6 +34,8 @@ ChestRegion regionOf(PartRole role)
     case PartRole::Larynx:
     case PartRole::Epiglottis:
     case PartRole::Tongue:
+    case PartRole::Mucosa:
+    case PartRole::VocalFold:
     case PartRole::Muscle:
         return ChestRegion::Throat;
     case PartRole::Pharynx:

@@ -19,8 +19,8 @@ const std::map<std::string, std::set<PartRole>> kRolesOfGroup{
       PartRole::BronchialTree}},
     {"larynx", {PartRole::Larynx, PartRole::Epiglottis}},
     {"mouth_pharynx",
-     {PartRole::Tooth, PartRole::Tongue, PartRole::Pharynx, PartRole::Oesophagus, PartRole::Muscle,
-      PartRole::Other}},
+     {PartRole::Tooth, PartRole::Mucosa, PartRole::Tongue, PartRole::Pharynx, PartRole::Oesophagus,
+      PartRole::Muscle, PartRole::Other}},
     {"skull", {PartRole::Skull, PartRole::Mandible}},
     {"spine", {PartRole::Spine}},
     {"thorax", {PartRole::Rib}},
@@ -71,6 +71,17 @@ private Q_SLOTS:
         row("Left genioglossus", "tongue");
         row("Hard palate", "pharynx");
         row("Oral cavity", "pharynx");
+        row("Pharyngeal mucosa", "pharynx");
+        row("Uvula", "pharynx");
+        row("Laryngeal mucosa", "mucosa");
+        row("Left aryepiglotticus", "larynx");
+        row("Left aryepiglottic fold", "mucosa");
+        row("Median glosso-epiglottic fold", "mucosa");
+        row("Left vestibular fold", "mucosa");
+        row("Left vocal fold", "vocal_fold");
+        row("Left vocalis", "larynx");
+        row("Lower lip", "mucosa");
+        row("Gingiva of lower jaw", "mucosa");
         row("Diaphragm", "diaphragm");
         row("", "other");
     }
@@ -139,7 +150,7 @@ private Q_SLOTS:
             }
         }
         QCOMPARE(parts, 358);
-        QCOMPARE(others, 6); // gingivae, submandibular glands, stylohyoid ligaments
+        QCOMPARE(others, 4); // submandibular glands, stylohyoid ligaments
     }
 };
 

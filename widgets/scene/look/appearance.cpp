@@ -15,6 +15,24 @@ namespace
 constexpr QColor kIvory{229, 221, 192};
 constexpr QColor kCartilage{178, 208, 222};
 
+/// Of what lines mouth and larynx: pink, paler where it lies over cartilage, redder where it is
+/// thick.
+QColor mucosaColor(const std::string& name)
+{
+    struct Named {
+        const char* word;
+        QColor color;
+    };
+    constexpr std::array kNamed{
+        Named{"tubercle", {226, 165, 150}},   Named{"aryepiglottic", {217, 140, 134}},
+        Named{"vestibular", {201, 100, 106}}, Named{"ingiva", {217, 136, 142}},
+        Named{" lip", {181, 92, 94}},         Named{"arch", {192, 98, 100}},
+        Named{"tonsil", {214, 142, 126}}};
+    const auto found = std::ranges::find_if(
+        kNamed, [&name](const Named& n) { return name.find(n.word) != std::string::npos; });
+    return found == kNamed.end() ? QColor{204, 116, 118} : found->color;
+}
+
 QColor vesselColor(std::string name)
 {
     std::transform(name.begin(), name.end(), name.begin(),
@@ -77,6 +95,10 @@ Appearance appearanceOf(const AnatomyPart& part)
         return {MaterialGroup::Veil, {144, 71, 68}};
     case PartRole::Skin:
         return {MaterialGroup::Skin, {201, 162, 136}};
+    case PartRole::Mucosa:
+        return {MaterialGroup::Airway, mucosaColor(part.name)};
+    case PartRole::VocalFold:
+        return {MaterialGroup::SoftTissue, {248, 244, 232}};
     case PartRole::Other:
         return {MaterialGroup::SoftTissue, {168, 160, 152}};
     }

@@ -35,8 +35,8 @@ void TestChestRegion::tellsHowEachRoleMoves_data()
     QTest::newRow("oesophagus") << PartRole::Oesophagus << ChestRegion::Mediastinum;
     QTest::newRow("heart") << PartRole::Heart << ChestRegion::Mediastinum;
     QTest::newRow("vessel") << PartRole::Vessel << ChestRegion::Mediastinum;
-    for (const PartRole throat :
-         {PartRole::Larynx, PartRole::Epiglottis, PartRole::Tongue, PartRole::Muscle})
+    for (const PartRole throat : {PartRole::Larynx, PartRole::Epiglottis, PartRole::Tongue,
+                                  PartRole::Mucosa, PartRole::VocalFold, PartRole::Muscle})
         QTest::newRow(roleName(throat)) << throat << ChestRegion::Throat;
     QTest::newRow("pharynx") << PartRole::Pharynx << ChestRegion::Pharynx;
     for (const PartRole still :

@@ -58,10 +58,10 @@ Centreline airwayPath(const Vec3& p_A_incisors, std::span<const Vec3> down)
     return path;
 }
 
-Vec3 incisorsAtLength(std::span<const Vec3> down, Length incisorsToGlottis)
+Vec3 incisorsAtLength(std::span<const Vec3> down, Length incisorsToGlottis, Angle rise)
 {
     // The curve grows with its chord, so one length tells every other.
-    const Vec3 forwardAndUp = Vec3{0.0, -3.0, 2.0}.normalized();
+    const Vec3 forwardAndUp{0.0, -std::cos(rise.si), std::sin(rise.si)};
     const Centreline unit = overTheTongue(down[0] + forwardAndUp, down[0], upAtGlottis(down));
     return down[0] + incisorsToGlottis.si / lengthOf(unit).si * forwardAndUp;
 }

@@ -20,10 +20,14 @@ inline constexpr Length kPathInFrontOfTeeth = millimetres(100.0);
 /// @pre `down` has at least two points, and the first two differ.
 [[nodiscard]] Centreline airwayPath(const Vec3& p_A_incisors, std::span<const Vec3> down);
 
+/// How steeply a straight line rises from the glottis to the incisors: in a ratio of 3 : 2, as in
+/// the man of BodyParts3D.
+inline constexpr Angle kRiseToIncisors{0.5880026035475675};
+
 /// The position of the incisors for which the curve of airwayPath from them to the glottis has this
-/// length. They lie in front of and above the glottis, in a ratio of 3 : 2 as in the man of
-/// BodyParts3D.
-[[nodiscard]] Vec3 incisorsAtLength(std::span<const Vec3> down, Length incisorsToGlottis);
+/// length. They lie in front of and above the glottis, with this rise.
+[[nodiscard]] Vec3 incisorsAtLength(std::span<const Vec3> down, Length incisorsToGlottis,
+                                    Angle rise = kRiseToIncisors);
 
 /// Finds the landmarks of an anatomy set from its surfaces, in their frame: any origin, with the
 /// axes of A.

@@ -14,6 +14,8 @@ namespace
 constexpr double kMillimetre = 1e-3;
 /// Height of a cartilage above the gaps beside it.
 constexpr double kRingHeight = 1.1 * kMillimetre;
+/// Wall of the trachea; mucosa and cartilage together.
+constexpr double kTracheaWall = 1.8 * kMillimetre;
 constexpr double kRingHeightBronchi = 0.7 * kMillimetre;
 constexpr double kRingSpacingBronchi = 5.0 * kMillimetre;
 
@@ -133,6 +135,14 @@ double AirwaySolid::wholeDistance(const Vec3& p_WQ) const
     return roundedMin(tracheaDistance(p_WQ), both, 4.0 * kMillimetre * m_scale);
 }
 
+double AirwaySolid::lumenDistance(const Vec3& p_WQ) const
+{
+    // As below its upper end, which is open.
+    const double open = m_dimensions.tracheaLength.si - 6.0 * kMillimetre * m_scale;
+    const Vec3 p{p_WQ.x(), p_WQ.y(), std::min(p_WQ.z(), open)};
+    return wholeDistance(p) + kTracheaWall * m_scale;
+}
+
 double AirwaySolid::territory(Side side, const Vec3& p_WQ) const
 {
     const Branches& own = side == Side::Right ? m_right : m_left;
@@ -163,7 +173,7 @@ ImplicitShape AirwaySolid::trachea() const
     const auto distance = [solid = *this](const Vec3& p_A) {
         const Vec3 p_WQ = solid.m_X_WA * p_A;
         return std::max({solid.wholeDistance(p_WQ), -solid.territory(Side::Right, p_WQ),
-                         -solid.territory(Side::Left, p_WQ)});
+                         -solid.territory(Side::Left, p_WQ), -solid.lumenDistance(p_WQ)});
     };
     return {boundsInA(bounds_W), distance};
 }

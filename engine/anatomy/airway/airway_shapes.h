@@ -32,7 +32,8 @@ class AirwaySolid
 public:
     explicit AirwaySolid(const PatientDimensions& dimensions);
 
-    /// The trachea in A, with protruding C-shaped cartilages and a flat posterior wall.
+    /// The trachea in A, with protruding C-shaped cartilages and a flat posterior wall: a tube with
+    /// an open upper end, so that its rings are seen from the larynx.
     [[nodiscard]] ImplicitShape trachea() const;
     /// A main bronchus with its lobar branches, in A.
     [[nodiscard]] ImplicitShape bronchus(Side side) const;
@@ -53,6 +54,8 @@ private:
     [[nodiscard]] double tracheaDistance(const Vec3& p_WQ) const;
     [[nodiscard]] double bronchusDistance(Side side, const Vec3& p_WQ) const;
     [[nodiscard]] double wholeDistance(const Vec3& p_WQ) const;
+    /// Below zero in the air of the trachea, which is open towards the larynx.
+    [[nodiscard]] double lumenDistance(const Vec3& p_WQ) const;
     /// Below zero where the solid belongs to the bronchus of that side.
     [[nodiscard]] double territory(Side side, const Vec3& p_WQ) const;
 

@@ -4,6 +4,7 @@
 #include "engine/anatomy/patient/patient_dimensions.h"
 #include "engine/anatomy/shapes/implicit_shape.h"
 
+#include <algorithm>
 #include <string>
 
 namespace carina
@@ -25,6 +26,18 @@ struct BodyPlan {
     double airway = 1.0; ///< metres per reference millimetre: trachea and larynx
     double chest = 1.0;  ///< the same for lungs, ribs, diaphragm
     double face = 1.0;   ///< the same for mouth and jaws
+    /// How far the throat is drawn out behind the hard palate, from the reference man's: 1 in him,
+    /// more in children, whose larynx lies high behind a long tongue.
+    double throat = 1.0;
+    double infancy =
+        0.0; ///< 1 in a newborn child, 0 in grown people: of forms that change with age
+
+    /// The reference man's first thoracic vertebra, from the lowest edge of his trachea, and his
+    /// atlas, from the edge of his upper incisors: it lies at the level of the palate.
+    inline static const Vec3 kFirstThoracic_mm{0.0, 7.0, 73.0};
+    inline static const Vec3 kAtlas_mm{0.0, 114.0, 18.0};
+    /// Behind this y the throat is drawn out; the teeth and the hard palate lie in front of it.
+    static constexpr double kBehindPalate_mm = 46.0;
 
     /// The reference man's carina, from the lowest edge of his trachea.
     inline static const Vec3 kEdgeToCarina_mm{0.0, 2.5, 0.4};
@@ -37,6 +50,18 @@ struct BodyPlan {
     [[nodiscard]] Vec3 inFace(const Vec3& p_mm) const
     {
         return landmarks.p_A_incisors + face * p_mm;
+    }
+    /// The same for what lies in the throat too; and its inverse.
+    [[nodiscard]] Vec3 inThroat(const Vec3& p_mm) const
+    {
+        const double behind = std::max(p_mm.y() - kBehindPalate_mm, 0.0);
+        return inFace(p_mm + (throat - 1.0) * behind * Vec3::UnitY());
+    }
+    [[nodiscard]] Vec3 fromThroat(const Vec3& p_A) const
+    {
+        const Vec3 p_mm = (p_A - landmarks.p_A_incisors) / face;
+        const double behind = std::max(p_mm.y() - kBehindPalate_mm, 0.0);
+        return p_mm - (1.0 - 1.0 / throat) * behind * Vec3::UnitY();
     }
 };
 

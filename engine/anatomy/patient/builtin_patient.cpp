@@ -2,17 +2,18 @@
 
 #include "engine/anatomy/airway/airway_shapes.h"
 #include "engine/anatomy/airway/jaw_hinge.h"
-#include "engine/anatomy/airway/larynx_shape.h"
-#include "engine/anatomy/airway/mouth_shapes.h"
 #include "engine/anatomy/airway/pharynx_shapes.h"
 #include "engine/anatomy/chest/diaphragm_shape.h"
 #include "engine/anatomy/chest/lung_shape.h"
 #include "engine/anatomy/chest/segment_shapes.h"
 #include "engine/anatomy/detail.h"
+#include "engine/anatomy/larynx/larynx_shape.h"
+#include "engine/anatomy/mouth/mouth_shapes.h"
 #include "engine/anatomy/patient/patient_name.h"
 #include "engine/anatomy/patient/skin_shape.h"
 #include "engine/anatomy/shapes/surface_mesher.h"
 #include "engine/anatomy/skeleton/mandible_shape.h"
+#include "engine/anatomy/skeleton/maxilla_shape.h"
 #include "engine/anatomy/skeleton/rib_shapes.h"
 #include "engine/anatomy/skeleton/spine_shapes.h"
 #include "engine/anatomy/skeleton/tooth_shapes.h"
@@ -67,6 +68,7 @@ std::vector<PartPlan> partPlans(const BodyPlan& plan)
     add(all, lobes(plan, [airway](const Vec3& p_A) { return airway.outsideLungs(p_A); }));
     add(all, mouth(plan));
     add(all, teeth(plan));
+    all.push_back(maxilla(plan));
     const ImplicitShape jaw = mandibleShape(plan.inFace(kUpperToLowerIncisors), 1e3 * plan.face);
     all.push_back({"Mandible", PartRole::Mandible, "FMA52748", onJaw(plan, jaw),
                    1e3 * plan.face * kMandibleVoxel});

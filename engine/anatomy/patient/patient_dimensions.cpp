@@ -134,9 +134,19 @@ void addBody(const PatientParameters& p, PatientDimensions& d)
     // CT of 32 people lying gives 17.9, 9.3, 26.5, 23.1 and 23.2 % (PMC7490509), one man's
     // published surfaces 23.4, 9.9, 21.4, 21.6 and 23.7 %. These are within 3 of both.
     d.lobes = {0.207, 0.082, 0.236, 0.237, 0.238};
+    d.fatness = obese ? 1.0 : 0.0;
     d.fatLayer = millimetres(obese ? 38.0 : p.habitus == Habitus::Slim ? 7.0 : 14.0);
     if (p.ageInYears < 14.0)
         d.fatLayer = 0.7 * d.fatLayer;
+}
+
+/// Women's vocal folds are 12.7 (2.3) mm long, men's 14.8 (3.0) mm (Jibi Inkoka Keibu 125(6)),
+/// their open glottis 17 and 23 mm (Miller, 6th edition); the sexes are alike before puberty
+/// (Wysocki 2008). The ratio lies between both.
+double larynxGirthOf(const PatientParameters& p)
+{
+    constexpr double kWomansToMans = 0.81;
+    return p.sex == Sex::Male ? 1.0 : mix(1.0, kWomansToMans, maturity(p));
 }
 
 /// Cuffed: age / 4 + 3.5 mm; usual for men and for women, in steps of half a millimetre.
@@ -178,6 +188,7 @@ Result<PatientDimensions> dimensionsFor(const PatientParameters& p)
     PatientDimensions d;
     const Windpipe windpipe = windpipeOf(p);
     d.cordsToCarina = windpipe.cordsToCarina;
+    d.larynxGirth = larynxGirthOf(p);
     d.tracheaLength = windpipe.tracheaLength;
     d.tracheaSagittal = windpipe.sagittal;
     d.tracheaCoronal = windpipe.coronal;

@@ -61,6 +61,8 @@ struct PatientDimensions {
     double ageInYears = 0.0;
     Sex sex = Sex::Male;
     Length cordsToCarina;
+    /// Width and depth of the larynx, of those that go with cordsToCarina: less in grown women.
+    double larynxGirth = 1.0;
     Length tracheaLength;   ///< lower border of the cricoid to the carina
     Length tracheaSagittal; ///< front to back, mean of rings and gaps
     Length tracheaCoronal;  ///< side to side
@@ -71,6 +73,7 @@ struct PatientDimensions {
     Volume functionalResidualCapacity; ///< lungVolumesOf this build
     double rightLungShare = 0.0;       ///< share of the functional residual capacity
     LobeShares lobes;
+    double fatness = 0.0;     ///< 1 in Habitus::Obese; of the fat in tongue, throat and neck
     Length fatLayer;          ///< thickness between skin and ribs
     Length tubeInnerDiameter; ///< of a fitting tracheal tube
 };

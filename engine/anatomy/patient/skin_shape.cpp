@@ -11,6 +11,8 @@ namespace
 {
 
 constexpr Length kSkinVoxel = millimetres(7.0);
+/// Beyond the layer that an obese patient has everywhere.
+constexpr Length kFatOfNeck = millimetres(8.0);
 
 /// The chin with the mouth closed, in reference millimetres from the edge of the upper incisors.
 double chinDistance(const Vec3& p)
@@ -18,10 +20,12 @@ double chinDistance(const Vec3& p)
     return ellipsoidDistance(p - Vec3{0.0, 22.0, -30.0}, {30.0, 34.0, 26.0});
 }
 
-/// Head and face there, as a function of the half that p is mirrored into, with that chin.
-double head(const Vec3& p, double chin)
+/// Head and face there, as a function of the half that p is mirrored into, with that chin and that
+/// size of the cranium to the face.
+double head(const Vec3& p, double chin, double cranium)
 {
-    const double skull = ellipsoidDistance(p - Vec3{0.0, 103.0, 100.0}, {81.0, 100.0, 93.0});
+    const double skull = ellipsoidDistance(p - Vec3{0.0, 103.0, 7.0 + 93.0 * cranium},
+                                           cranium * Vec3{81.0, 100.0, 93.0});
     const double face = ellipsoidDistance(p - Vec3{0.0, 52.0, 32.0}, {62.0, 66.0, 78.0});
     const double nose = rodDistance(p, {0.0, -4.0, 58.0}, {0.0, -20.0, 30.0}, 8.0, 11.0);
     const double lips = ellipsoidDistance(p - Vec3{0.0, 2.0, -4.0}, {24.0, 13.0, 14.0});
@@ -31,6 +35,13 @@ double head(const Vec3& p, double chin)
     d = roundedMin(d, nose, 10.0);
     d = roundedMin(d, lips, 14.0);
     return roundedMin(d, ear, 8.0);
+}
+
+/// The cranium is near its final size long before the face is: a newborn child's is an eighth
+/// larger than its face would have it.
+double cranialShare(const BodyPlan& plan)
+{
+    return 1.0 + 0.13 * std::exp(-plan.dimensions.ageInYears / 5.0);
 }
 
 /// The torso, in reference millimetres from the lowest edge of the trachea; `fat` under the skin.
@@ -62,7 +73,8 @@ PartPlan skin(const BodyPlan& plan)
     // The neck leads from the middle of the head to the upper ribs.
     const Vec3 neckTop = plan.inFace({0.0, 92.0, 0.0});
     const Vec3 neckFoot = plan.inChest({0.0, -18.0, 40.0});
-    const double girth = 0.5 * (plan.airway + plan.face) * 58.0 + 0.5 * plan.dimensions.fatLayer.si;
+    const double girth = 0.5 * (plan.airway + plan.face) * 58.0 + 0.5 * plan.dimensions.fatLayer.si
+                         + kFatOfNeck.si * plan.dimensions.fatness;
     const Vec3 face = plan.inFace(Vec3::Zero());
     const Vec3 chest = plan.inChest(Vec3::Zero());
     const Implicit chin =
@@ -72,10 +84,10 @@ PartPlan skin(const BodyPlan& plan)
                      }})
             .distance;
     const auto distance = [face, chest, chin, neckTop, neckFoot, girth, fat, faceUnit = plan.face,
-                           chestUnit = plan.chest](const Vec3& p_A) {
+                           chestUnit = plan.chest, cranium = cranialShare(plan)](const Vec3& p_A) {
         const Vec3 p{std::abs(p_A.x()), p_A.y(), p_A.z()};
         const double neck = rodDistance(p, neckTop, neckFoot, 0.97 * girth, 1.12 * girth);
-        const double above = faceUnit * head((p - face) / faceUnit, chin(p));
+        const double above = faceUnit * head((p - face) / faceUnit, chin(p), cranium);
         const double below = chestUnit * torso((p - chest) / chestUnit, fat);
         return roundedMin(roundedMin(above, neck, 0.02), below, 0.04);
     };

@@ -88,8 +88,11 @@ double atlas(const Vec3& p)
     return roundedMin(roundedMin(band, mass, 3.0), wing, 3.0);
 }
 
-/// The middle of a body in A: thoracic ones in the chest, cervical ones on top of them in the size
-/// of the neck.
+/// How far the pharynx' wall holds the middle of the neck back, reference millimetres.
+constexpr double kBehindPharynx = 7.0;
+
+/// The middle of a body in A: thoracic ones in the chest; cervical ones between the first of them
+/// and the skull, which is where the face is.
 Vec3 middleOf(const VertebraFigures& v, bool cervical, const BodyPlan& plan)
 {
     const Vec3 here{0.0, v.y, v.z};
@@ -97,7 +100,12 @@ Vec3 middleOf(const VertebraFigures& v, bool cervical, const BodyPlan& plan)
         return plan.inChest(here);
     const VertebraFigures& first = kVertebrae[kFirstThoracic];
     const Vec3 base{0.0, first.y, first.z};
-    return plan.inChest(base) + plan.airway * (here - base);
+    const Vec3 top{0.0, kAtlas.y, kAtlas.z};
+    const double up = (v.z - first.z) / (kAtlas.z - first.z);
+    const Vec3 bow =
+        here - base - up * (top - base) + 4.0 * up * (1.0 - up) * kBehindPharynx * Vec3::UnitY();
+    return (1.0 - up) * plan.inChest(base) + up * plan.inThroat(BodyPlan::kAtlas_mm)
+           + plan.airway * bow;
 }
 
 Box boundsOf(const VertebraFigures& v)

@@ -1,0 +1,55 @@
+#include "engine/anatomy/larynx/epiglottis_shape.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carina
+{
+namespace
+{
+
+/// One half of the leaf seen from the front.
+const std::vector<Vec2>& outline()
+{
+    static const auto corners = [] {
+        std::vector<Vec2> line =
+            cornersCut({Vec2{-1.0, 4.9}, Vec2{2.4, 4.9}, Vec2{3.4, 11.0}, Vec2{6.6, 18.0},
+                        Vec2{10.8, 24.0}, Vec2{11.6, 31.0}, Vec2{7.0, 34.0}, Vec2{-1.0, 34.0}},
+                       3);
+        line.insert(line.begin(), Vec2{-6.0, 4.9});
+        line.emplace_back(-6.0, 34.0);
+        return line;
+    }();
+    return corners;
+}
+
+} // namespace
+
+double Epiglottis::middleAt(double z) const
+{
+    const double up = z - 3.0;
+    // Raised by a blade in the vallecula; at rest it leans over the entrance.
+    const double middle = m_posture == Posture::Laryngoscopy ? -12.4 - 0.10 * up : -8.0 + 0.36 * up;
+    // The free edge curls towards the tongue.
+    return middle - 1.6 * easedStep(26.0, 37.0, z);
+}
+
+double Epiglottis::distance(const Vec3& p) const
+{
+    // Infants' leaves are narrow and bent: as wide, once flattened, as they are here.
+    const double narrow = 1.0 - 0.32 * m_omega;
+    const double x = std::abs(p.x()) / narrow;
+    const double bend = (0.022 + 0.05 * m_omega) * x * x;
+    const double edge = easedStep(0.0, 10.0, x);
+    const double half = 2.2 - 0.9 * easedStep(10.0, 24.0, p.z()) - 0.3 * edge;
+    const double slope = m_posture == Posture::Laryngoscopy ? 0.10 : 0.36;
+    const double across =
+        (p.y() - middleAt(p.z()) - bend) / std::sqrt(1.0 + slope * slope + 0.01 * bend * bend);
+    const double leaf = 0.9 * narrow * polygonDistance({x, p.z()}, outline());
+    const double blade = roundedMax(leaf, std::abs(across) - half, 1.8);
+    const double tubercle =
+        ellipsoidDistance(p - Vec3{0.0, middleAt(11.0) + 1.4, 11.0}, {4.0, 2.2, 4.6});
+    return roundedMin(blade, tubercle, 1.5);
+}
+
+} // namespace carina

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "engine/anatomy/larynx/epiglottis_shape.h"
+#include "engine/anatomy/larynx/larynx_frame.h"
+
+#include <vector>
+
+namespace carina
+{
+
+/// The mucosa of the mouth and of the pharynx, as one continuous cavity: from behind the lips
+/// between the cheeks and over the floor of the mouth, through the fauces into the pharynx, up
+/// behind the soft palate, and down on both sides of the larynx into the piriform fossae and behind
+/// it to the entrance of the oesophagus. It is as thick as it must be to be drawn, and lies within
+/// the constrictors.
+/// Two parts that meet between the arches of the fauces.
+[[nodiscard]] std::vector<PartPlan> throatLining(const BodyPlan& plan, const LarynxFrame& larynx,
+                                                 const Epiglottis& epiglottis);
+
+} // namespace carina

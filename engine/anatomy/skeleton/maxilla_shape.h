@@ -1,0 +1,12 @@
+#pragma once
+
+#include "engine/anatomy/patient/body_plan.h"
+
+namespace carina
+{
+
+/// Both maxillae as one bone without the teeth: the alveolar arch that holds their roots, and the
+/// bodies beside the nose, up to the floor of the orbits.
+[[nodiscard]] PartPlan maxilla(const BodyPlan& plan);
+
+} // namespace carina

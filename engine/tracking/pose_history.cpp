@@ -101,20 +101,19 @@ bool PoseHistory::push(const PoseSample& measured)
     if (!isUsable(measured))
         return false;
     const std::scoped_lock lock{m_mutex};
+    if (m_entries.capacity() == 0)
+        m_entries.set_capacity(m_limits.capacity);
     const PoseSample sample = m_place ? placed(*m_place, measured) : measured;
     const auto place = std::ranges::lower_bound(m_entries, sample.time, {}, timeOf);
     const bool replaces = place != m_entries.end() && timeOf(*place) == sample.time;
-    const bool full = m_entries.size() >= m_limits.capacity;
-    if (full && !replaces && place == m_entries.begin())
+    if (m_entries.full() && !replaces && place == m_entries.begin())
         return false;
     const Entry entry = estimated(sample);
     if (replaces) {
         *place = entry;
         return true;
     }
-    m_entries.insert(place, entry);
-    if (full)
-        m_entries.pop_front();
+    m_entries.insert(place, entry); // in place of the oldest, when full
     return true;
 }
 
@@ -221,7 +220,7 @@ void PoseHistory::clear()
 
 void PoseHistory::forget()
 {
-    m_entries.clear();
+    m_entries.set_capacity(0);
     m_predictor = {};
     m_smoothing = {};
 }

@@ -4,8 +4,8 @@
 #include "engine/tracking/prediction/one_euro_filter.h"
 #include "engine/tracking/prediction/prediction.h"
 
+#include <boost/circular_buffer.hpp>
 #include <cstdint>
-#include <deque>
 #include <mutex>
 #include <optional>
 #include <vector>
@@ -137,7 +137,7 @@ private:
     MotionPredictor m_predictor;
     OneEuroFilter m_smoothing;
     mutable std::mutex m_mutex;
-    std::deque<Entry> m_entries; // ascending in time
+    boost::circular_buffer<Entry> m_entries; // ascending in time; one block of memory, or none
     std::uint64_t m_added = 0;
 };
 

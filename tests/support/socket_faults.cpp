@@ -4,28 +4,38 @@
 #include <cerrno>
 #include <dlfcn.h>
 #include <sys/socket.h>
+#include <unistd.h>
 
 namespace carina::test::socket_faults
 {
 namespace
 {
 
+std::atomic<Of> s_of{Of::Datagrams};
 std::atomic<int> s_first{0};
 std::atomic<int> s_last{0};
 std::atomic<int> s_error{0};
 std::atomic<int> s_calls{0};
 std::atomic<int> s_struck{0};
 
-bool isDatagram(int socket)
+bool counts(int file)
 {
     int type = 0;
+    int domain = 0;
     socklen_t length = sizeof type;
-    return getsockopt(socket, SOL_SOCKET, SO_TYPE, &type, &length) == 0 && type == SOCK_DGRAM;
+    if (getsockopt(file, SOL_SOCKET, SO_TYPE, &type, &length) != 0
+        || getsockopt(file, SOL_SOCKET, SO_DOMAIN, &domain, &length) != 0)
+        return false; // a file, or a pipe
+    return (domain == AF_INET || domain == AF_INET6)
+           && type == (s_of == Of::Datagrams ? SOCK_DGRAM : SOCK_STREAM);
 }
 
-bool strikes(int socket)
+bool strikes(int file)
 {
-    if (!isDatagram(socket))
+    const int before = errno;
+    const bool isOne = counts(file);
+    errno = before;
+    if (!isOne)
         return false;
     const int number = ++s_calls;
     if (number < s_first || number > s_last)
@@ -44,6 +54,7 @@ template <class Function> Function* next(const char* name)
 
 void begin(const Plan& plan)
 {
+    s_of = plan.of;
     s_first = plan.first == 0 ? 1 : plan.first;
     s_last = plan.first == 0 ? 0 : plan.first + plan.calls - 1;
     s_error = plan.error;
@@ -70,5 +81,19 @@ ssize_t recvmsg(int socket, msghdr* message, int flags)
     static const auto call =
         carina::test::socket_faults::next<ssize_t(int, msghdr*, int)>("recvmsg");
     return carina::test::socket_faults::strikes(socket) ? -1 : call(socket, message, flags);
+}
+
+ssize_t write(int file, const void* bytes, std::size_t count)
+{
+    static const auto call =
+        carina::test::socket_faults::next<ssize_t(int, const void*, std::size_t)>("write");
+    return carina::test::socket_faults::strikes(file) ? -1 : call(file, bytes, count);
+}
+
+ssize_t read(int file, void* bytes, std::size_t count)
+{
+    static const auto call =
+        carina::test::socket_faults::next<ssize_t(int, void*, std::size_t)>("read");
+    return carina::test::socket_faults::strikes(file) ? -1 : call(file, bytes, count);
 }
 }

@@ -116,6 +116,11 @@ struct ServingHost {
     std::unique_ptr<SetServer> server;
 };
 
+[[nodiscard]] inline bool comes(const SetFetch& fetch)
+{
+    return soon([&] { return fetch.status().state == FetchStatus::State::Here; });
+}
+
 /// A connection to a port of loopback from another of its addresses.
 inline int connectedFrom(const QHostAddress& from, std::uint16_t port)
 {

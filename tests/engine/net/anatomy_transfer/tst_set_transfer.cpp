@@ -166,10 +166,6 @@ private Q_SLOTS:
     }
 
 private:
-    static bool comes(const SetFetch& fetch)
-    {
-        return soon([&] { return fetch.status().state == FetchStatus::State::Here; });
-    }
     static bool fails(const SetFetch& fetch, Errc code)
     {
         return soon([&] {

@@ -38,6 +38,7 @@ void session(const faults::Plan& plan)
     QCOMPARE(second->state()->lastApplied(), instructor->state()->lastApplied());
     QVERIFY(!instructor->refusal());
     QVERIFY(!second->refusal());
+    QCOMPARE(faults::struck(), plan.calls);
     faults::begin({});
 }
 

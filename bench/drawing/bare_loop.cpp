@@ -26,7 +26,7 @@ namespace
 {
 
 /// What they need of the shader.
-constexpr OrganShader kOpaque{.hasManyRegions = false, .movesJaw = false};
+constexpr OrganShader kOpaque{.hasManyRegions = false, .movesJaw = false, .pushesTissue = false};
 
 std::vector<MergedSurface> opaqueSurfaces(const PatientScene& patient)
 {

@@ -3,7 +3,8 @@
 // The one vertex shader of everything made of organs. What breathes is moved by the field of the
 // chest, written out in engine/geometry/deformation/chest_formula.h and worked out on the processor by
 // engine/geometry/deformation/moved_vertex.h; what then follows the jaw is moved by that of the throat, written
-// out in engine/geometry/deformation/throat_formula.h. The names here are theirs. Nothing is uploaded meanwhile
+// out in engine/geometry/deformation/throat_formula.h, and what gives way to a laryngoscope's blade by that of
+// engine/geometry/deformation/blade_formula.h. The names here are theirs. Nothing is uploaded meanwhile
 // but a matrix for each region, and one for the jaw. widgets/scene/look/organ_shader.h tells when what is
 // written between #ifdef and #endif is there.
 
@@ -23,7 +24,7 @@ uniform mat4 chest;  // columns: origin and frontShare; perMetre; right hilum; l
 struct Region {
     mat4 motion;
 };
-uniform Region regions[11];
+uniform Region regions[12];
 mat4 motion; // of this vertex's region
 #else
 uniform mat4 motion;
@@ -31,6 +32,14 @@ uniform mat4 motion;
 #ifdef JAW_MOVES
 uniform mat4 throat; // columns: up and upFrom; incisors and perLength; anchor
 uniform mat4 jaw;    // columns: turn; shift; all 0 while the mouth is closed
+#endif
+#ifdef BLADE_PUSHES
+// Columns: across and acrossFrom; out and outFrom; along and alongFrom; rise, sag, halfWidth.
+uniform mat4 blade;
+uniform mat4 tilt; // columns: tilt; up and upFrom; back and backFrom; all 0 while nothing is tilted
+#endif
+#ifdef SPOTLIGHT
+uniform vec4 spot; // of a lamp beside the eye: its direction, and where its light is a half, metres
 #endif
 uniform vec4 section;  // what lies where dot(xyz, p) > w, in A, is cut away; xyz 0: nothing is
 uniform float cutAway; // 1: the airway stays whole
@@ -58,11 +67,16 @@ const vec4 kLooks[8] = vec4[8](
     vec4(0.05, 0.08, 0.55, 0.15)  // ghost
 );
 
+const float kSpotGain = 1.6;   // of the spotlight, near and in its axis
+const float kSpotStray = 0.04; // light from everywhere, of what the mucosa scatters
+
 const float kTool = 2.0; // MaterialGroup
 const float kAirway = 3.0;
 
 const float kMediastinum = 8.0; // ChestRegion: it and those after it follow the jaw
+const float kThroat = 9.0;
 const float kPharynx = 10.0;
+const float kLarynx = 11.0;
 
 const vec3 kStiffness = vec3(16.0, 6.25, 16.0);
 const float kBeyond = 0.2;
@@ -79,6 +93,16 @@ const float kArch = 7.0;
 const float kArchEnd = 12.0;
 const vec3 kReachOfAirway = vec3(1.40, 0.17, 0.69); // back, roofFrom, roofTo
 const vec3 kReachOfPharynx = vec3(1.075, -0.17, 0.08);
+
+const float kSoftContact = 5e-3;
+const float kPerBesideBlade = 1.0 / 20e-3;
+const float kPerBeforeHeel = 1.0 / 0.15;
+const float kPerPastTip = 1.0 / 0.2;
+const float kBendOfLarynx = 0.3;
+const float kTongueShare = 1.2;
+const float kPerTongueHeight = 1.0 / 2.0;
+const float kChinFrom = 1.5;
+const float kPerChin = 1.0 / 4.5;
 
 // Each gives a value and its slope.
 vec2 step3(float x)
@@ -223,6 +247,106 @@ void followJaw(inout vec3 position, inout vec3 normal)
 }
 #endif
 
+#ifdef BLADE_PUSHES
+// The normal that a surface has after a displacement with this gradient.
+vec3 turnedNormal(mat3 gradient, vec3 n)
+{
+    mat3 j = mat3(1.0) + gradient;
+    return normalize(n.x * cross(j[1], j[2]) + n.y * cross(j[2], j[0]) + n.z * cross(j[0], j[1]));
+}
+
+void pushByBlade(inout vec3 position, inout vec3 normal)
+{
+    float across = dot(blade[0].xyz, position) + blade[0].w;
+    float along = dot(blade[2].xyz, position) + blade[2].w;
+    float onBlade = clamp(along, 0.0, 1.0);
+    float faceSlope = blade[3].x - 4.0 * blade[3].y * (1.0 - 2.0 * onBlade);
+    float face = blade[3].x * onBlade - 4.0 * blade[3].y * onBlade * (1.0 - onBlade)
+                 + faceSlope * (along - onBlade);
+    float inside = face - dot(blade[1].xyz, position) - blade[1].w;
+    float root = sqrt(inside * inside + 4.0 * kSoftContact * kSoftContact);
+    vec2 push = vec2(0.5 * (inside + root), 0.5 * (1.0 + inside / root));
+    vec2 heel = step3(along * kPerBeforeHeel + 1.0);
+    vec2 tip = step3((along - 1.0) * kPerPastTip);
+    vec2 side = step3((abs(across) - blade[3].z) * kPerBesideBlade);
+    float byLength = heel.x * (1.0 - tip.x);
+    float byWidth = 1.0 - side.x;
+    float byLengthSlope =
+        heel.y * kPerBeforeHeel * (1.0 - tip.x) - heel.x * tip.y * kPerPastTip;
+    float byWidthSlope = (across < 0.0 ? side.y : -side.y) * kPerBesideBlade;
+    float share = byLength * byWidth;
+    vec3 slope = (byLengthSlope * byWidth * push.x + share * push.y * faceSlope) * blade[2].xyz
+                 + byLength * byWidthSlope * push.x * blade[0].xyz
+                 - share * push.y * blade[1].xyz;
+    position += share * push.x * blade[1].xyz;
+    normal = turnedNormal(outerProduct(blade[1].xyz, slope), normal);
+}
+
+void tiltLarynx(inout vec3 position, inout vec3 normal)
+{
+    float perHeight = 1.0 / (1.0 - 0.5 * kBendOfLarynx);
+    float height = max(dot(tilt[1].xyz, position) + tilt[1].w, 0.0);
+    float low = min(height, kBendOfLarynx);
+    vec2 lean =
+        perHeight * vec2(0.5 * low * low / kBendOfLarynx + height - low, low / kBendOfLarynx);
+    vec2 behind = step3(dot(tilt[2].xyz, position) + tilt[2].w);
+    vec3 slope = lean.y * (1.0 - behind.x) * tilt[1].xyz - lean.x * behind.y * tilt[2].xyz;
+    position += lean.x * (1.0 - behind.x) * tilt[0].xyz;
+    normal = turnedNormal(outerProduct(tilt[0].xyz, slope), normal);
+}
+
+void shiftTongueBase(inout vec3 position, inout vec3 normal)
+{
+    float back = dot(tilt[2].xyz, position) + tilt[2].w;
+    vec2 high = step3((dot(tilt[1].xyz, position) + tilt[1].w) * kPerTongueHeight);
+    vec2 behind = step3(back);
+    vec2 chin = step3((-back - kChinFrom) * kPerChin);
+    float place = (1.0 - behind.x) * (1.0 - chin.x);
+    float placeSlope = chin.y * kPerChin * (1.0 - behind.x) - behind.y * (1.0 - chin.x);
+    vec3 slope = high.y * kPerTongueHeight * place * tilt[1].xyz + high.x * placeSlope * tilt[2].xyz;
+    vec3 most = kTongueShare * tilt[0].xyz;
+    position += high.x * place * most;
+    normal = turnedNormal(outerProduct(most, slope), normal);
+}
+
+void giveWayToBlade(inout vec3 position, inout vec3 normal)
+{
+    if (blade == mat4(0.0))
+        return;
+    if (vertexPart.y == kThroat) {
+        shiftTongueBase(position, normal);
+        pushByBlade(position, normal);
+    } else if (vertexPart.y == kLarynx) {
+        tiltLarynx(position, normal);
+    }
+}
+#endif
+
+#ifdef SPOTLIGHT
+// A lamp beside the eye, as on a laryngoscope's blade: less and less light away from its axis and
+// with the distance, and a highlight of the film of moisture on what faces it.
+vec4 shadeAt(vec3 position, vec3 normal)
+{
+    vec4 look = kLooks[int(vertexPart.z)];
+    vec3 way = eyePosition - position;
+    float far2 = dot(way, way);
+    vec3 view = way * inversesqrt(far2);
+    if (dot(normal, view) < 0.0)
+        normal = -normal;
+    float facing = dot(normal, view);
+    float edge = (1.0 - facing) * (1.0 - facing);
+    float cone = smoothstep(0.45, 0.95, -dot(view, spot.xyz));
+    float strength = kSpotGain * cone / (1.0 + far2 / (spot.w * spot.w));
+    float facing4 = facing * facing * facing * facing;
+    float facing16 = facing4 * facing4 * facing4 * facing4;
+    vec3 albedo = vertexColor * vertexColor;
+    vec3 lit = strength
+                   * (albedo * (0.2 + 0.8 * facing) * vec3(1.0, 0.97, 0.92)
+                      + vec3(0.6 * look.x * facing16 * facing16))
+               + kSpotStray * albedo;
+    return vec4(lit, mix(look.y, look.z, edge));
+}
+#else
 // A headlight, a soft sky that is brighter from above and in front of the patient, a small
 // highlight, and a rim that turns towards the silhouette. Both faces are lit. Worked out here and
 // not for each pixel: of a whole patient there are fewer vertices than pixels to shade.
@@ -246,6 +370,7 @@ vec4 shadeAt(vec3 position, vec3 normal)
     vec3 lit = albedo * light + vec3(0.5 * highlight) + look.w * edge * mix(albedo, kSky, 0.35);
     return vec4(lit, mix(look.y, look.z, edge));
 }
+#endif
 
 void main()
 {
@@ -257,6 +382,9 @@ void main()
     deform(position, normal);
 #ifdef JAW_MOVES
     followJaw(position, normal);
+#endif
+#ifdef BLADE_PUSHES
+    giveWayToBlade(position, normal);
 #endif
 
     worldPosition = vec3(modelMatrix * vec4(position, 1.0));

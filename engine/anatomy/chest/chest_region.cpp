@@ -33,9 +33,10 @@ ChestRegion regionOf(PartRole role)
         return ChestRegion::Mediastinum;
     case PartRole::Larynx:
     case PartRole::Epiglottis:
+    case PartRole::VocalFold:
+        return ChestRegion::Larynx;
     case PartRole::Tongue:
     case PartRole::Mucosa:
-    case PartRole::VocalFold:
     case PartRole::Muscle:
         return ChestRegion::Throat;
     case PartRole::Pharynx:
@@ -50,9 +51,22 @@ std::optional<ThroatTissue> tissueOf(ChestRegion region)
     switch (region) {
     case ChestRegion::Mediastinum:
     case ChestRegion::Throat:
+    case ChestRegion::Larynx:
         return ThroatTissue::Airway;
     case ChestRegion::Pharynx:
         return ThroatTissue::Pharynx;
+    default:
+        return std::nullopt;
+    }
+}
+
+std::optional<BladeTissue> bladeTissueOf(ChestRegion region)
+{
+    switch (region) {
+    case ChestRegion::Throat:
+        return BladeTissue::Tongue;
+    case ChestRegion::Larynx:
+        return BladeTissue::Larynx;
     default:
         return std::nullopt;
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/anatomy/anatomy.h"
+#include "engine/geometry/deformation/blade_formula.h"
 #include "engine/geometry/deformation/throat_formula.h"
 
 namespace carina
@@ -17,15 +18,19 @@ enum class ChestRegion : std::uint8_t {
     Diaphragm,   ///< moves with the base of the lungs
     Wall,        ///< ribs, sternum and skin, on which the lungs slide
     Mediastinum, ///< trachea, oesophagus, heart, vessels; upper parts follow the jaw
-    Throat,      ///< tongue, epiglottis, larynx and muscles: follow the jaw
+    Throat,      ///< tongue and muscles: follow the jaw, and give way to a blade
     Pharynx,     ///< follows the jaw, except its posterior wall and the palate
+    Larynx,      ///< and epiglottis: as Throat, but tilted by a blade
 };
-inline constexpr std::size_t kChestRegions = 11;
+inline constexpr std::size_t kChestRegions = 12;
 
 /// The region of a part, by its role.
 [[nodiscard]] ChestRegion regionOf(PartRole role);
 
 /// The kind of tissue as which a region follows the jaw; nothing for a region that does not.
 [[nodiscard]] std::optional<ThroatTissue> tissueOf(ChestRegion region);
+
+/// The kind of tissue as which a region gives way to a blade; nothing for a region that does not.
+[[nodiscard]] std::optional<BladeTissue> bladeTissueOf(ChestRegion region);
 
 } // namespace carina

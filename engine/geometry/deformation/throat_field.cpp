@@ -46,12 +46,8 @@ TriangleMesh deformed(const TriangleMesh& mesh_A, const FollowingThroat& throat,
         return out;
     for (std::size_t i = 0; i < mesh_A.positions.size(); ++i) {
         const JawPull<float> pull = jawPull<float>(frame, tissue, jaw, mesh_A.positions[i]);
-        const Matrix3<float> j = Matrix3<float>::Identity() + pull.gradient;
-        const Vec3f& n = mesh_A.normals[i];
         out.positions[i] += pull.d;
-        out.normals[i] = (n.x() * j.col(1).cross(j.col(2)) + n.y() * j.col(2).cross(j.col(0))
-                          + n.z() * j.col(0).cross(j.col(1)))
-                             .normalized();
+        out.normals[i] = turnedNormal<float>(pull.gradient, mesh_A.normals[i]);
     }
     return out;
 }

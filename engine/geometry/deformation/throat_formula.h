@@ -105,6 +105,16 @@ template <class T>
     return {high.value * fore.value * below, slope};
 }
 
+/// The unit normal of a surface after a displacement with this gradient: n ~ cof(I + grad d) n0.
+template <class T>
+[[nodiscard]] Vector3<T> turnedNormal(const Matrix3<T>& gradient, const Vector3<T>& n)
+{
+    const Matrix3<T> j = Matrix3<T>::Identity() + gradient;
+    return (n.x() * j.col(1).cross(j.col(2)) + n.y() * j.col(2).cross(j.col(0))
+            + n.z() * j.col(0).cross(j.col(1)))
+        .normalized();
+}
+
 /// The displacement at p and its gradient (see ThroatField).
 template <class T>
 [[nodiscard]] JawPull<T> jawPull(const ThroatFrame<T>& frame, ThroatTissue tissue,

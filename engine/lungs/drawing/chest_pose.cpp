@@ -124,6 +124,7 @@ ChestMotion motionOf(ChestRegion region, const ChestPose& pose, const ChestField
     case ChestRegion::Still:
     case ChestRegion::Throat:
     case ChestRegion::Pharynx:
+    case ChestRegion::Larynx:
         break;
     }
     return {};

@@ -102,24 +102,17 @@ TriangleMesh madeHandle()
 TriangleMesh bladeMesh(const BladeForm& form)
 {
     constexpr int kPoints = 24;
-    constexpr double kThickness = 0.0025; // half of it
     std::vector<Vec3> centre;
-    for (int i = 0; i <= kPoints; ++i) {
-        const double along = double(i) / kPoints;
-        // The rise bends the strip too: half way, by a quarter of it.
-        centre.push_back({0.0,
-                          form.rise * along * along
-                              - (form.sag - 0.25 * form.rise) * std::sin(std::numbers::pi * along),
-                          -form.reach * along});
-    }
+    for (int i = 0; i <= kPoints; ++i)
+        centre.push_back(middleOfBlade(form, double(i) / kPoints));
     const SweptLine line = sweptLine(centre);
     const double length = line.along.back();
     std::vector<Ring> rings; // the surface is straight between two of them
     for (int i = 0; i <= kPoints; ++i)
-        rings.push_back({length * i / kPoints, i < kPoints ? kThickness : 0.5 * kThickness});
+        rings.push_back({length * i / kPoints, (i < kPoints ? 1.0 : 0.5) * kBladeHalfThickness});
     TriangleMesh blade = sweptSurface(line, rings);
     for (auto& position : blade.positions)
-        position.x() *= float(0.5 * form.width / kThickness);
+        position.x() *= float(0.5 * form.width / kBladeHalfThickness);
     computeNormals(blade);
     return blade;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/geometry/deformation/blade_field.h"
 #include "engine/geometry/mesh/triangle_mesh.h"
 
 #include <memory>
@@ -33,15 +34,8 @@ inline constexpr double kBladeLength = 0.13;
 inline constexpr double kHandleLength = 0.155;
 inline constexpr double kHandleRadius = 0.014;
 
-/// A laryngoscope's blade in the frame of FigureShapes::blade, metres: its tip at (0, rise,
-/// -reach), its underside half way lower than the line from heel to tip by `sag`. The sizes are of
-/// ours, as kBladeLength is; a calibrated blade is drawn with its own.
-struct BladeForm {
-    double reach = kBladeLength;
-    double rise = 0.012;
-    double sag = 0.019;
-    double width = 0.016;
-};
+/// A blade of this form in L, the frame of FigureShapes::blade; a calibrated one is drawn with its
+/// own.
 [[nodiscard]] TriangleMesh bladeMesh(const BladeForm& form);
 
 /// The surface |x/a|^n + |y/b|^n + |z/c|^n = 1 about a centre, as points on rays from it: an

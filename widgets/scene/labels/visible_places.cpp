@@ -291,6 +291,8 @@ std::optional<Vec3> drawnAt(const ScenePart& part, const Vec3& p_F, const SceneF
         p += frame.chest.field.at(p, frame.chest.of(part.region)).d_A;
     if (const auto tissue = tissueOf(part.region))
         p += jawPull(frame.throat.field.frame(), *tissue, jawShift(frame.throat.X_AJ), p).d;
+    if (const auto tissue = bladeTissueOf(part.region); tissue && frame.blade.isThere())
+        p += bladePull(frame.blade.frame(), *tissue, p).d;
     const auto place = placeOf(frame, part.body, part.liftedWith);
     return place ? std::optional{place->at(p)} : std::nullopt;
 }

@@ -55,6 +55,27 @@ QMatrix4x4 jawUniform(const RigidTransform& X_AJ)
     return uniform;
 }
 
+QMatrix4x4 bladeUniform(const BladeField& field)
+{
+    const BladeFrame<float> frame = inSingle(field.frame());
+    QMatrix4x4 uniform;
+    uniform.setColumn(0, column(frame.across, frame.acrossFrom));
+    uniform.setColumn(1, column(frame.out, frame.outFrom));
+    uniform.setColumn(2, column(frame.along, frame.alongFrom));
+    uniform.setColumn(3, {frame.rise, frame.sag, frame.halfWidth, 0.0F});
+    return uniform;
+}
+
+QMatrix4x4 tiltUniform(const BladeField& field)
+{
+    const BladeFrame<float> frame = inSingle(field.frame());
+    QMatrix4x4 uniform;
+    uniform.setColumn(0, column(frame.tilt));
+    uniform.setColumn(1, column(frame.up, frame.upFrom));
+    uniform.setColumn(2, column(frame.back, frame.backFrom));
+    return uniform;
+}
+
 bool isJawMoved(const RigidTransform& X_AJ)
 {
     const JawShift<float> jaw = inSingle(jawShift(X_AJ));

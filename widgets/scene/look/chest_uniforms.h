@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/geometry/deformation/blade_field.h"
 #include "engine/geometry/deformation/throat_field.h"
 
 #include <QMatrix4x4>
@@ -15,6 +16,10 @@ namespace carina
 /// The uniforms for a throat field, and for the displacement of the jaw from the closed mouth.
 [[nodiscard]] QMatrix4x4 throatUniform(const ThroatField& field);
 [[nodiscard]] QMatrix4x4 jawUniform(const RigidTransform& X_AJ);
+/// The uniforms for a laryngoscope's blade: the tissue that it pushes, and the larynx that it
+/// tilts. All 0 without a blade.
+[[nodiscard]] QMatrix4x4 bladeUniform(const BladeField& field);
+[[nodiscard]] QMatrix4x4 tiltUniform(const BladeField& field);
 /// Whether the jaw is displaced: jawUniform is not all 0.
 [[nodiscard]] bool isJawMoved(const RigidTransform& X_AJ);
 

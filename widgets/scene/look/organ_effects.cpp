@@ -106,7 +106,8 @@ ErrorUniforms errorUniforms(Qt3DCore::QNode* parent)
 
 OrganEffects::OrganEffects(Qt3DCore::QNode* parent)
     : m_cut{uniform("section", QVector4D{}, parent), uniform("cutAway", 0.0F, parent)},
-      m_error{errorUniforms(parent)}
+      m_error{errorUniforms(parent)},
+      m_spot{uniform("spot", QVector4D{}, parent)}
 {
     for (std::size_t place = 0; place < kDrawLayers; ++place) {
         const bool many = static_cast<DrawLayer>(place) == DrawLayer::Blended; // SurfaceKey
@@ -129,8 +130,8 @@ OrganEffects::OrganEffects(Qt3DCore::QNode* parent)
 
 std::vector<Qt3DRender::QParameter*> OrganEffects::parameters() const
 {
-    std::vector all{m_cut.section, m_cut.cutAway, m_error.quadric, m_error.firstBand,
-                    m_error.bandCount};
+    std::vector all{m_cut.section,     m_cut.cutAway,     m_error.quadric,
+                    m_error.firstBand, m_error.bandCount, m_spot};
     for (const ErrorUniforms::Band& band : m_error.bands)
         all.insert(all.end(), {band.color, band.line});
     return all;
@@ -143,20 +144,24 @@ Qt3DRender::QEffect* OrganEffects::of(DrawLayer layer) const
 
 /// Programs are made when they are first asked for, since Qt 3D passes over those that no pass has
 /// and does not look again, and kept.
+Qt3DRender::QShaderProgram* OrganEffects::programOf(Layer& layer, const OrganShader& needs,
+                                                    const char* fragmentShader)
+{
+    Qt3DRender::QShaderProgram*& made = layer.programs[{needs, fragmentShader}];
+    if (made == nullptr)
+        made = program(needs, fragmentShader, layer.effect);
+    return made;
+}
+
 void OrganEffects::askForPrograms()
 {
-    const char* surface = m_isMapped ? "shaders/error_map.frag" : "shaders/organ.frag";
     for (Layer& layer : m_layers) {
-        const OrganShader needs{.hasManyRegions = layer.hasManyRegions, .movesJaw = m_movesJaw};
-        const auto use = [&needs, &layer](Qt3DRender::QRenderPass* pass,
-                                          Qt3DRender::QShaderProgram*& made,
-                                          const char* fragmentShader) {
-            if (made == nullptr)
-                made = program(needs, fragmentShader, layer.effect);
-            pass->setShaderProgram(made);
-        };
-        use(layer.surface.coming, layer.surfacePrograms[m_movesJaw][m_isMapped], surface);
-        use(layer.id.coming, layer.idPrograms[m_movesJaw], "shaders/id.frag");
+        OrganShader needs = m_needs;
+        needs.hasManyRegions = layer.hasManyRegions;
+        layer.surface.coming->setShaderProgram(
+            programOf(layer, needs, m_isMapped ? "shaders/error_map.frag" : "shaders/organ.frag"));
+        needs.isSpotlit = false; // ids have no light
+        layer.id.coming->setShaderProgram(programOf(layer, needs, "shaders/id.frag"));
     }
     m_framesToCome = kFramesToCompile;
 }
@@ -177,10 +182,31 @@ void OrganEffects::countFrame()
 
 void OrganEffects::letJawMove()
 {
-    if (m_movesJaw)
+    if (m_needs.movesJaw)
         return;
-    m_movesJaw = true;
+    m_needs.movesJaw = true;
     askForPrograms();
+}
+
+void OrganEffects::letBladePush()
+{
+    if (m_needs.pushesTissue)
+        return;
+    m_needs.movesJaw = true;
+    m_needs.pushesTissue = true;
+    askForPrograms();
+}
+
+void OrganEffects::setSpotlight(const std::optional<Spotlight>& lamp)
+{
+    if (lamp.has_value() != m_needs.isSpotlit) {
+        m_needs.isSpotlit = lamp.has_value();
+        askForPrograms();
+    }
+    if (!lamp)
+        return;
+    const Vec3f dir = lamp->dir_A.cast<float>();
+    m_spot->setValue(QVector4D{dir.x(), dir.y(), dir.z(), static_cast<float>(lamp->halfLight.si)});
 }
 
 void OrganEffects::setErrorMap(const std::optional<ErrorMap>& map)

@@ -1,12 +1,18 @@
 #pragma once
 
+#include "engine/core/units.h"
+#include "engine/geometry/vec.h"
 #include "widgets/scene/look/error_map.h"
+#include "widgets/scene/look/organ_shader.h"
 #include "widgets/scene/surfaces/scene_part.h"
 
 #include <QString>
 
 #include <array>
+#include <map>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace Qt3DCore
@@ -47,6 +53,12 @@ struct ErrorUniforms {
     std::array<Band, kMostErrorBands> bands; ///< singly: Qt 6.4 leaks a list each time it is set
 };
 
+/// A lamp beside the eye, as on the blade of a video laryngoscope.
+struct Spotlight {
+    Vec3 dir_A = Vec3::UnitY();           ///< unit; its axis
+    Length halfLight = millimetres(60.0); ///< the distance at which its light is a half
+};
+
 /// One effect per draw layer, each with a surface pass and an id pass, and the parameters common to
 /// all. The parent owns the nodes.
 class OrganEffects
@@ -61,6 +73,11 @@ public:
     void setErrorMap(const std::optional<ErrorMap>& map);
     /// Enables the motion of the jaw, which the shaders leave out before.
     void letJawMove();
+    /// Enables what a laryngoscope's blade does to tissue, and the motion of the jaw.
+    void letBladePush();
+    /// Lights the scene by a lamp beside the eye alone; std::nullopt: as usual. Of two lamps only
+    /// the uniform differs.
+    void setSpotlight(const std::optional<Spotlight>& lamp);
     /// To be called once per frame. A newly requested program is used only when it is compiled, one
     /// or two frames later, because Qt 3D does not draw an entity whose program is not ready.
     void countFrame();
@@ -75,18 +92,20 @@ private:
         Pass surface;
         Pass id;
         bool hasManyRegions = false; ///< see OrganShader
-        /// [jaw moves][error map is drawn]
-        std::array<std::array<Qt3DRender::QShaderProgram*, 2>, 2> surfacePrograms{};
-        std::array<Qt3DRender::QShaderProgram*, 2> idPrograms{};
+        /// The programs that were ever requested, by their shaders.
+        std::map<std::pair<OrganShader, std::string>, Qt3DRender::QShaderProgram*> programs{};
     };
     [[nodiscard]] std::vector<Qt3DRender::QParameter*> parameters() const;
     void askForPrograms();
+    Qt3DRender::QShaderProgram* programOf(Layer& layer, const OrganShader& needs,
+                                          const char* fragmentShader);
     void usePrograms();
 
     std::array<Layer, kDrawLayers> m_layers;
     SectionUniforms m_cut{};
     ErrorUniforms m_error{};
-    bool m_movesJaw = false;
+    Qt3DRender::QParameter* m_spot;
+    OrganShader m_needs{.movesJaw = false, .pushesTissue = false}; ///< of each layer, but regions
     bool m_isMapped = false;
     int m_framesToCome = 0; ///< until the requested programs are used; 0 if none are requested
 };

@@ -12,6 +12,10 @@ QByteArray organVertexShader(const OrganShader& needs)
         defined += "#define MANY_REGIONS\n";
     if (needs.movesJaw)
         defined += "#define JAW_MOVES\n";
+    if (needs.pushesTissue)
+        defined += "#define BLADE_PUSHES\n";
+    if (needs.isSpotlit)
+        defined += "#define SPOTLIGHT\n";
     QByteArray source = resource("shaders/organ.vert");
     return source.insert(source.indexOf('\n') + 1, defined); // #version stays first
 }

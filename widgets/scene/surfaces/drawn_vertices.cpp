@@ -78,7 +78,7 @@ public:
 
     Result<void> start(const TriangleMesh& mesh, ChestRegion region, const OrganShader& shader);
     Result<Vertices> draw(const ChestField& field, const ChestMotion& motion,
-                          const FollowingThroat& throat);
+                          const FollowingThroat& throat, const BladeField& blade);
 
 private:
     struct Objects {
@@ -92,7 +92,7 @@ private:
     void upload(const char* attribute, const std::vector<Vec3f>& values);
     bool read(std::size_t captured, std::vector<Vec3f>& values);
     void runShader(const ChestField& field, const ChestMotion& motion,
-                   const FollowingThroat& throat);
+                   const FollowingThroat& throat, const BladeField& blade);
 
     QOffscreenSurface m_surface;
     QOpenGLContext m_context;
@@ -164,7 +164,7 @@ void DrawnVertices::Card::upload(const char* attribute, const std::vector<Vec3f>
 }
 
 void DrawnVertices::Card::runShader(const ChestField& field, const ChestMotion& motion,
-                                    const FollowingThroat& throat)
+                                    const FollowingThroat& throat, const BladeField& blade)
 {
     QOpenGLShaderProgram& program = m_objects->program;
     QOpenGLExtraFunctions& gl = *m_context.extraFunctions();
@@ -181,6 +181,8 @@ void DrawnVertices::Card::runShader(const ChestField& field, const ChestMotion& 
         motionUniform(motion));
     program.setUniformValue("throat", throatUniform(throat.field));
     program.setUniformValue("jaw", jawUniform(throat.X_AJ));
+    program.setUniformValue("blade", bladeUniform(blade));
+    program.setUniformValue("tilt", tiltUniform(blade));
     program.setAttributeValue("vertexPart", 0.0F, static_cast<float>(region), 0.0F);
     for (std::size_t k = 0; k < kCaptured.size(); ++k) {
         gl.glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, static_cast<GLuint>(k),
@@ -208,12 +210,13 @@ bool DrawnVertices::Card::read(std::size_t captured, std::vector<Vec3f>& values)
 
 Result<DrawnVertices::Vertices> DrawnVertices::Card::draw(const ChestField& field,
                                                           const ChestMotion& motion,
-                                                          const FollowingThroat& throat)
+                                                          const FollowingThroat& throat,
+                                                          const BladeField& blade)
 {
     const CurrentFor current{m_context, m_surface};
     if (!current)
         return fail(Errc::NoGraphics, "the OpenGL context was lost");
-    runShader(field, motion, throat);
+    runShader(field, motion, throat, blade);
     Vertices drawn;
     const bool wasRead = read(kPositions, drawn.positions) && read(kNormals, drawn.normals);
     if (!wasRead || m_context.functions()->glGetError() != GL_NO_ERROR)
@@ -236,10 +239,12 @@ Result<DrawnVertices> DrawnVertices::of(const TriangleMesh& mesh, ChestRegion re
     return DrawnVertices{std::move(card)};
 }
 
-Result<DrawnVertices::Vertices>
-DrawnVertices::at(const ChestField& field, const ChestMotion& motion, const FollowingThroat& throat)
+Result<DrawnVertices::Vertices> DrawnVertices::at(const ChestField& field,
+                                                  const ChestMotion& motion,
+                                                  const FollowingThroat& throat,
+                                                  const BladeField& blade)
 {
-    return m_card->draw(field, motion, throat);
+    return m_card->draw(field, motion, throat, blade);
 }
 
 } // namespace carina

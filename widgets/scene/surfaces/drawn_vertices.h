@@ -2,6 +2,7 @@
 
 #include "engine/anatomy/chest/chest_region.h"
 #include "engine/core/result.h"
+#include "engine/geometry/deformation/blade_field.h"
 #include "engine/geometry/deformation/chest_field.h"
 #include "engine/geometry/deformation/throat_field.h"
 #include "widgets/scene/look/organ_shader.h"
@@ -20,7 +21,7 @@ namespace carina
 class DrawnVertices
 {
 public:
-    /// @param region by which the mesh follows the jaw
+    /// @param region by which the mesh follows the jaw and gives way to a blade
     /// @returns NoGraphics if there is no OpenGL 3.3 core context or the shader does not run.
     /// @pre there is a QGuiApplication, this is its thread, and the mesh has vertices.
     [[nodiscard]] static Result<DrawnVertices> of(const TriangleMesh& mesh,
@@ -39,7 +40,8 @@ public:
 
     /// @returns NoGraphics when the context is lost.
     [[nodiscard]] Result<Vertices> at(const ChestField& field, const ChestMotion& motion,
-                                      const FollowingThroat& throat = {});
+                                      const FollowingThroat& throat = {},
+                                      const BladeField& blade = {});
 
 private:
     class Card;

@@ -40,7 +40,9 @@ SurfaceEntity::SurfaceEntity(MergedSurface surface, Qt3DRender::QEffect* effect,
       m_chest(new Qt3DRender::QParameter(QStringLiteral("chest"), QMatrix4x4{})),
       m_motions(motionParameters(!m_key.region)),
       m_throat(new Qt3DRender::QParameter(QStringLiteral("throat"), throatUniform({}))),
-      m_jaw(new Qt3DRender::QParameter(QStringLiteral("jaw"), jawUniform({})))
+      m_jaw(new Qt3DRender::QParameter(QStringLiteral("jaw"), jawUniform({}))),
+      m_blade(new Qt3DRender::QParameter(QStringLiteral("blade"), bladeUniform({}))),
+      m_tilt(new Qt3DRender::QParameter(QStringLiteral("tilt"), tiltUniform({})))
 {
     if (m_key.layer == DrawLayer::Blended)
         for (const SurfaceVertex& vertex : surface.vertices)
@@ -50,8 +52,8 @@ SurfaceEntity::SurfaceEntity(MergedSurface surface, Qt3DRender::QEffect* effect,
     m_material->addParameter(m_chest);
     for (Qt3DRender::QParameter* motion : m_motions)
         m_material->addParameter(motion);
-    m_material->addParameter(m_throat);
-    m_material->addParameter(m_jaw);
+    for (Qt3DRender::QParameter* parameter : {m_throat, m_jaw, m_blade, m_tilt})
+        m_material->addParameter(parameter);
     m_shares.push_back(
         std::make_unique<SurfaceShare>(std::string{}, m_columns, m_material, m_entity.get()));
 }
@@ -99,6 +101,8 @@ void SurfaceEntity::apply(const SceneFrame& frame)
     setMotion(frame.chest);
     m_throat->setValue(throatUniform(frame.throat.field));
     m_jaw->setValue(jawUniform(frame.throat.X_AJ));
+    m_blade->setValue(bladeUniform(frame.blade));
+    m_tilt->setValue(tiltUniform(frame.blade));
 }
 
 /// The pieces that a share draws; what is not lifted out is drawn in its place.

@@ -60,6 +60,8 @@ private:
     std::vector<Qt3DRender::QParameter*> m_motions;
     Qt3DRender::QParameter* m_throat;
     Qt3DRender::QParameter* m_jaw;
+    Qt3DRender::QParameter* m_blade;
+    Qt3DRender::QParameter* m_tilt;
     /// What is in its place, first, and the groups that were ever lifted out.
     std::vector<std::unique_ptr<SurfaceShare>> m_shares;
 };

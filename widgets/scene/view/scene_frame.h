@@ -3,6 +3,7 @@
 #include "engine/anatomy/chest/chest_region.h"
 #include "engine/core/session_time.h"
 #include "engine/display/eye_picture.h"
+#include "engine/geometry/deformation/blade_field.h"
 #include "engine/geometry/deformation/chest_field.h"
 #include "engine/geometry/deformation/throat_field.h"
 #include "engine/geometry/rigid_transform.h"
@@ -59,6 +60,7 @@ struct SceneFrame {
 
     BreathingChest chest;
     FollowingThroat throat;
+    BladeField blade; ///< which pushes tissue that has followed the jaw
 
     /// The pose of each moving body, by name. A body that is not listed is not drawn: a lost pose
     /// is never an identity.

@@ -59,12 +59,19 @@ void countIn(const QImage& ids, std::map<std::uint16_t, std::size_t>& pixels)
     for (int y = 0; y < ids.height(); ++y) {
         const auto* row = reinterpret_cast<const QRgb*>(ids.constScanLine(y));
         for (int x = 0; x < ids.width(); ++x)
-            if (qBlue(row[x]) == 255)
-                ++pixels[static_cast<std::uint16_t>(qRed(row[x]) + 256 * qGreen(row[x]))];
+            if (const auto id = idInPixel(row[x]))
+                ++pixels[*id];
     }
 }
 
 } // namespace
+
+std::optional<std::uint16_t> idInPixel(QRgb pixel)
+{
+    if (qBlue(pixel) != 255)
+        return std::nullopt;
+    return static_cast<std::uint16_t>(qRed(pixel) + 256 * qGreen(pixel));
+}
 
 SceneRenderer::SceneRenderer(QWindow* window)
     : m_window(window),
@@ -132,6 +139,10 @@ void SceneRenderer::apply(const SceneFrame& frame, std::span<const int> levels)
 {
     if (isJawMoved(frame.throat.X_AJ))
         m_effects.letJawMove();
+    if (frame.blade.isThere())
+        m_effects.letBladePush();
+    m_effects.setSpotlight(m_spotlight ? std::optional{Spotlight{m_forward_A, *m_spotlight}}
+                                       : std::nullopt);
     m_effects.countFrame();
     for (const std::unique_ptr<SurfaceEntity>& surface : m_surfaces) {
         surface->apply(frame);
@@ -170,6 +181,14 @@ void SceneRenderer::countPixels(std::map<std::uint16_t, std::size_t>& pixels)
     for (const QImage& layer : captured(m_frameGraph.idCaptures()))
         countIn(layer, pixels);
     m_frameGraph.setIdsDrawn(false, {1, 1});
+}
+
+QImage SceneRenderer::opaqueIds()
+{
+    m_frameGraph.setIdsDrawn(true, windowPixels());
+    const std::vector<QImage> layers = captured({m_frameGraph.idCaptures().front()});
+    m_frameGraph.setIdsDrawn(false, {1, 1});
+    return layers.empty() ? QImage() : layers.front();
 }
 
 QSize SceneRenderer::windowPixels() const

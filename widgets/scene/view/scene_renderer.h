@@ -36,6 +36,9 @@ struct SceneCamera {
     PixelRect pixels;
 };
 
+/// The id that id.frag wrote into a pixel; std::nullopt where there is no part.
+[[nodiscard]] std::optional<std::uint16_t> idInPixel(QRgb pixel);
+
 /// Draws scene parts into a window with Qt 3D, one frame per call: draw() draws and swaps the state
 /// set before it, without a frame of latency.
 class SceneRenderer
@@ -61,6 +64,9 @@ public:
     /// Unlike other settings this can take effect one or two frames later, when its shader program
     /// is compiled.
     void setErrorMap(const std::optional<ErrorMap>& map) { m_effects.setErrorMap(map); }
+    /// Lights the scene by a lamp beside the first camera alone, in its direction, whose light is a
+    /// half at this distance; std::nullopt: as usual. Takes effect likewise.
+    void setSpotlight(std::optional<Length> halfLight) { m_spotlight = halfLight; }
     void draw();
 
     /// The picture of the present state; a null image if the window cannot be drawn into.
@@ -68,6 +74,10 @@ public:
 
     /// Adds to `pixels` the number of visible pixels of each part id in the present state.
     void countPixels(std::map<std::uint16_t, std::size_t>& pixels);
+
+    /// Which opaque part is the nearest in each pixel of the present state, as id.frag codes it; a
+    /// null image if the window cannot be drawn into.
+    [[nodiscard]] QImage opaqueIds();
 
 private:
     [[nodiscard]] QSize windowPixels() const;
@@ -82,6 +92,7 @@ private:
     OrganEffects m_effects;           ///< whose nodes m_root owns
     Vec3 m_forward_A = Vec3::UnitY(); ///< of the cameras
     bool m_isCut = false;
+    std::optional<Length> m_spotlight;
     using Surfaces = std::vector<std::unique_ptr<SurfaceEntity>>;
     [[nodiscard]] Surfaces surfacesOf(std::span<const ScenePart> parts);
 

@@ -147,6 +147,11 @@ void SceneView::applySection() { m_renderer->setSection(inForce().section); }
 
 void SceneView::setErrorMap(const std::optional<ErrorMap>& map) { m_renderer->setErrorMap(map); }
 
+void SceneView::setSpotlight(std::optional<Length> halfLight)
+{
+    m_renderer->setSpotlight(halfLight);
+}
+
 void SceneView::setFixedLevel(std::optional<int> level) { m_detail.fix(level); }
 
 void SceneView::showFrom(ViewPreset preset) { m_window->showFrom(preset); }
@@ -187,6 +192,20 @@ std::map<std::uint16_t, std::size_t> SceneView::visiblePixels()
     if (m_window->isExposed())
         m_renderer->countPixels(pixels);
     return pixels;
+}
+
+IdPicture SceneView::opaqueIds()
+{
+    if (!m_window->isExposed())
+        return {};
+    const QImage image = m_renderer->opaqueIds();
+    IdPicture picture{.width = image.width(), .height = image.height()};
+    for (int y = 0; y < image.height(); ++y) {
+        const auto* row = reinterpret_cast<const QRgb*>(image.constScanLine(y));
+        for (int x = 0; x < image.width(); ++x)
+            picture.ids.push_back(idInPixel(row[x]));
+    }
+    return picture;
 }
 
 /// The frame's eyes, or the desktop's camera over the whole window.

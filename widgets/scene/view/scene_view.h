@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/core/units.h"
 #include "engine/display/time_of_light.h"
 #include "widgets/scene/figures/figure_names.h"
 #include "widgets/scene/figures/scene_figure.h"
@@ -32,6 +33,13 @@ namespace carina
 struct SceneCamera;
 class SceneRenderer;
 class SceneWindow;
+
+/// Which part is seen in each pixel of a picture.
+struct IdPicture {
+    int width = 0;
+    int height = 0;
+    std::vector<std::optional<std::uint16_t>> ids{}; ///< row by row from the top
+};
 
 /// What a view draws of its parts, and how.
 struct SceneSettings {
@@ -82,6 +90,10 @@ public:
     /// Draws the error map of a registration in place of the parts' colours; std::nullopt ends
     /// this.
     void setErrorMap(const std::optional<ErrorMap>& map);
+
+    /// Lights the scene by a lamp beside the eye alone, whose light is a half at this distance, as
+    /// inside a body; std::nullopt ends this.
+    void setSpotlight(std::optional<Length> halfLight);
 
     void setFrameSource(FrameSource source) { m_source = std::move(source); }
     /// The listener is called after each frame, when its buffers were swapped.
@@ -140,6 +152,10 @@ public:
     /// group, is in front of it. Later groups hide nothing. Zero for all while the view is not
     /// visible.
     [[nodiscard]] std::map<std::uint16_t, std::size_t> visiblePixels();
+
+    /// The id of the nearest opaque part in each pixel of the latest frame, row by row from the
+    /// top; translucent parts hide nothing. Empty while the view is not visible.
+    [[nodiscard]] IdPicture opaqueIds();
 
 Q_SIGNALS:
     /// A point in the picture was clicked: the ray through it from the eye that sees it there, in

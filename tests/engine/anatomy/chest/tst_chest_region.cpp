@@ -12,6 +12,7 @@ private Q_SLOTS:
     void tellsHowEachRoleMoves_data();
     void tellsHowEachRoleMoves();
     void putsLungsAndNothingElseIntoLungs();
+    void tellsWhichTissueABladeMoves();
 };
 
 void TestChestRegion::tellsHowEachRoleMoves_data()
@@ -35,9 +36,10 @@ void TestChestRegion::tellsHowEachRoleMoves_data()
     QTest::newRow("oesophagus") << PartRole::Oesophagus << ChestRegion::Mediastinum;
     QTest::newRow("heart") << PartRole::Heart << ChestRegion::Mediastinum;
     QTest::newRow("vessel") << PartRole::Vessel << ChestRegion::Mediastinum;
-    for (const PartRole throat : {PartRole::Larynx, PartRole::Epiglottis, PartRole::Tongue,
-                                  PartRole::Mucosa, PartRole::VocalFold, PartRole::Muscle})
+    for (const PartRole throat : {PartRole::Tongue, PartRole::Mucosa, PartRole::Muscle})
         QTest::newRow(roleName(throat)) << throat << ChestRegion::Throat;
+    for (const PartRole larynx : {PartRole::Larynx, PartRole::Epiglottis, PartRole::VocalFold})
+        QTest::newRow(roleName(larynx)) << larynx << ChestRegion::Larynx;
     QTest::newRow("pharynx") << PartRole::Pharynx << ChestRegion::Pharynx;
     for (const PartRole still :
          {PartRole::Mandible, PartRole::Tooth, PartRole::Skull, PartRole::Spine, PartRole::Other})
@@ -63,6 +65,19 @@ void TestChestRegion::putsLungsAndNothingElseIntoLungs()
         QCOMPARE(lungSide(role) == Side::Right, right);
         QCOMPARE(lungSide(role) == Side::Left, left);
         QVERIFY(static_cast<std::size_t>(region) < kChestRegions);
+    }
+}
+
+// What gives way to a blade follows the jaw, too.
+void TestChestRegion::tellsWhichTissueABladeMoves()
+{
+    QVERIFY(bladeTissueOf(regionOf(PartRole::Tongue)) == BladeTissue::Tongue);
+    QVERIFY(bladeTissueOf(regionOf(PartRole::Epiglottis)) == BladeTissue::Larynx);
+    QVERIFY(bladeTissueOf(regionOf(PartRole::Larynx)) == BladeTissue::Larynx);
+    QVERIFY(!bladeTissueOf(regionOf(PartRole::Pharynx)));
+    for (std::size_t n = 0; n < kChestRegions; ++n) {
+        const auto region = static_cast<ChestRegion>(n);
+        QVERIFY(!bladeTissueOf(region) || tissueOf(region) == ThroatTissue::Airway);
     }
 }
 

@@ -19,7 +19,9 @@ namespace
 /// Two roundings of a coordinate of up to a quarter metre, in single precision.
 constexpr double kPositionTolerance_m = 6e-8;
 constexpr double kNormalTolerance = 1e-6;
-constexpr double kTurnedTwiceTolerance = 2e-5; ///< likewise, by the chest and by the jaw
+constexpr double kTurnedTwiceTolerance = 2e-5;  ///< likewise, by the chest and by the jaw
+constexpr double kPushedTolerance_m = 2e-7;     ///< a few more of them
+constexpr double kPushedNormalTolerance = 2e-4; ///< where tissue is pressed thin
 constexpr double kVolumeTolerance_ml = 0.1;
 
 TriangleMesh lung(double x, std::uint32_t rings)
@@ -44,6 +46,15 @@ RigidTransform openJaw()
     return {rotationFromVector(degrees(20.0).si * Vec3::UnitX()), {0.003, -0.012, 0.03}};
 }
 
+/// A blade through both lungs, and a larynx in their place.
+BladeField bladeInLungs()
+{
+    BladeField blade{{.reach = 0.12, .rise = 0.01, .sag = 0.02, .width = 0.1},
+                     {rotationFromVector(degrees(30.0).si * Vec3::UnitX()), {0.0, -0.04, 0.05}}};
+    blade.tiltLarynx({.p_A = {0.0, -0.03, -0.08}, .behind = millimetres(60.0)}, millimetres(5.0));
+    return blade;
+}
+
 } // namespace
 
 class TestDrawnVertices : public QObject
@@ -55,6 +66,8 @@ private Q_SLOTS:
     void drawsAsTheReferenceDeforms();
     void drawsTheThroatAsTheReferenceFollows_data();
     void drawsTheThroatAsTheReferenceFollows();
+    void drawsWhatABladePushesAsTheReference_data();
+    void drawsWhatABladePushesAsTheReference();
     void movesAlikeInEveryForm_data();
     void movesAlikeInEveryForm();
     void leavesRestExactlyAsItIs();
@@ -128,6 +141,37 @@ void TestDrawnVertices::drawsTheThroatAsTheReferenceFollows()
                     < kPositionTolerance_m);
             QVERIFY((normals[i] - reference.normals[i]).norm() < kTurnedTwiceTolerance);
             furthest = std::max(furthest, (positions[i] - mesh.positions[i]).norm());
+        }
+        QVERIFY(furthest > kMoved_m);
+    }
+}
+
+void TestDrawnVertices::drawsWhatABladePushesAsTheReference_data()
+{
+    QTest::addColumn<ChestRegion>("region");
+    QTest::newRow("tongue") << ChestRegion::Throat;
+    QTest::newRow("larynx and epiglottis") << ChestRegion::Larynx;
+}
+
+void TestDrawnVertices::drawsWhatABladePushesAsTheReference()
+{
+    constexpr float kMoved_m = 0.005F;
+    QFETCH(ChestRegion, region);
+    const LungPair lungs = LungPair::of(patient()).value();
+    const FollowingThroat following{throat(), openJaw()};
+    const BladeField blade = bladeInLungs();
+    for (const BreathingPart& part : lungs.parts()) {
+        const TriangleMesh& mesh = part.levels.front();
+        DrawnVertices drawn = DrawnVertices::of(mesh, region).value();
+        const TriangleMesh followed = deformed(mesh, following, *tissueOf(region));
+        const TriangleMesh reference = deformed(followed, blade, *bladeTissueOf(region));
+        const auto [positions, normals] = drawn.at(lungs.field(), {}, following, blade).value();
+        float furthest = 0.0F;
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            QVERIFY((positions[i] - reference.positions[i]).cwiseAbs().maxCoeff()
+                    < kPushedTolerance_m);
+            QVERIFY((normals[i] - reference.normals[i]).norm() < kPushedNormalTolerance);
+            furthest = std::max(furthest, (positions[i] - followed.positions[i]).norm());
         }
         QVERIFY(furthest > kMoved_m);
     }

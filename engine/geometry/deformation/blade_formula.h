@@ -1,0 +1,176 @@
+#pragma once
+
+#include "engine/geometry/deformation/throat_formula.h"
+
+#include <cmath>
+#include <cstdint>
+
+namespace carina
+{
+
+/// The closed form behind BladeField, for double and float. resources/shaders/organ.vert is a
+/// second implementation, for the graphics card.
+
+/// Kinds of soft tissue, by how a laryngoscope's blade moves them.
+enum class BladeTissue : std::uint8_t {
+    Tongue, ///< and what lies around it: the blade's face pushes it away
+    Larynx, ///< with the epiglottis: leans over as the blade pulls or lifts the epiglottis
+};
+
+/// The parameters of one blade in a patient, in A, metres. With all zeros nothing moves.
+template <class T> struct BladeFrame {
+    /// The blade's frame L: a point lies dot(axis, p) + from across it and above its heel towards
+    /// the handle; `along` in shares of the way from heel to tip.
+    Vector3<T> across = Vector3<T>::Zero();
+    Vector3<T> out = Vector3<T>::Zero();
+    Vector3<T> along = Vector3<T>::Zero();
+    T acrossFrom{};
+    T outFrom{};
+    T alongFrom{};
+    T rise{}; ///< of the tip above the heel
+    T sag{};  ///< of the middle below the line from heel to tip
+    T halfWidth{};
+    /// The displacement of what lies at height 1 of the larynx, dot(up, p) + upFrom, and in front
+    /// of where dot(back, p) + backFrom is 0; from where that is 1 on nothing moves.
+    Vector3<T> tilt = Vector3<T>::Zero();
+    Vector3<T> up = Vector3<T>::Zero();
+    T upFrom{};
+    Vector3<T> back = Vector3<T>::Zero();
+    T backFrom{};
+};
+
+namespace formula
+{
+
+inline constexpr double kSoftContact = 5e-3;  ///< metres over which tissue gives way to the blade
+inline constexpr double kBesideBlade = 20e-3; ///< metres beside its edge where its effect ends
+inline constexpr double kBeforeHeel = 0.15;   ///< likewise, in shares of its length
+inline constexpr double kPastTip = 0.2;
+inline constexpr double kBendOfLarynx = 0.3; ///< height over which its tilt begins
+
+/// The base of the tongue goes forward with the larynx: by this share of what lies at height 1,
+/// from this height on; less from kChinFrom to kChinEnd in front of the larynx, in units in which
+/// tilting fades behind it.
+inline constexpr double kTongueShare = 1.2;
+inline constexpr double kTongueHeight = 2.0;
+inline constexpr double kChinFrom = 1.5;
+inline constexpr double kChinEnd = 6.0;
+
+/// How far the face of a blade lies above its heel, at a share of its length: the parabola that
+/// rises by `rise` and sags by `sag` below that half way; straight on beyond its ends.
+template <class T> Smooth<T> bladeFace(T rise, T sag, T along)
+{
+    const T s = clamped(along);
+    const T slope = rise - T(4) * sag * (T(1) - T(2) * s);
+    return {rise * s - T(4) * sag * s * (T(1) - s) + slope * (along - s), slope};
+}
+
+/// How far something is pushed that would lie `inside` the face of a blade: nearly 0 far outside,
+/// nearly `inside` deep in it. It is always more than `inside`, and its slope is between 0 and 1.
+template <class T> Smooth<T> contactPush(T inside)
+{
+    using std::sqrt;
+    constexpr auto kSoft = T(4.0 * kSoftContact * kSoftContact);
+    const T root = sqrt(inside * inside + kSoft);
+    return {T(0.5) * (inside + root), T(0.5) * (T(1) + inside / root)};
+}
+
+/// How far what lies at a height of the larynx leans over: not at all below 0, from kBendOfLarynx
+/// on in proportion, and by 1 at height 1.
+template <class T> Smooth<T> leaning(T height)
+{
+    using std::max;
+    using std::min;
+    constexpr auto kBend = T(kBendOfLarynx);
+    constexpr auto kPerHeight = T(1.0 / (1.0 - 0.5 * kBendOfLarynx));
+    const T h = max(height, T(0));
+    const T low = min(h, kBend);
+    return {kPerHeight * (T(0.5) * low * low / kBend + h - low), kPerHeight * low / kBend};
+}
+
+} // namespace formula
+
+/// The displacement at p of what the face of a blade pushes away, and its gradient (BladeField).
+template <class T>
+[[nodiscard]] JawPull<T> bladePush(const BladeFrame<T>& blade, const Vector3<T>& p)
+{
+    using formula::Smooth;
+    using formula::step;
+    if (blade.halfWidth == T(0))
+        return {Vector3<T>::Zero(), Matrix3<T>::Zero()};
+    const T across = blade.across.dot(p) + blade.acrossFrom;
+    const T along = blade.along.dot(p) + blade.alongFrom;
+    const Smooth<T> face = formula::bladeFace(blade.rise, blade.sag, along);
+    const Smooth<T> push = formula::contactPush<T>(face.value - blade.out.dot(p) - blade.outFrom);
+    const Smooth<T> heel = step<T>(along * T(1.0 / formula::kBeforeHeel) + T(1));
+    const Smooth<T> tip = step<T>((along - T(1)) * T(1.0 / formula::kPastTip));
+    const T aside = across < T(0) ? -across : across;
+    const Smooth<T> side = step<T>((aside - blade.halfWidth) * T(1.0 / formula::kBesideBlade));
+    const T byLength = heel.value * (T(1) - tip.value);
+    const T byWidth = T(1) - side.value;
+    const T byLengthSlope = heel.slope * T(1.0 / formula::kBeforeHeel) * (T(1) - tip.value)
+                            - heel.value * tip.slope * T(1.0 / formula::kPastTip);
+    const T byWidthSlope =
+        (across < T(0) ? side.slope : -side.slope) * T(1.0 / formula::kBesideBlade);
+    const T share = byLength * byWidth;
+    const Vector3<T> slope =
+        (byLengthSlope * byWidth * push.value + share * push.slope * face.slope) * blade.along
+        + byLength * byWidthSlope * push.value * blade.across - share * push.slope * blade.out;
+    return {share * push.value * blade.out, blade.out * slope.transpose()};
+}
+
+/// The displacement at p of the larynx, which the blade tilts with its epiglottis, and its
+/// gradient.
+template <class T>
+[[nodiscard]] JawPull<T> larynxTilt(const BladeFrame<T>& blade, const Vector3<T>& p)
+{
+    const formula::Smooth<T> lean = formula::leaning<T>(blade.up.dot(p) + blade.upFrom);
+    const formula::Smooth<T> behind = formula::step<T>(blade.back.dot(p) + blade.backFrom);
+    const T front = T(1) - behind.value;
+    const Vector3<T> slope = lean.slope * front * blade.up - lean.value * behind.slope * blade.back;
+    return {lean.value * front * blade.tilt, blade.tilt * slope.transpose()};
+}
+
+/// The displacement at p of the tongue's base, which goes forward with the larynx, and its
+/// gradient: more and more up to height kTongueHeight, by kTongueShare of the tilt from there on,
+/// and less and less towards the chin.
+template <class T>
+[[nodiscard]] JawPull<T> tongueBaseShift(const BladeFrame<T>& blade, const Vector3<T>& p)
+{
+    using formula::Smooth;
+    using formula::step;
+    constexpr auto kPerHeight = T(1.0 / formula::kTongueHeight);
+    constexpr auto kPerChin = T(1.0 / (formula::kChinEnd - formula::kChinFrom));
+    const T back = blade.back.dot(p) + blade.backFrom;
+    const Smooth<T> high = step<T>((blade.up.dot(p) + blade.upFrom) * kPerHeight);
+    const Smooth<T> behind = step<T>(back);
+    const Smooth<T> chin = step<T>((-back - T(formula::kChinFrom)) * kPerChin);
+    const T place = (T(1) - behind.value) * (T(1) - chin.value);
+    const T placeSlope =
+        chin.slope * kPerChin * (T(1) - behind.value) - behind.slope * (T(1) - chin.value);
+    const Vector3<T> slope =
+        high.slope * kPerHeight * place * blade.up + high.value * placeSlope * blade.back;
+    const Vector3<T> most = T(formula::kTongueShare) * blade.tilt;
+    return {high.value * place * most, most * slope.transpose()};
+}
+
+/// One displacement after another, and the gradient of both.
+template <class T, class Second>
+[[nodiscard]] JawPull<T> followedBy(const JawPull<T>& first, const Vector3<T>& p, Second second)
+{
+    const JawPull<T> then = second(Vector3<T>{p + first.d});
+    return {first.d + then.d, first.gradient + then.gradient + then.gradient * first.gradient};
+}
+
+/// The displacement at p of one of the tissues, and its gradient.
+template <class T>
+[[nodiscard]] JawPull<T> bladePull(const BladeFrame<T>& blade, BladeTissue tissue,
+                                   const Vector3<T>& p)
+{
+    if (tissue == BladeTissue::Larynx)
+        return larynxTilt(blade, p);
+    return followedBy(tongueBaseShift(blade, p), p,
+                      [&blade](const Vector3<T>& moved) { return bladePush(blade, moved); });
+}
+
+} // namespace carina

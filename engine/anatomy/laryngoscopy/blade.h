@@ -1,0 +1,68 @@
+#pragma once
+
+#include "engine/core/units.h"
+#include "engine/geometry/deformation/blade_field.h"
+#include "engine/geometry/rigid_transform.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace carina
+{
+
+/// The blades of laryngoscopes that there are.
+enum class BladeKind : std::uint8_t {
+    Macintosh2, ///< curved; for older children and small adults
+    Macintosh3,
+    Macintosh4,
+    Miller2,        ///< straight, with a tip that rises a little
+    Hyperangulated, ///< bent so much that one cannot see past it
+};
+inline constexpr std::array kBladeKinds{BladeKind::Macintosh2, BladeKind::Macintosh3,
+                                        BladeKind::Macintosh4, BladeKind::Miller2,
+                                        BladeKind::Hyperangulated};
+
+/// What the tip of a blade lifts the epiglottis by.
+enum class EpiglottisLift : std::uint8_t {
+    Ligament, ///< the tip is in the vallecula and pulls at the hyoepiglottic ligament
+    Direct,   ///< the tip is behind the epiglottis and lifts it itself
+};
+
+/// One kind of blade, in the frame L of BladeForm.
+struct Blade {
+    std::string_view name; ///< in commands and logs: "macintosh-3"
+    BladeForm form;
+    EpiglottisLift lift = EpiglottisLift::Ligament;
+    Length cameraToTip; ///< along the blade, where it is a video laryngoscope's
+};
+
+/// Lengths are those that makers' catalogues call by these sizes (Macintosh 2, 3, 4: about 105,
+/// 130, 155 mm; Miller 2: 155 mm). The other sizes are of ours, as no published profiles were
+/// found: a Macintosh sags by 0.15 of its length, a hyperangulated blade turns by about 60 degrees
+/// (its makers' figure) within its middle half; cameras are a third of the way from the tip.
+[[nodiscard]] const Blade& bladeOf(BladeKind kind);
+
+/// The blade with this name; nothing for an unknown name.
+[[nodiscard]] std::optional<BladeKind> bladeFromName(std::string_view name);
+
+/// Vertical field of view of a video laryngoscope with a picture of 4:3: the usual 80 degrees along
+/// the diagonal.
+inline constexpr Angle kScopeFieldOfView = degrees(53.4);
+
+/// X_LD of the camera of a video laryngoscope (D: +x right, +y up, looking along -z): on the
+/// underside, kScopeBelowBlade away from it, looking ahead so that the tip is in the upper part of
+/// the picture.
+[[nodiscard]] RigidTransform cameraOnBlade(const Blade& blade);
+inline constexpr Length kScopeBelowBlade = millimetres(6.0);
+
+/// X_AD of the eye of who looks past a blade: at kReadingDistance in front of the upper incisors,
+/// on the line from what is to be seen through the gap between teeth and blade; up in its picture
+/// is what is in front in the patient.
+/// @pre the target is not in the incisors
+[[nodiscard]] RigidTransform eyePastBlade(const Blade& blade, const RigidTransform& X_AL,
+                                          const Vec3& p_A_incisors, const Vec3& p_A_target);
+inline constexpr Length kReadingDistance = millimetres(300.0);
+
+} // namespace carina

@@ -1,0 +1,248 @@
+#include "engine/anatomy/laryngoscopy/laryngoscopy_path.h"
+
+#include "engine/anatomy/airway/centreline.h"
+#include "engine/geometry/rotation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace carina
+{
+namespace
+{
+
+/// Blade and jaw in one step. The incisors are 98 mm from the hinge: 20 degrees open them by 34 mm,
+/// within the mouth openings of adults (32 to 77 mm); the jaw comes forward as in a jaw thrust.
+struct StepFigures {
+    const char* name;
+    Angle opening;
+    Length forward;
+    double lift; ///< of the whole
+};
+constexpr std::array kSteps{StepFigures{"teeth", degrees(16.0), millimetres(0.0), 0.0},
+                            StepFigures{"uvula", degrees(18.0), millimetres(0.0), 0.0},
+                            StepFigures{"epiglottis", degrees(20.0), millimetres(0.0), 0.0},
+                            StepFigures{"partial_view", degrees(20.0), millimetres(5.5), 0.7},
+                            StepFigures{"full_view", degrees(20.0), millimetres(8.0), 1.0}};
+
+const StepFigures& stepFigures(LaryngoscopyStep step)
+{
+    return kSteps.at(static_cast<std::size_t>(step));
+}
+
+/// Midway between the condyles of the reference man, behind and above the edge of his upper
+/// incisors, as shares of the way from these to his glottis (87.6 mm).
+const Vec3 kJawHinge{0.0, 87.0 / 87.6, 45.0 / 87.6};
+constexpr Length kReferenceWay = millimetres(87.6);
+
+/// Lengths of the tip's way are those of an adult, in proportion.
+constexpr Length kTipBelowTeeth = millimetres(9.0);
+constexpr Length kTipInVallecula = millimetres(4.0); ///< in front of the epiglottis
+constexpr Length kTipBehindEpiglottis = millimetres(5.0);
+constexpr double kUvulaShare = 0.55; ///< of the way from the teeth to the epiglottis
+constexpr double kIntoTongue = 0.5;  ///< of the way from its back to the straight line
+constexpr double kDirectShare = 0.6; ///< of the epiglottis' height, where a straight tip lifts it
+
+constexpr Length kReachOfLigament = millimetres(18.0); ///< above the vallecula, where a tip is felt
+constexpr Length kMostTilt = millimetres(18.0);        ///< of the vallecula
+constexpr Length kBehindThickness = millimetres(2.0);  ///< from the epiglottis' middle to its back
+
+/// The hinge of the larynx, from the base of the epiglottis: below the cords. What lies so far
+/// behind that base tilts wholly, higher up what lies farther back, too, and arytenoids little.
+constexpr Length kHingeBelow = millimetres(10.0);
+constexpr Length kHingeBehind = millimetres(8.0);
+constexpr double kHingeSlope = 0.4;
+constexpr Length kFadesBehind = millimetres(14.0);
+
+double sizeOf(const UpperAirway& airway)
+{
+    const Vec3 p_A_glottis = 0.5 * (airway.p_A_commissure + airway.p_A_notch);
+    return (p_A_glottis - airway.p_A_incisors).norm() / kReferenceWay.si;
+}
+
+RigidTransform jawIn(const UpperAirway& airway, const StepFigures& step)
+{
+    const double size = sizeOf(airway);
+    const Vec3 p_A_hinge = airway.p_A_incisors + size * kReferenceWay.si * kJawHinge;
+    return RigidTransform::translation(p_A_hinge - size * step.forward.si * Vec3::UnitY())
+           * RigidTransform{rotationFromVector(step.opening.si * Vec3::UnitX()), Vec3::Zero()}
+           * RigidTransform::translation(-p_A_hinge);
+}
+
+/// A blade in the midsagittal plane with its tip at a place, ahead at an angle from the feet to the
+/// back; x of L is to the patient's right, as it is for who stands behind the head.
+RigidTransform bladeAt(const BladeForm& form, const Vec3& p_A_tip, Angle ahead)
+{
+    Mat3 R_AL;
+    R_AL.col(0) = -Vec3::UnitX();
+    R_AL.col(1) = Vec3{0.0, -std::cos(ahead.si), -std::sin(ahead.si)};
+    R_AL.col(2) = R_AL.col(0).cross(R_AL.col(1));
+    return {Quat{R_AL}, p_A_tip - R_AL * middleOfBlade(form, 1.0)};
+}
+
+/// How far the underside of a blade is from a place, towards the handle positive.
+double clearanceOf(const BladeForm& form, const RigidTransform& X_AL, const Vec3& p_A)
+{
+    const Vec3 p_L = X_AL.inverse() * p_A;
+    return formula::bladeFace(form.rise, form.sag, -p_L.z() / form.reach).value
+           - kBladeHalfThickness - p_L.y();
+}
+
+/// The same, turned about its tip so that it passes the teeth: the clearance grows with the angle.
+RigidTransform pastTeeth(const BladeForm& form, const Vec3& p_A_tip, const Vec3& p_A_incisors)
+{
+    constexpr int kHalvings = 40;
+    double least = degrees(40.0).si;
+    double most = degrees(115.0).si;
+    for (int i = 0; i < kHalvings; ++i) {
+        const double middle = std::midpoint(least, most);
+        const RigidTransform X_AL = bladeAt(form, p_A_tip, radians(middle));
+        (clearanceOf(form, X_AL, p_A_incisors) < kTeethClearance.si ? least : most) = middle;
+    }
+    return bladeAt(form, p_A_tip, radians(most));
+}
+
+/// The height above the base of the epiglottis, along the trachea.
+double heightOf(const UpperAirway& airway, const Vec3& p_A)
+{
+    return airway.up_A.dot(p_A - airway.p_A_epiglottisBase);
+}
+
+/// A place of the epiglottis at a height.
+Vec3 onEpiglottis(const UpperAirway& airway, double height)
+{
+    const Vec3 whole = airway.p_A_epiglottisTip - airway.p_A_epiglottisBase;
+    return airway.p_A_epiglottisBase + height / airway.up_A.dot(whole) * whole;
+}
+
+/// Along the way over the tongue, up to the place nearest to the tip of the epiglottis.
+Centreline wayToEpiglottis(const UpperAirway& moved)
+{
+    const auto nearest = std::ranges::min_element(moved.path_A, {}, [&](const Vec3& p_A) {
+        return (p_A - moved.p_A_epiglottisTip).squaredNorm();
+    });
+    return {moved.path_A.begin(), nearest + 1};
+}
+
+/// To the front and to the feet alike.
+Vec3 liftDirection(const UpperAirway& airway)
+{
+    return (airway.forward_A() - airway.up_A).normalized();
+}
+
+/// Where the tip is before the lift that takes it to the floor of the vallecula, or deeper behind
+/// the epiglottis.
+Vec3 placedTip(const UpperAirway& moved, const Blade& blade, Length lift)
+{
+    const double size = sizeOf(moved);
+    if (blade.lift == EpiglottisLift::Ligament) {
+        const double above = -lift.si * moved.up_A.dot(liftDirection(moved));
+        return moved.p_A_vallecula + size * kTipInVallecula.si * moved.forward_A()
+               + above * moved.up_A;
+    }
+    const double height = kDirectShare * heightOf(moved, moved.p_A_epiglottisTip);
+    return onEpiglottis(moved, height) - size * kTipBehindEpiglottis.si * moved.forward_A();
+}
+
+/// Pressed into the tongue at a length of the way over it: between it and the straight line.
+Vec3 overTongue(const UpperAirway& moved, const Centreline& way, Length along)
+{
+    const Vec3 straight =
+        moved.p_A_incisors + along / lengthOf(way) * (moved.p_A_vallecula - moved.p_A_incisors);
+    return pointAlong(way, along) + kIntoTongue * (straight - pointAlong(way, along));
+}
+
+Vec3 tipIn(LaryngoscopyStep step, const UpperAirway& moved, const Blade& blade, Length lift)
+{
+    const double size = sizeOf(moved);
+    const Centreline way = wayToEpiglottis(moved);
+    switch (step) {
+    case LaryngoscopyStep::Teeth:
+        return moved.p_A_incisors - size * kTipBelowTeeth.si * Vec3::UnitZ();
+    case LaryngoscopyStep::Uvula:
+        return overTongue(moved, way, kUvulaShare * lengthOf(way));
+    case LaryngoscopyStep::Epiglottis:
+        return moved.p_A_vallecula + size * kTipInVallecula.si * moved.forward_A()
+               + size * kReachOfLigament.si * moved.up_A;
+    case LaryngoscopyStep::Partial:
+    case LaryngoscopyStep::Full:
+        break;
+    }
+    return placedTip(moved, blade, lift);
+}
+
+/// How far forward the epiglottis is taken at its vallecula by what pulls at the ligament.
+double pulledBy(const UpperAirway& moved, const Vec3& p_A_tip)
+{
+    const double size = sizeOf(moved);
+    const double over = heightOf(moved, p_A_tip - moved.p_A_vallecula + moved.p_A_epiglottisBase);
+    const double felt = 1.0 - formula::step(over / (size * kReachOfLigament.si)).value;
+    const double forward = moved.forward_A().dot(p_A_tip - moved.p_A_vallecula);
+    return felt * std::max(forward, 0.0);
+}
+
+LarynxHinge hingeOf(const UpperAirway& moved)
+{
+    const double size = sizeOf(moved);
+    const Vec3 p_A_hinge = moved.p_A_epiglottisBase - size * kHingeBelow.si * moved.up_A
+                           - size * kHingeBehind.si * moved.forward_A();
+    return {.p_A = p_A_hinge,
+            .up_A = moved.up_A,
+            .forward_A = moved.forward_A(),
+            .height = metres(moved.up_A.dot(moved.p_A_vallecula - p_A_hinge)),
+            .behind = size * kFadesBehind,
+            .slope = kHingeSlope};
+}
+
+/// The share by which a place goes with a tilted larynx.
+double tiltingShare(const LarynxHinge& hinge, const Vec3& p_A)
+{
+    BladeField whole;
+    whole.tiltLarynx(hinge, metres(1.0));
+    return larynxTilt<double>(whole.frame(), p_A).d.dot(hinge.forward_A);
+}
+
+/// The same by a tip behind it.
+double liftedBy(const UpperAirway& moved, const Vec3& p_A_tip, const LarynxHinge& hinge)
+{
+    const double height = heightOf(moved, p_A_tip);
+    if (height <= 0.0 || height > heightOf(moved, moved.p_A_epiglottisTip))
+        return 0.0;
+    const Vec3 p_A_lifted = onEpiglottis(moved, height);
+    const double behind = moved.forward_A().dot(p_A_tip - p_A_lifted);
+    const double wanted = behind + kBladeHalfThickness + sizeOf(moved) * kBehindThickness.si;
+    constexpr double kLeastShare = 0.01;
+    return std::max(wanted, 0.0) / std::max(tiltingShare(hinge, p_A_lifted), kLeastShare);
+}
+
+} // namespace
+
+const char* stepName(LaryngoscopyStep step) { return stepFigures(step).name; }
+
+BladeField bladeInTissue(const UpperAirway& moved, const Blade& blade, const RigidTransform& X_AL)
+{
+    BladeField field{blade.form, X_AL};
+    const Vec3 p_A_tip = X_AL * middleOfBlade(blade.form, 1.0);
+    const LarynxHinge hinge = hingeOf(moved);
+    const double forward = blade.lift == EpiglottisLift::Ligament ? pulledBy(moved, p_A_tip)
+                                                                  : liftedBy(moved, p_A_tip, hinge);
+    field.tiltLarynx(hinge, metres(std::min(forward, sizeOf(moved) * kMostTilt.si)));
+    return field;
+}
+
+LaryngoscopyPose laryngoscopyPose(const UpperAirway& airway, const ThroatField& throat,
+                                  const Blade& blade, LaryngoscopyStep step, Length lift)
+{
+    const StepFigures& figures = stepFigures(step);
+    LaryngoscopyPose pose;
+    pose.X_AJ = jawIn(airway, figures);
+    pose.lift = figures.lift * lift;
+    const UpperAirway moved = followed(airway, {throat, pose.X_AJ});
+    const Vec3 p_A_tip = tipIn(step, moved, blade, lift) + pose.lift.si * liftDirection(moved);
+    pose.X_AL = pastTeeth(blade.form, p_A_tip, airway.p_A_incisors);
+    pose.field = bladeInTissue(moved, blade, pose.X_AL);
+    return pose;
+}
+
+} // namespace carina

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "engine/anatomy/laryngoscopy/blade.h"
+#include "engine/anatomy/laryngoscopy/upper_airway.h"
+
+#include <array>
+
+namespace carina
+{
+
+/// How far a laryngoscopy has come, named after what is to be seen from there.
+enum class LaryngoscopyStep : std::uint8_t {
+    Teeth,      ///< the tip at the upper incisors
+    Uvula,      ///< over the tongue
+    Epiglottis, ///< at the base of the tongue; nothing is lifted yet
+    Partial,    ///< in the vallecula, or behind the epiglottis; not lifted wholly
+    Full,       ///< lifted
+};
+inline constexpr std::array kLaryngoscopySteps{LaryngoscopyStep::Teeth, LaryngoscopyStep::Uvula,
+                                               LaryngoscopyStep::Epiglottis,
+                                               LaryngoscopyStep::Partial, LaryngoscopyStep::Full};
+
+/// The name of a step in files and JSON: "full_view".
+[[nodiscard]] const char* stepName(LaryngoscopyStep step);
+
+/// Blade and jaw of one patient at a moment.
+struct LaryngoscopyPose {
+    RigidTransform X_AL;
+    RigidTransform X_AJ; ///< of the mandible, the identity with the mouth closed
+    Length lift{};       ///< along the handle, from where the tip was placed
+    /// How the tissue gives way, after it has followed the jaw.
+    BladeField field{};
+};
+
+/// Where a blade is in one step: in the midsagittal plane, its tip where the path of a tube passes
+/// over the tongue, in the end in the vallecula (or behind the epiglottis, for a blade that lifts
+/// this itself), and turned so that it passes kTeethClearance below the upper incisors. The jaw
+/// opens as the blade goes in, and comes forward with the lift, which is to the front and to the
+/// feet alike, as a handle at 45 degrees is pulled.
+///
+/// @param throat by which the patient's tissue follows the jaw, with the mouth closed in the
+///               surfaces
+/// @param lift   of LaryngoscopyStep::Full; 0.7 of it is that of Partial
+[[nodiscard]] LaryngoscopyPose laryngoscopyPose(const UpperAirway& airway,
+                                                const ThroatField& throat, const Blade& blade,
+                                                LaryngoscopyStep step, Length lift);
+
+/// The lift of a good view: of ours, for the geometry of an adult with the head in neutral
+/// position.
+inline constexpr Length kUsualLift = millimetres(22.0);
+inline constexpr Length kTeethClearance = millimetres(5.0);
+
+/// The tissue in front of a blade at a pose, wherever it is: the tongue is pushed away, and the
+/// larynx is tilted with its epiglottis as far as the blade's tip has taken the vallecula forward,
+/// or, by a blade that lifts the epiglottis itself, until this lies before the blade. A tip that
+/// has not come down to the vallecula tilts it less the farther above it is.
+/// @param moved the places after they have followed the jaw
+[[nodiscard]] BladeField bladeInTissue(const UpperAirway& moved, const Blade& blade,
+                                       const RigidTransform& X_AL);
+
+} // namespace carina

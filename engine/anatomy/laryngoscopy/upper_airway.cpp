@@ -1,0 +1,175 @@
+#include "engine/anatomy/laryngoscopy/upper_airway.h"
+
+#include "engine/anatomy/airway/airway_measure.h"
+
+#include <algorithm>
+#include <cctype>
+#include <functional>
+#include <optional>
+#include <string_view>
+
+namespace carina
+{
+namespace
+{
+
+constexpr double kNearMidplane = 4e-3; ///< metres to either side
+constexpr double kSameHeight = 1.5e-3; ///< metres up and down
+
+bool isCalled(const AnatomyPart& part, std::string_view words)
+{
+    std::string name = part.name;
+    std::ranges::transform(name, name.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return name.find(words) != std::string::npos;
+}
+
+bool isCord(const AnatomyPart& part)
+{
+    return isCalled(part, "vocal") && !isCalled(part, "vestibular");
+}
+
+/// All vertices of the finest levels of the parts for which `is` holds.
+std::vector<Vec3> verticesOf(std::span<const AnatomyPart> parts,
+                             const std::function<bool(const AnatomyPart&)>& is)
+{
+    std::vector<Vec3> vertices;
+    for (const AnatomyPart& part : parts)
+        if (is(part) && !part.levels.empty())
+            for (const Vec3f& p : part.levels.front().positions)
+                vertices.push_back(p.cast<double>());
+    return vertices;
+}
+
+/// The mean of those that reach farthest along a direction, within kSameHeight.
+std::optional<Vec3> farthest(const std::vector<Vec3>& vertices, const Vec3& dir_A)
+{
+    if (vertices.empty())
+        return std::nullopt;
+    double most = dir_A.dot(vertices.front());
+    for (const Vec3& p : vertices)
+        most = std::max(most, dir_A.dot(p));
+    Vec3 sum = Vec3::Zero();
+    int count = 0;
+    for (const Vec3& p : vertices)
+        if (dir_A.dot(p) > most - kSameHeight) {
+            sum += p;
+            ++count;
+        }
+    return sum / count;
+}
+
+/// Those within kNearMidplane of the plane through the glottis.
+std::vector<Vec3> nearMidplane(std::vector<Vec3> vertices, double x)
+{
+    std::erase_if(vertices, [x](const Vec3& p) { return std::abs(p.x() - x) > kNearMidplane; });
+    return vertices;
+}
+
+/// The foremost of those at a height.
+std::optional<Vec3> foremostAt(std::vector<Vec3> vertices, const UpperAirway& airway, double height)
+{
+    std::erase_if(vertices, [&](const Vec3& p) {
+        return std::abs(airway.up_A.dot(p - airway.p_A_epiglottisBase) - height) > kSameHeight;
+    });
+    return farthest(vertices, airway.forward_A());
+}
+
+Vec3 inPlane(Vec3 p, double x)
+{
+    p.x() = x;
+    return p;
+}
+
+/// Base, tip and vallecula.
+bool findEpiglottis(UpperAirway& airway, std::span<const AnatomyPart> parts, double x)
+{
+    const std::vector<Vec3> vertices = nearMidplane(
+        verticesOf(parts, [](const AnatomyPart& p) { return p.role == PartRole::Epiglottis; }), x);
+    const auto tip = farthest(vertices, airway.up_A);
+    const auto base = farthest(vertices, -airway.up_A);
+    if (!tip || !base)
+        return false;
+    airway.p_A_epiglottisTip = inPlane(*tip, x);
+    airway.p_A_epiglottisBase = inPlane(*base, x);
+    const double height = kValleculaHeight * airway.up_A.dot(*tip - *base);
+    const auto floor = foremostAt(vertices, airway, height);
+    if (!floor)
+        return false;
+    airway.p_A_vallecula = inPlane(*floor, x);
+    return true;
+}
+
+/// Their ends, at the height of the landmark between them.
+bool findGlottis(UpperAirway& airway, std::span<const AnatomyPart> parts, const Vec3& p_A_glottis)
+{
+    const std::vector<Vec3> cords = verticesOf(parts, isCord);
+    const auto front = farthest(cords, airway.forward_A());
+    const auto back = farthest(cords, -airway.forward_A());
+    if (!front || !back)
+        return false;
+    const auto atGlottis = [&](const Vec3& p) {
+        return Vec3{p_A_glottis + airway.forward_A().dot(p - p_A_glottis) * airway.forward_A()};
+    };
+    airway.p_A_commissure = atGlottis(*front);
+    airway.p_A_notch = atGlottis(*back);
+    return true;
+}
+
+bool findUvula(UpperAirway& airway, std::span<const AnatomyPart> parts, double x)
+{
+    for (const char* words : {"uvula", "soft palate"}) {
+        const auto isIt = [words](const AnatomyPart& part) { return isCalled(part, words); };
+        if (const auto tip = farthest(verticesOf(parts, isIt), -Vec3::UnitZ())) {
+            airway.p_A_uvula = inPlane(*tip, x);
+            return true;
+        }
+    }
+    return false;
+}
+
+} // namespace
+
+Vec3 UpperAirway::forward_A() const { return (-Vec3::UnitY() + up_A.y() * up_A).normalized(); }
+
+Length UpperAirway::glottis() const { return metres((p_A_commissure - p_A_notch).norm()); }
+
+Result<UpperAirway> upperAirwayOf(std::span<const AnatomyPart> parts,
+                                  const AirwayLandmarks& landmarks)
+{
+    UpperAirway airway;
+    airway.p_A_incisors = landmarks.p_A_incisors;
+    const Vec3 trachea = landmarks.p_A_glottis - landmarks.p_A_carina;
+    if (!(trachea.norm() > ThroatField::kLeast))
+        return fail(Errc::NoAirway, "the trachea is too short");
+    airway.up_A = trachea.normalized();
+    const double x = landmarks.p_A_glottis.x();
+    if (!findEpiglottis(airway, parts, x))
+        return fail(Errc::NoAirway, "no epiglottis");
+    if (!findGlottis(airway, parts, landmarks.p_A_glottis))
+        return fail(Errc::NoAirway, "no vocal cords");
+    if (!findUvula(airway, parts, x))
+        return fail(Errc::NoAirway, "no soft palate");
+    const std::span<const Vec3> path = pathFromTeeth(landmarks);
+    const auto glottis = std::ranges::min_element(
+        path, {}, [&](const Vec3& p) { return (p - landmarks.p_A_glottis).squaredNorm(); });
+    airway.path_A.assign(path.begin(), glottis + 1);
+    return airway;
+}
+
+UpperAirway followed(UpperAirway airway, const FollowingThroat& throat)
+{
+    const ThroatFrame<double>& frame = throat.field.frame();
+    const JawShift<double> jaw = jawShift(throat.X_AJ);
+    const auto follow = [&](Vec3& p_A) {
+        p_A += jawPull<double>(frame, ThroatTissue::Airway, jaw, p_A).d;
+    };
+    for (Vec3* p_A : {&airway.p_A_epiglottisBase, &airway.p_A_epiglottisTip, &airway.p_A_vallecula,
+                      &airway.p_A_commissure, &airway.p_A_notch})
+        follow(*p_A);
+    for (Vec3& p_A : airway.path_A)
+        follow(p_A);
+    return airway;
+}
+
+} // namespace carina

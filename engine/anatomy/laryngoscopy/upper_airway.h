@@ -1,0 +1,49 @@
+#pragma once
+
+#include "engine/anatomy/anatomy.h"
+#include "engine/core/result.h"
+#include "engine/core/units.h"
+#include "engine/geometry/deformation/throat_field.h"
+
+#include <span>
+
+namespace carina
+{
+
+/// The places by which a laryngoscope finds its way and what it shows is measured, in A, metres.
+struct UpperAirway {
+    Vec3 p_A_incisors = Vec3::Zero(); ///< midpoint of the upper incisors' edge
+    Vec3 p_A_uvula = Vec3::Zero();    ///< its tip
+    Vec3 p_A_epiglottisBase = Vec3::Zero();
+    Vec3 p_A_epiglottisTip = Vec3::Zero(); ///< middle of its free edge
+    Vec3 p_A_vallecula = Vec3::Zero();     ///< in front of the epiglottis, at kValleculaHeight
+    Vec3 p_A_commissure = Vec3::Zero();    ///< anterior: where both cords meet in front
+    Vec3 p_A_notch = Vec3::Zero();         ///< interarytenoid: between their ends behind
+    Vec3 up_A = Vec3::UnitZ();             ///< along the trachea towards the head; unit
+    std::vector<Vec3> path_A;              ///< of a tube, from the incisors to the glottis
+
+    /// To the front, perpendicular to up_A; unit.
+    [[nodiscard]] Vec3 forward_A() const;
+    /// Length of the glottis, from commissure to notch.
+    [[nodiscard]] Length glottis() const;
+};
+
+/// Height of the vallecula's floor, as a share of the way from the epiglottis' base to its tip: of
+/// ours. Its free part is about two thirds of its length.
+inline constexpr double kValleculaHeight = 0.3;
+
+/// Finds these places from surfaces and landmarks of a patient:
+///
+/// - epiglottis: the part of that role, its lowest and highest places near the midplane;
+/// - cords: the parts whose names contain "vocal", but not "vestibular"; their ends in front and
+///   behind;
+/// - uvula: the lowest place of the part whose name contains "uvula", or else "soft palate".
+///
+/// @returns NoAirway with what is missing
+[[nodiscard]] Result<UpperAirway> upperAirwayOf(std::span<const AnatomyPart> parts,
+                                                const AirwayLandmarks& landmarks);
+
+/// The same places after they have followed the jaw; palate and incisors stay.
+[[nodiscard]] UpperAirway followed(UpperAirway airway, const FollowingThroat& throat);
+
+} // namespace carina

@@ -1,0 +1,81 @@
+#include "engine/anatomy/laryngoscopy/blade.h"
+#include "engine/geometry/rotation.h"
+#include "tests/support/test_class.h"
+
+#include <cmath>
+
+namespace carina::blade_test
+{
+
+class TestBlade : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void isFoundByItsName_data() { blades(); }
+    void isFoundByItsName();
+    void hasTheLengthOfItsSize();
+    void seesItsTipInTheUpperHalfOfThePicture_data() { blades(); }
+    void seesItsTipInTheUpperHalfOfThePicture();
+    void looksBetweenTeethAndBlade();
+
+private:
+    static void blades()
+    {
+        QTest::addColumn<BladeKind>("kind");
+        for (const BladeKind kind : kBladeKinds)
+            QTest::newRow(bladeOf(kind).name.data()) << kind;
+    }
+};
+
+void TestBlade::isFoundByItsName()
+{
+    QFETCH(const BladeKind, kind);
+    QVERIFY(bladeFromName(bladeOf(kind).name) == kind);
+    QVERIFY(!bladeFromName("macintosh-7"));
+}
+
+void TestBlade::hasTheLengthOfItsSize()
+{
+    QVERIFY(bladeOf(BladeKind::Macintosh2).form.reach < bladeOf(BladeKind::Macintosh3).form.reach);
+    QVERIFY(bladeOf(BladeKind::Macintosh3).form.reach < bladeOf(BladeKind::Macintosh4).form.reach);
+    QVERIFY(bladeOf(BladeKind::Miller2).form.sag
+            < 0.1 * bladeOf(BladeKind::Macintosh3).form.sag + 0.001);
+}
+
+void TestBlade::seesItsTipInTheUpperHalfOfThePicture()
+{
+    QFETCH(const BladeKind, kind);
+    const Blade& blade = bladeOf(kind);
+    const RigidTransform X_DL = cameraOnBlade(blade).inverse();
+    const Vec3 tip = X_DL * middleOfBlade(blade.form, 1.0);
+    QVERIFY(tip.z() < 0.0);
+    QCOMPARE(std::abs(tip.x()) < 1e-12, true);
+    const double up = tip.y() / -tip.z() / std::tan(0.5 * kScopeFieldOfView.si);
+    QVERIFY2(up > 0.1 && up < 0.9, qPrintable(QString::number(up)));
+    // The camera is on the underside, and no part of the blade is before it in the lower half.
+    for (double share = 1.0 - blade.cameraToTip.si / blade.form.reach; share <= 1.0; share += 0.01)
+        QVERIFY((X_DL * middleOfBlade(blade.form, share)).y() > 0.0);
+}
+
+// A straight blade in the plane y = 0 of A, 10 mm above the teeth; the target is 70 mm behind them.
+void TestBlade::looksBetweenTeethAndBlade()
+{
+    const Blade& blade = bladeOf(BladeKind::Miller2);
+    const Vec3 p_A_incisors{0.0, -0.012, -0.05};
+    const Vec3 p_A_target{0.0, -0.012, -0.12};
+    const RigidTransform X_AD = eyePastBlade(blade, {}, p_A_incisors, p_A_target);
+    const Vec3 way = X_AD.rotation() * -Vec3::UnitZ();
+    QVERIFY(std::abs((p_A_target - X_AD.translation()).norm() - 0.37) < 1e-3);
+    QVERIFY((p_A_target - X_AD.translation()).normalized().isApprox(way));
+    const double share = (p_A_incisors.z() - X_AD.translation().z()) / way.z();
+    const double y = X_AD.translation().y() + share * way.y();
+    QVERIFY(y > p_A_incisors.y());
+    QVERIFY(y < middleOfBlade(blade.form, 0.05 / blade.form.reach).y() - kBladeHalfThickness);
+}
+
+CARINA_TEST(TestBlade)
+
+} // namespace carina::blade_test
+
+#include "tst_blade.moc"

@@ -1,0 +1,224 @@
+#include "engine/anatomy/laryngoscopy/laryngoscopy_path.h"
+#include "engine/anatomy/patient/builtin_patient.h"
+#include "tests/support/test_class.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace carina::laryngoscopy_path_test
+{
+namespace
+{
+
+constexpr double kLengthTolerance_m = 1e-4;
+/// Length of the open glottis of men and women (Miller's Anesthesia).
+constexpr double kMensGlottis_mm = 23.0;
+constexpr double kWomensGlottis_mm = 17.0;
+constexpr double kGlottisTolerance_mm = 5.0;
+
+const Anatomy& resting(BuiltinPatient who)
+{
+    static std::map<BuiltinPatient, Anatomy> made;
+    const auto found = made.find(who);
+    if (found != made.end())
+        return found->second;
+    return made.emplace(who, patientFor(parametersOf(who), Posture::Rest).value()).first->second;
+}
+
+/// One patient, and how its tissue follows the jaw.
+struct Person {
+    UpperAirway airway;
+    ThroatField throat;
+};
+
+Person personOf(BuiltinPatient who)
+{
+    const Anatomy& anatomy = resting(who);
+    const AirwayLandmarks& l = anatomy.landmarks;
+    return {upperAirwayOf(anatomy.parts, l).value(), {l.p_A_carina, l.p_A_glottis, l.p_A_incisors}};
+}
+
+Vec3 tipOf(const Blade& blade, const LaryngoscopyPose& pose)
+{
+    return pose.X_AL * middleOfBlade(blade.form, 1.0);
+}
+
+/// How far below the blade a place is, from its underside.
+double belowBlade(const Blade& blade, const LaryngoscopyPose& pose, const Vec3& p_A)
+{
+    const Vec3 p_L = pose.X_AL.inverse() * p_A;
+    return middleOfBlade(blade.form, -p_L.z() / blade.form.reach).y() - kBladeHalfThickness
+           - p_L.y();
+}
+
+/// How far forward the free edge of the epiglottis is taken.
+double epiglottisForward_mm(const Person& person, const LaryngoscopyPose& pose)
+{
+    const UpperAirway moved = followed(person.airway, {person.throat, pose.X_AJ});
+    const Vec3 d = larynxTilt<double>(pose.field.frame(), moved.p_A_epiglottisTip).d;
+    return 1e3 * d.dot(moved.forward_A());
+}
+
+} // namespace
+
+class TestLaryngoscopyPath : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void findsThePlacesOfAnAirway_data() { people(); }
+    void findsThePlacesOfAnAirway();
+    void hasAGlottisOfPublishedLength();
+    void saysWhatIsMissing();
+    void goesInStepByStep_data() { blades(); }
+    void goesInStepByStep();
+    void keepsClearOfTheTeeth_data() { blades(); }
+    void keepsClearOfTheTeeth();
+    void liftsTheEpiglottisOnlyInTheEnd_data() { blades(); }
+    void liftsTheEpiglottisOnlyInTheEnd();
+    void leavesNoTongueInsideTheBlade_data() { blades(); }
+    void leavesNoTongueInsideTheBlade();
+
+private:
+    static void people()
+    {
+        QTest::addColumn<BuiltinPatient>("who");
+        QTest::newRow("adult") << BuiltinPatient::Adult;
+        QTest::newRow("child") << BuiltinPatient::TwelveYears;
+    }
+    static void blades()
+    {
+        QTest::addColumn<BladeKind>("kind");
+        for (const BladeKind kind : kBladeKinds)
+            QTest::newRow(bladeOf(kind).name.data()) << kind;
+    }
+};
+
+// From the front to the back, and from the head to the feet.
+void TestLaryngoscopyPath::findsThePlacesOfAnAirway()
+{
+    QFETCH(const BuiltinPatient, who);
+    const UpperAirway airway = personOf(who).airway;
+    QVERIFY(std::abs(airway.forward_A().dot(airway.up_A)) < 1e-12);
+    QVERIFY(airway.forward_A().y() < -0.9);
+    QVERIFY(airway.p_A_uvula.y() > airway.p_A_incisors.y() + 0.04);
+    QVERIFY(airway.p_A_epiglottisTip.z() < airway.p_A_uvula.z());
+    QVERIFY(airway.p_A_epiglottisTip.z() > airway.p_A_vallecula.z());
+    QVERIFY(airway.p_A_vallecula.z() > airway.p_A_epiglottisBase.z());
+    QVERIFY(airway.p_A_epiglottisBase.z() > airway.p_A_commissure.z());
+    QVERIFY(airway.forward_A().dot(airway.p_A_commissure - airway.p_A_notch) > 0.01);
+    QVERIFY((airway.path_A.front() - airway.p_A_incisors).norm() < kLengthTolerance_m);
+}
+
+void TestLaryngoscopyPath::hasAGlottisOfPublishedLength()
+{
+    const double man_mm = inMillimetres(personOf(BuiltinPatient::Adult).airway.glottis());
+    const double boy_mm = inMillimetres(personOf(BuiltinPatient::TwelveYears).airway.glottis());
+    qInfo("glottis %.1f mm in the man, %.1f mm in the boy", man_mm, boy_mm);
+    QVERIFY(std::abs(man_mm - kMensGlottis_mm) < kGlottisTolerance_mm);
+    QVERIFY(boy_mm > kWomensGlottis_mm - kGlottisTolerance_mm && boy_mm < man_mm);
+}
+
+void TestLaryngoscopyPath::saysWhatIsMissing()
+{
+    const Anatomy& whole = resting(BuiltinPatient::Adult);
+    for (const auto& [words, missing] :
+         {std::pair{"Epiglottis", "no epiglottis"}, std::pair{"vocal", "no vocal cords"},
+          std::pair{"Soft palate", "no soft palate"}}) {
+        std::vector<AnatomyPart> parts = whole.parts;
+        std::erase_if(parts, [words = words](const AnatomyPart& part) {
+            return part.name.find(words) != std::string::npos;
+        });
+        const auto found = upperAirwayOf(parts, whole.landmarks);
+        QVERIFY(!found.has_value());
+        QCOMPARE(found.error().code, Errc::NoAirway);
+        QCOMPARE(found.error().detail, std::string{missing});
+    }
+}
+
+void TestLaryngoscopyPath::goesInStepByStep()
+{
+    QFETCH(const BladeKind, kind);
+    const Blade& blade = bladeOf(kind);
+    const Person person = personOf(BuiltinPatient::Adult);
+    double left = 1.0; // metres to the glottis
+    for (const LaryngoscopyStep step : kLaryngoscopySteps) {
+        const LaryngoscopyPose pose =
+            laryngoscopyPose(person.airway, person.throat, blade, step, kUsualLift);
+        const Vec3 tip = tipOf(blade, pose);
+        QVERIFY(std::abs(tip.x()) < kLengthTolerance_m);
+        QVERIFY(pose.X_AL.rotation().toRotationMatrix().col(0).isApprox(-Vec3::UnitX()));
+        if (step == LaryngoscopyStep::Full)
+            break;
+        const double toGlottis = (tip - person.airway.p_A_notch).norm();
+        QVERIFY2(toGlottis < left, stepName(step));
+        left = toGlottis;
+    }
+}
+
+void TestLaryngoscopyPath::keepsClearOfTheTeeth()
+{
+    QFETCH(const BladeKind, kind);
+    const Blade& blade = bladeOf(kind);
+    for (const BuiltinPatient who : {BuiltinPatient::Adult, BuiltinPatient::TwelveYears}) {
+        const Person person = personOf(who);
+        for (const LaryngoscopyStep step : kLaryngoscopySteps) {
+            if (step == LaryngoscopyStep::Teeth)
+                continue; // the tip itself is there
+            const LaryngoscopyPose pose =
+                laryngoscopyPose(person.airway, person.throat, blade, step, kUsualLift);
+            const double clear = belowBlade(blade, pose, person.airway.p_A_incisors);
+            QVERIFY2(clear > kTeethClearance.si - kLengthTolerance_m, stepName(step));
+        }
+    }
+}
+
+void TestLaryngoscopyPath::liftsTheEpiglottisOnlyInTheEnd()
+{
+    constexpr double kLeastLifted_mm = 10.0;
+    QFETCH(const BladeKind, kind);
+    const Person person = personOf(BuiltinPatient::Adult);
+    double last_mm = 0.0;
+    for (const LaryngoscopyStep step : kLaryngoscopySteps) {
+        const LaryngoscopyPose pose =
+            laryngoscopyPose(person.airway, person.throat, bladeOf(kind), step, kUsualLift);
+        const double forward_mm = epiglottisForward_mm(person, pose);
+        QVERIFY2(forward_mm >= last_mm, stepName(step));
+        if (step == LaryngoscopyStep::Epiglottis)
+            QVERIFY(forward_mm < 1.0);
+        last_mm = forward_mm;
+    }
+    QVERIFY2(last_mm > kLeastLifted_mm, qPrintable(QString::number(last_mm)));
+}
+
+void TestLaryngoscopyPath::leavesNoTongueInsideTheBlade()
+{
+    QFETCH(const BladeKind, kind);
+    const Blade& blade = bladeOf(kind);
+    const Person person = personOf(BuiltinPatient::Adult);
+    const auto& parts = resting(BuiltinPatient::Adult).parts;
+    const auto tongue = std::ranges::find(parts, PartRole::Tongue, &AnatomyPart::role);
+    for (const LaryngoscopyStep step : kLaryngoscopySteps) {
+        const LaryngoscopyPose pose =
+            laryngoscopyPose(person.airway, person.throat, blade, step, kUsualLift);
+        const TriangleMesh moved = deformed(
+            deformed(tongue->levels.front(), {person.throat, pose.X_AJ}, ThroatTissue::Airway),
+            pose.field, BladeTissue::Tongue);
+        for (const Vec3f& p : moved.positions) {
+            const Vec3 p_L = pose.X_AL.inverse() * p.cast<double>();
+            const double share = -p_L.z() / blade.form.reach;
+            if (std::abs(p_L.x()) > 0.5 * blade.form.width || share < 0.0 || share > 1.0)
+                continue;
+            const double above = p_L.y() - middleOfBlade(blade.form, share).y();
+            QVERIFY2(above > kBladeHalfThickness - 1e-6, stepName(step));
+        }
+    }
+}
+
+CARINA_TEST(TestLaryngoscopyPath)
+
+} // namespace carina::laryngoscopy_path_test
+
+#include "tst_laryngoscopy_path.moc"

@@ -93,4 +93,14 @@ Result<Subject> subjectOption(const Words& words)
     });
 }
 
+Result<Anatomy> restingOption(const Words& words)
+{
+    if (words.has(kAnatomy))
+        return loadAnatomySet(words.text(kAnatomy).toStdString(), AnatomyCache::defaultFolder())
+            .map([](LoadedSet&& loaded) { return std::move(loaded.set.anatomy); });
+    return patientOption(words, BuiltinPatient::Adult).and_then([](const PatientParameters& who) {
+        return patientFor(who, Posture::Rest);
+    });
+}
+
 } // namespace carina::lab

@@ -66,4 +66,9 @@ struct Subject {
 /// @returns OutOfRange for a patient there is not; what reading or making it fails with.
 [[nodiscard]] Result<Subject> subjectOption(const Words& words);
 
+/// The set of kAnatomy or the made patient of kPatient with a mouth that is shut and a tongue at
+/// rest; the adult without either.
+/// @returns likewise
+[[nodiscard]] Result<Anatomy> restingOption(const Words& words);
+
 } // namespace carina::lab

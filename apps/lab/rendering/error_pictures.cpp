@@ -71,31 +71,31 @@ Result<QJsonArray> drawAll(const std::vector<ScenePart>& parts, const SceneFrame
     scale.setScale(map.bands, range);
     scale.resize(scale.sizeHint());
     QJsonArray pictures;
-    const PictureSeries series{.count = kMapViews.size(),
-                               .size = order.size,
-                               .prepare =
-                                   [&](SceneView& view) {
-                                       view.setParts(parts);
-                                       view.setFixedLevel(0);
-                                       view.setErrorMap(map);
-                                   },
-                               .frame =
-                                   [&](SceneView& view, std::size_t i) {
-                                       view.showFrom(kMapViews[i].preset);
-                                       view.setSection(kMapViews[i].section);
-                                       return frame;
-                                   },
-                               .take = [&](std::size_t i, const QImage& picture) -> Result<void> {
-                                   const QString name = QString::fromLatin1(kMapViews[i].name);
-                                   const QString file = QStringLiteral("error-%1.png").arg(name);
-                                   const QString path = order.folder.filePath(file);
-                                   if (!withScale(picture, scale).save(path))
-                                       return fail(Errc::FileUnwritable,
-                                                   path.toStdString() + " cannot be written.");
-                                   pictures.append(QJsonObject{{render_error_key::kFile, file},
-                                                               {render_error_key::kView, name}});
-                                   return {};
-                               }};
+    const PictureSeries series{
+        .count = kMapViews.size(),
+        .size = order.size,
+        .prepare =
+            [&](SceneView& view) {
+                view.setParts(parts);
+                view.setFixedLevel(0);
+                view.setErrorMap(map);
+            },
+        .frame =
+            [&](SceneView& view, std::size_t i) {
+                view.showFrom(kMapViews[i].preset);
+                view.setSection(kMapViews[i].section);
+                return frame;
+            },
+        .take = [&](SceneView&, std::size_t i, const QImage& picture) -> Result<void> {
+            const QString name = QString::fromLatin1(kMapViews[i].name);
+            const QString file = QStringLiteral("error-%1.png").arg(name);
+            const QString path = order.folder.filePath(file);
+            if (!withScale(picture, scale).save(path))
+                return fail(Errc::FileUnwritable, path.toStdString() + " cannot be written.");
+            pictures.append(
+                QJsonObject{{render_error_key::kFile, file}, {render_error_key::kView, name}});
+            return {};
+        }};
     return drawSeries(series).map([&] { return pictures; });
 }
 

@@ -188,29 +188,29 @@ Result<QJsonArray> drawAll(const PatientModel& patient, const std::vector<PosedP
     const auto shown = [&](std::size_t i) {
         return std::pair{all[i / kViews.size()], kViews[i % kViews.size()]};
     };
-    const PictureSeries series{.count = all.size() * kViews.size(),
-                               .size = order.size,
-                               .prepare =
-                                   [&](SceneView& view) {
-                                       view.setParts(sceneParts(patient), patient.reach());
-                                       view.setFixedLevel(int(kFinest));
-                                   },
-                               .frame =
-                                   [&](SceneView& view, std::size_t i) {
-                                       const auto [posed, from] = shown(i);
-                                       view.showFrom(from.preset);
-                                       return frameOf(patient, posed.pose, order);
-                                   },
-                               .take = [&](std::size_t i, const QImage& picture) -> Result<void> {
-                                   const auto [posed, from] = shown(i);
-                                   const QString file = fileOf(patient, posed, from);
-                                   const QString path = order.folder.filePath(file);
-                                   if (!picture.save(path))
-                                       return fail(Errc::FileUnwritable,
-                                                   path.toStdString() + " cannot be written.");
-                                   pictures.append(describe(file, posed, from));
-                                   return {};
-                               }};
+    const PictureSeries series{
+        .count = all.size() * kViews.size(),
+        .size = order.size,
+        .prepare =
+            [&](SceneView& view) {
+                view.setParts(sceneParts(patient), patient.reach());
+                view.setFixedLevel(int(kFinest));
+            },
+        .frame =
+            [&](SceneView& view, std::size_t i) {
+                const auto [posed, from] = shown(i);
+                view.showFrom(from.preset);
+                return frameOf(patient, posed.pose, order);
+            },
+        .take = [&](SceneView&, std::size_t i, const QImage& picture) -> Result<void> {
+            const auto [posed, from] = shown(i);
+            const QString file = fileOf(patient, posed, from);
+            const QString path = order.folder.filePath(file);
+            if (!picture.save(path))
+                return fail(Errc::FileUnwritable, path.toStdString() + " cannot be written.");
+            pictures.append(describe(file, posed, from));
+            return {};
+        }};
     return drawSeries(series).map([&] { return pictures; });
 }
 

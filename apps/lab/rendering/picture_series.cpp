@@ -41,7 +41,8 @@ Result<void> drawSeries(const PictureSeries& series)
             return;
         if (const QImage picture = view.picture(); picture.isNull())
             next = series.count;
-        else if (const auto taken = series.take(next, picture); !taken || ++next == series.count) {
+        else if (const auto taken = series.take(view, next, picture);
+                 !taken || ++next == series.count) {
             result = taken;
             next = series.count;
         }

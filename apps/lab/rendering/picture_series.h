@@ -16,8 +16,8 @@ struct PictureSeries {
     std::function<void(SceneView&)> prepare;
     /// A frame by its number; may turn the view's camera.
     std::function<SceneFrame(SceneView&, std::size_t)> frame;
-    /// Gets the picture of each; a failure ends the series.
-    std::function<Result<void>(std::size_t, const QImage&)> take;
+    /// Gets the picture of each, while the view shows it; a failure ends the series.
+    std::function<Result<void>(SceneView&, std::size_t, const QImage&)> take;
 };
 
 /// Draws a series in a window of its own, the scene that all programs have.

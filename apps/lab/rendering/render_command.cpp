@@ -1,6 +1,7 @@
 #include "apps/lab/commands.h"
 #include "apps/lab/rendering/error_pictures.h"
 #include "apps/lab/rendering/geometry_check.h"
+#include "apps/lab/rendering/laryngoscopy_pictures.h"
 #include "apps/lab/rendering/patient_pictures.h"
 #include "apps/lab/rendering/render_page.h"
 #include "apps/program/program.h"
@@ -115,6 +116,51 @@ Result<QJsonObject> drawnError(const Words& words)
         [&order](Subject subject) { return drawErrorPictures(std::move(subject), order); });
 }
 
+/// The eye that kFrom says.
+struct NamedEye {
+    std::string_view name;
+    bool isDirect = false;
+};
+constexpr std::array kEyes{NamedEye{"video", false}, NamedEye{"direct", true}};
+
+Result<BladeKind> bladeOption(const Words& words)
+{
+    if (!words.has(render_option::kBlade))
+        return BladeKind::Macintosh3;
+    if (const auto kind = bladeFromName(words.text(render_option::kBlade).toStdString()))
+        return *kind;
+    QStringList names;
+    for (const BladeKind kind : kBladeKinds)
+        names += QString::fromUtf8(bladeOf(kind).name.data(), bladeOf(kind).name.size());
+    return words.unknownWord(render_option::kBlade, names);
+}
+
+Result<QJsonObject> drawnLaryngoscopy(const Words& words)
+{
+    LaryngoscopyOrder order;
+    order.folder.setPath(words.text(render_option::kLaryngoscopy));
+    if (words.has(render_option::kScopeSize)) {
+        const auto size = program::sizeOption(words.parser());
+        if (!size)
+            return tl::unexpected(size.error());
+        order.size = *size;
+    }
+    const auto blade = bladeOption(words);
+    if (!blade)
+        return tl::unexpected(blade.error());
+    order.blade = *blade;
+    const auto isDirect = words.word(render_option::kFrom, kEyes, &NamedEye::isDirect);
+    if (!isDirect)
+        return tl::unexpected(isDirect.error());
+    order.isDirect = *isDirect;
+    const auto lift_mm = words.number(render_option::kLift, 0.0, 30.0, inMillimetres(kUsualLift));
+    if (!lift_mm)
+        return tl::unexpected(lift_mm.error());
+    order.lift = millimetres(*lift_mm);
+    return restingOption(words).and_then(
+        [&order](Anatomy anatomy) { return drawLaryngoscopy(std::move(anatomy), order); });
+}
+
 /// Whether the first of these options is given, and none that is not of them.
 bool asksFor(const Words& words, std::span<const Option> way)
 {
@@ -134,9 +180,11 @@ Result<QJsonObject> render(const Words& words)
         return drawnPictures(words);
     if (asksFor(words, render_option::kOfErrorMap))
         return drawnError(words);
+    if (asksFor(words, render_option::kOfLaryngoscopy))
+        return drawnLaryngoscopy(words);
     return words.refuse(
-        QStringLiteral("takes --check-geometry [--seed K], --pictures DIR or --error-map DIR, and "
-                       "what 'carina-lab help render' says of them."));
+        QStringLiteral("takes --check-geometry [--seed K], --pictures DIR, --error-map DIR or "
+                       "--laryngoscopy DIR, and what 'carina-lab help render' says of them."));
 }
 
 Use renderedGeometry()
@@ -197,18 +245,37 @@ Use renderedError()
                      render_error_key::kView}};
 }
 
+Use renderedLaryngoscopy()
+{
+    return {
+        .lines = {"--laryngoscopy DIR [OPTION...]"},
+        .text = "Draws what a laryngoscope shows of a patient (the adult unless another is "
+                "asked for) on the way in: the teeth, the uvula, the epiglottis, then the "
+                "larynx with the blade lifted not wholly and wholly. Measures in each picture "
+                "what is seen of the glottis. Writes PNG. Needs a display.",
+        .options = {render_option::kOfLaryngoscopy.begin(), render_option::kOfLaryngoscopy.end()},
+        .schema = render_laryngoscopy_key::kSchema,
+        .keys = {render_laryngoscopy_key::kAnatomy, render_laryngoscopy_key::kWidth,
+                 render_laryngoscopy_key::kHeight, render_laryngoscopy_key::kBlade,
+                 render_laryngoscopy_key::kFrom, render_laryngoscopy_key::kPictures,
+                 render_laryngoscopy_key::kFile, render_laryngoscopy_key::kStep,
+                 render_laryngoscopy_key::kLift, render_laryngoscopy_key::kOpening,
+                 render_laryngoscopy_key::kGrade, render_laryngoscopy_key::kPixels}};
+}
+
 } // namespace
 
 Command renderCommand()
 {
-    return {.name = "render",
-            .theme = "the patient",
-            .summary = "draws pictures of a patient, and checks the geometry of a headset's",
-            .uses = {renderedGeometry(), renderedPictures(), renderedError()},
-            .reminder = "It takes --check-geometry [--seed K], --pictures DIR or --error-map DIR, "
-                        "and what 'carina-lab help render' says of them.",
-            .draws = true,
-            .experiment = render};
+    return {
+        .name = "render",
+        .theme = "the patient",
+        .summary = "draws pictures of a patient, and checks the geometry of a headset's",
+        .uses = {renderedGeometry(), renderedPictures(), renderedError(), renderedLaryngoscopy()},
+        .reminder = "It takes --check-geometry [--seed K], --pictures DIR, --error-map DIR or "
+                    "--laryngoscopy DIR, and what 'carina-lab help render' says of them.",
+        .draws = true,
+        .experiment = render};
 }
 
 } // namespace carina::lab

@@ -32,11 +32,25 @@ inline constexpr Option kLandmarks{
 inline constexpr Option kTouchError{
     "fle", "MM", "root mean square error of a touch, 0.01 to 100; 1 unless given"};
 
+inline constexpr Option kLaryngoscopy{"laryngoscopy", "DIR",
+                                      "folder to write into; it is created if missing"};
+inline constexpr Option kBlade{
+    "blade", "NAME",
+    "macintosh-2, macintosh-3 (unless given), macintosh-4, miller-2 or hyperangulated"};
+inline constexpr Option kFrom{"from", "EYE",
+                              "video: the camera of a video laryngoscope, on the blade (unless "
+                              "given); direct: the eye of who looks past the blade"};
+inline constexpr Option kLift{"lift-mm", "0..30",
+                              "how far the blade is lifted for the last picture; 22 unless given"};
+inline constexpr Option kScopeSize{"size", "WxH", "of each picture, pixels; 640x480 unless given"};
+
 inline constexpr std::array kOfGeometry{kCheckGeometry, kSeed};
 inline constexpr std::array kOfPictures{kPictures, kAnatomy, kPatient,    kSize,       kCondition,
                                         kSeverity, kSide,    kVentilator, kJawOpening, kJawForward};
 inline constexpr std::array kOfErrorMap{kErrorMap, kAnatomy,   kPatient,
                                         kSize,     kLandmarks, kTouchError};
+inline constexpr std::array kOfLaryngoscopy{kLaryngoscopy, kAnatomy, kPatient,  kBlade,
+                                            kFrom,         kLift,    kScopeSize};
 } // namespace render_option
 
 namespace render_geometry_key
@@ -101,5 +115,31 @@ inline constexpr Key kPictures{"pictures", "one object per picture:"};
 inline constexpr Key kFile{"file", "its name in DIR", 1};
 inline constexpr Key kView{"view", "front, side, trainee or cut", 1};
 } // namespace render_error_key
+
+namespace render_laryngoscopy_key
+{
+inline constexpr Key kSchema{"schema", "carina.render.laryngoscopy/1"};
+inline constexpr Key kAnatomy{"anatomy", "name of the anatomy that was drawn"};
+inline constexpr Key kWidth{"width", "of each picture, pixels"};
+inline constexpr Key kHeight{"height", "of each picture, pixels"};
+inline constexpr Key kBlade{"blade", "its name"};
+inline constexpr Key kFrom{"from", "video or direct"};
+inline constexpr Key kPictures{"pictures", "one object per picture:"};
+inline constexpr Key kFile{"file", "its name in DIR", 1};
+inline constexpr Key kStep{"step", "teeth, uvula, epiglottis, partial_view or full_view", 1};
+inline constexpr Key kLift{"lift_mm", "of the blade", 1};
+inline constexpr Key kOpening{"pogo_percent",
+                              "percentage of glottic opening: the share that is seen of the line "
+                              "from the anterior commissure "
+                              "to the interarytenoid notch",
+                              1};
+inline constexpr Key kGrade{"cormack_lehane", "grade: 1, 2a, 2b, 3 or 4", 1};
+inline constexpr Key kPixels{
+    "visible_pixels",
+    "of each structure that is seen: teeth, jaw, tongue, hard_palate, soft_palate, pharynx, "
+    "epiglottis, aryepiglottic_folds, vestibular_folds, arytenoids, vocal_folds, "
+    "laryngeal_cartilages, trachea, oesophagus, blade, and nothing where there is none",
+    1};
+} // namespace render_laryngoscopy_key
 
 } // namespace carina::lab

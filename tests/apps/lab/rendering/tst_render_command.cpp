@@ -170,6 +170,10 @@ void TestRenderCommand::refusesWhatItDoesNotKnow_data()
     row("a patient there is not", "--pictures . --patient giant", "a patient is adult");
     row("a mouth too wide", "--pictures . --jaw-deg 31", "--jaw-deg");
     row("a jaw too far forward", "--pictures . --jaw-forward-mm far", "--jaw-forward-mm");
+    row("a blade there is not", "--laryngoscopy . --blade spoon", "macintosh-3");
+    row("an eye there is not", "--laryngoscopy . --from above", "video, direct");
+    row("too high a lift", "--laryngoscopy . --lift-mm 31", "--lift-mm");
+    row("a condition in a laryngoscopy", "--laryngoscopy . --condition copd", "--laryngoscopy DIR");
     row("a folder nobody can make", "--pictures /proc/none", "/proc/none");
 }
 

@@ -1,0 +1,156 @@
+#include "apps/lab/rendering/laryngoscopy_pictures.h"
+
+#include "apps/lab/rendering/picture_series.h"
+#include "apps/lab/rendering/render_page.h"
+#include "models/patient/patient_source.h"
+#include "ui/scene/scene_parts.h"
+#include "ui/scene/scope_scene.h"
+
+#include <QJsonArray>
+
+namespace carina::lab
+{
+namespace
+{
+
+constexpr QColor kDarkness{6, 3, 3};
+constexpr Length kHalfLight = millimetres(55.0); ///< from a lamp on the blade
+constexpr Length kHalfLightDirect = millimetres(400.0);
+
+QString asText(std::string_view words)
+{
+    return QString::fromUtf8(words.data(), qsizetype(words.size()));
+}
+
+/// One patient, one blade and one eye.
+class ScopeSeries
+{
+public:
+    ScopeSeries(const PatientModel& patient, Laryngoscopy laryngoscopy,
+                const LaryngoscopyOrder& order)
+        : m_patient{patient},
+          m_laryngoscopy{std::move(laryngoscopy)},
+          m_order{order},
+          m_eye{order.isDirect ? ScopeEye::Direct : ScopeEye::Video},
+          m_scene{scopeScene(patient, m_laryngoscopy.blade())}
+    {
+    }
+
+    /// Draws all; their descriptions.
+    Result<QJsonArray> draw()
+    {
+        const PictureSeries series{
+            .count = kLaryngoscopySteps.size(),
+            .size = m_order.size,
+            .prepare = [this](SceneView& view) { prepare(view); },
+            .frame = [this](SceneView&, std::size_t i) { return frameOf(poseOf(i)); },
+            .take = [this](SceneView& view, std::size_t i,
+                           const QImage& picture) { return take(view, i, picture); }};
+        return drawSeries(series).map([this] { return m_pictures; });
+    }
+
+private:
+    void prepare(SceneView& view) const
+    {
+        view.setParts(m_scene.parts);
+        view.setLooks(m_scene.looks);
+        view.setFixedLevel(0);
+        view.setBackground(kDarkness);
+        view.setSpotlight(m_order.isDirect ? kHalfLightDirect : kHalfLight);
+    }
+
+    [[nodiscard]] LaryngoscopyPose poseOf(std::size_t i) const
+    {
+        return m_laryngoscopy.pose(kLaryngoscopySteps.at(i), m_order.lift);
+    }
+
+    [[nodiscard]] EyePicture eyeOf(const LaryngoscopyPose& pose) const
+    {
+        return scopePicture(m_laryngoscopy.eyeAt(pose, m_eye), Laryngoscopy::fieldOfView(m_eye),
+                            double(m_order.size.width()) / m_order.size.height());
+    }
+
+    [[nodiscard]] SceneFrame frameOf(const LaryngoscopyPose& pose) const
+    {
+        SceneFrame frame = sceneFrame({}, m_patient.lungs().field(), m_patient.throat(pose.X_AJ));
+        frame.blade = pose.field;
+        frame.bodies[kScopeBody] = pose.X_AL;
+        frame.eyes = {eyeOf(pose)};
+        return frame;
+    }
+
+    Result<void> take(SceneView& view, std::size_t i, const QImage& picture)
+    {
+        const LaryngoscopyPose pose = poseOf(i);
+        const IdPicture ids = view.opaqueIds();
+        if (ids.ids.empty())
+            return fail(Errc::NoGraphics, "render got no picture of the parts back from the view");
+        const QString step = QString::fromLatin1(stepName(kLaryngoscopySteps.at(i)));
+        const QString file = QStringLiteral("laryngoscopy-%1-%2-%3.png")
+                                 .arg(asText(m_laryngoscopy.blade().name), eyeName(), step);
+        const QString path = m_order.folder.filePath(file);
+        if (!picture.save(path))
+            return fail(Errc::FileUnwritable, path.toStdString() + " cannot be written.");
+        const GlotticView seen =
+            measuredView(ids, m_scene, eyeOf(pose), m_laryngoscopy.glottisAt(pose));
+        m_pictures.append(describe(file, step, pose, seen));
+        return {};
+    }
+
+    [[nodiscard]] static QJsonObject describe(const QString& file, const QString& step,
+                                              const LaryngoscopyPose& pose, const GlotticView& seen)
+    {
+        QJsonObject pixels;
+        for (std::size_t n = 0; n < kSeenStructures; ++n)
+            if (seen.visiblePixels[n] > 0)
+                pixels[QString::fromLatin1(structureName(static_cast<SeenStructure>(n)))] =
+                    qint64(seen.visiblePixels[n]);
+        return {{render_laryngoscopy_key::kFile, file},
+                {render_laryngoscopy_key::kStep, step},
+                {render_laryngoscopy_key::kLift, inMillimetres(pose.lift)},
+                {render_laryngoscopy_key::kOpening, 100.0 * seen.opening},
+                {render_laryngoscopy_key::kGrade, QString::fromLatin1(gradeName(seen.grade))},
+                {render_laryngoscopy_key::kPixels, pixels}};
+    }
+
+    [[nodiscard]] QString eyeName() const
+    {
+        return m_order.isDirect ? QStringLiteral("direct") : QStringLiteral("video");
+    }
+
+    const PatientModel& m_patient;
+    Laryngoscopy m_laryngoscopy;
+    const LaryngoscopyOrder& m_order;
+    ScopeEye m_eye;
+    ScopeScene m_scene;
+    QJsonArray m_pictures;
+};
+
+} // namespace
+
+Result<QJsonObject> drawLaryngoscopy(Anatomy anatomy, const LaryngoscopyOrder& order)
+{
+    if (!order.folder.mkpath(QStringLiteral(".")))
+        return fail(Errc::FileUnwritable, order.folder.path().toStdString() + " cannot be made.");
+    const auto patient = patientOf(std::move(anatomy));
+    if (!patient)
+        return tl::unexpected(patient.error());
+    auto laryngoscopy = Laryngoscopy::of(**patient, order.blade);
+    if (!laryngoscopy)
+        return tl::unexpected(laryngoscopy.error());
+    ScopeSeries series{**patient, std::move(*laryngoscopy), order};
+    return series.draw().map([&](const QJsonArray& pictures) {
+        return QJsonObject{
+            {render_laryngoscopy_key::kSchema,
+             QLatin1StringView{render_laryngoscopy_key::kSchema.help}},
+            {render_laryngoscopy_key::kAnatomy, QString::fromStdString((*patient)->name())},
+            {render_laryngoscopy_key::kWidth, order.size.width()},
+            {render_laryngoscopy_key::kHeight, order.size.height()},
+            {render_laryngoscopy_key::kBlade, asText(bladeOf(order.blade).name)},
+            {render_laryngoscopy_key::kFrom,
+             order.isDirect ? QStringLiteral("direct") : QStringLiteral("video")},
+            {render_laryngoscopy_key::kPictures, pictures}};
+    });
+}
+
+} // namespace carina::lab

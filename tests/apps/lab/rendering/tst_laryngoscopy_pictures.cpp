@@ -1,0 +1,133 @@
+#include "apps/lab/commands.h"
+#include "tests/support/test_class.h"
+#include "widgets/scene/view/graphics.h"
+
+#include <QImage>
+#include <QJsonArray>
+#include <QJsonObject>
+#include <QTemporaryDir>
+
+namespace carina::laryngoscopy_pictures_test
+{
+namespace
+{
+
+constexpr QSize kSize{320, 240};
+
+/// Of the adult.
+QJsonObject drawn(const QString& folder, const QStringList& more = {})
+{
+    const auto object =
+        lab::renderCommand().run(QStringList{QStringLiteral("--laryngoscopy"), folder,
+                                             QStringLiteral("--size"), QStringLiteral("320x240")}
+                                 + more);
+    if (!object)
+        qWarning("%s", object.error().detail.c_str());
+    return object.value_or(QJsonObject{});
+}
+
+qint64 pixels(const QJsonValue& picture, const char* structure)
+{
+    return picture[QStringLiteral("visible_pixels")][QLatin1StringView{structure}].toInteger();
+}
+
+QString grade(const QJsonValue& picture)
+{
+    return picture[QStringLiteral("cormack_lehane")].toString();
+}
+
+} // namespace
+
+class TestLaryngoscopyPictures : public QObject
+{
+    Q_OBJECT
+
+public:
+    static void initMain() { prepareGraphics(); }
+
+private Q_SLOTS:
+    void initTestCase();
+    void init();
+    void drawsTheStepsOfALaryngoscopy();
+    void showsStructuresInTheirOrder();
+    void seesTheGlottisOnlyWhenItIsLifted();
+    void seesLessWithoutALift();
+
+private:
+    QTemporaryDir m_folder;
+    QJsonArray m_pictures;
+};
+
+void TestLaryngoscopyPictures::initTestCase()
+{
+    if (graphicsDriver())
+        m_pictures =
+            drawn(m_folder.filePath(QStringLiteral("usual")))[QStringLiteral("pictures")].toArray();
+}
+
+void TestLaryngoscopyPictures::init()
+{
+    if (!graphicsDriver())
+        QSKIP("no OpenGL 3.3");
+    QCOMPARE(m_pictures.size(), 5);
+}
+
+void TestLaryngoscopyPictures::drawsTheStepsOfALaryngoscopy()
+{
+    QStringList steps;
+    QList<QImage> different;
+    for (const QJsonValue picture : m_pictures) {
+        steps += picture[QStringLiteral("step")].toString();
+        const QImage image{m_folder.filePath(QStringLiteral("usual/")
+                                             + picture[QStringLiteral("file")].toString())};
+        QCOMPARE(image.size(), kSize);
+        QVERIFY(!different.contains(image));
+        different += image;
+        qint64 all = 0;
+        for (const QJsonValue count : picture[QStringLiteral("visible_pixels")].toObject())
+            all += count.toInteger();
+        QCOMPARE(all, qint64(kSize.width() * kSize.height()));
+    }
+    QCOMPARE(steps, (QStringList{QStringLiteral("teeth"), QStringLiteral("uvula"),
+                                 QStringLiteral("epiglottis"), QStringLiteral("partial_view"),
+                                 QStringLiteral("full_view")}));
+}
+
+void TestLaryngoscopyPictures::showsStructuresInTheirOrder()
+{
+    QVERIFY(pixels(m_pictures[0], "teeth") > 0);
+    QVERIFY(pixels(m_pictures[1], "soft_palate") > 0);
+    QVERIFY(pixels(m_pictures[2], "epiglottis") > 0);
+    QCOMPARE(pixels(m_pictures[0], "vocal_folds"), qint64{0});
+    QVERIFY(pixels(m_pictures[4], "arytenoids") > 0);
+    QVERIFY(pixels(m_pictures[4], "vocal_folds") > 0);
+}
+
+void TestLaryngoscopyPictures::seesTheGlottisOnlyWhenItIsLifted()
+{
+    double last = 0.0;
+    for (const QJsonValue picture : m_pictures) {
+        const double pogo = picture[QStringLiteral("pogo_percent")].toDouble();
+        QVERIFY(pogo >= last);
+        last = pogo;
+    }
+    for (int i = 0; i < 3; ++i) // the blade has not lifted anything yet
+        QVERIFY2(grade(m_pictures[i]) >= QStringLiteral("3"), qPrintable(grade(m_pictures[i])));
+    QCOMPARE(grade(m_pictures[4]), QStringLiteral("1"));
+}
+
+void TestLaryngoscopyPictures::seesLessWithoutALift()
+{
+    const QJsonArray low =
+        drawn(m_folder.filePath(QStringLiteral("low")),
+              {QStringLiteral("--lift-mm"), QStringLiteral("0")})[QStringLiteral("pictures")]
+            .toArray();
+    QCOMPARE(low.size(), 5);
+    QVERIFY2(grade(low[4]) >= QStringLiteral("3"), qPrintable(grade(low[4])));
+}
+
+CARINA_SCREEN_TEST(TestLaryngoscopyPictures)
+
+} // namespace carina::laryngoscopy_pictures_test
+
+#include "tst_laryngoscopy_pictures.moc"

@@ -1,0 +1,89 @@
+#include "ui/scene/scope_scene.h"
+
+#include "ui/scene/scene_parts.h"
+#include "widgets/scene/figures/figure_shapes.h"
+
+#include <array>
+#include <cmath>
+#include <memory>
+
+namespace carina
+{
+namespace
+{
+
+/// Colours in the light of a laryngoscope, by SeenStructure: mucosa in pinks, cords like pearl.
+/// There is no mucosa on the jaw, and the end of the trachea is closed in its surface: they are
+/// drawn like gums, and dark like the lumen.
+constexpr std::array<QColor, kSeenStructures> kColors{{{0, 0, 0},
+                                                       {238, 231, 212},
+                                                       {188, 104, 106},
+                                                       {197, 106, 108},
+                                                       {216, 146, 138},
+                                                       {206, 120, 114},
+                                                       {186, 92, 90},
+                                                       {226, 158, 132},
+                                                       {206, 118, 110},
+                                                       {196, 106, 102},
+                                                       {214, 128, 118},
+                                                       {246, 239, 228},
+                                                       {184, 96, 92},
+                                                       {74, 26, 24},
+                                                       {160, 74, 72},
+                                                       {188, 194, 200}}};
+constexpr QColor kSteel = kColors[std::size_t(SeenStructure::Blade)];
+constexpr QColor kHandleSteel{120, 126, 134};
+
+ScenePart scopePart(const char* name, FigureShapes::Mesh mesh, const QColor& color)
+{
+    return {.name = name,
+            .group = MaterialGroup::Tool,
+            .color = color,
+            .listedUnder = BodyRegion::Tools,
+            .body = kScopeBody,
+            .framed = false,
+            .levels = {std::move(mesh)}};
+}
+
+} // namespace
+
+ScopeScene scopeScene(const PatientModel& patient, const Blade& blade)
+{
+    ScopeScene scene{.parts = sceneParts(patient), .looks = {}, .structures = {}};
+    scene.structures.resize(scene.parts.size() + 1, SeenStructure::Nothing);
+    for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+        ScenePart& part = scene.parts[i];
+        const SeenStructure structure = structureOf(patient.surfaces()[i].description);
+        scene.structures[part.id] = structure;
+        part.color = kColors[std::size_t(structure)];
+        scene.looks[part.id].style =
+            structure == SeenStructure::Nothing ? PartStyle::Hidden : PartStyle::Solid;
+    }
+    for (ScenePart part :
+         {scopePart("Blade", std::make_shared<const TriangleMesh>(bladeMesh(blade.form)), kSteel),
+          scopePart("Handle", figureShapes().handle, kHandleSteel)}) {
+        part.id = static_cast<std::uint16_t>(scene.structures.size());
+        scene.parts.push_back(std::move(part));
+        scene.structures.push_back(SeenStructure::Blade);
+    }
+    return scene;
+}
+
+EyePicture scopePicture(const RigidTransform& X_AD, Angle fieldOfView, double widthOverHeight)
+{
+    const double up = std::tan(0.5 * fieldOfView.si);
+    const double right = widthOverHeight * up;
+    return {X_AD, {.left = -right, .right = right, .bottom = -up, .top = up}, {}};
+}
+
+GlotticView measuredView(const IdPicture& picture, const ScopeScene& scene, const EyePicture& eye,
+                         const GlotticLine& line)
+{
+    StructurePicture seen{.width = picture.width, .height = picture.height};
+    for (const auto& id : picture.ids)
+        seen.pixels.push_back(id && *id < scene.structures.size() ? scene.structures[*id]
+                                                                  : SeenStructure::Nothing);
+    return glotticView(seen, {eye.X_AD, eye.frustum.right, eye.frustum.top}, line);
+}
+
+} // namespace carina

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "models/patient/laryngoscopy.h"
+#include "widgets/scene/look/part_look.h"
+#include "widgets/scene/view/scene_frame.h"
+#include "widgets/scene/view/scene_view.h"
+
+#include <vector>
+
+namespace carina
+{
+
+/// The body of the laryngoscope that is drawn with the patient.
+inline constexpr const char* kScopeBody = "laryngoscope";
+
+/// The parts of a scene that a laryngoscope shows, and what each of them is to a person.
+struct ScopeScene {
+    std::vector<ScenePart> parts; ///< of the patient, and blade and handle
+    PartLooks looks;              ///< opaque; hidden what is not to be seen in there
+    /// By the id of the part.
+    std::vector<SeenStructure> structures;
+};
+[[nodiscard]] ScopeScene scopeScene(const PatientModel& patient, const Blade& blade);
+
+/// Eye and frustum of a picture with these sides, from an eye with this vertical field of view.
+[[nodiscard]] EyePicture scopePicture(const RigidTransform& X_AD, Angle fieldOfView,
+                                      double widthOverHeight);
+
+/// What the ids of a picture say of the glottis, as the eye saw it.
+/// @param line the glottis as it is drawn
+/// @pre the picture is not empty
+[[nodiscard]] GlotticView measuredView(const IdPicture& picture, const ScopeScene& scene,
+                                       const EyePicture& eye, const GlotticLine& line);
+
+} // namespace carina

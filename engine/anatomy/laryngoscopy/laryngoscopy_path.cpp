@@ -198,9 +198,9 @@ LarynxHinge hingeOf(const UpperAirway& moved)
 /// The share by which a place goes with a tilted larynx.
 double tiltingShare(const LarynxHinge& hinge, const Vec3& p_A)
 {
-    BladeField whole;
-    whole.tiltLarynx(hinge, metres(1.0));
-    return larynxTilt<double>(whole.frame(), p_A).d.dot(hinge.forward_A);
+    BladeField tilted;
+    tilted.tiltLarynx(hinge, hinge.behind);
+    return larynxTilt<double>(tilted.frame(), p_A).d.dot(hinge.forward_A) / hinge.behind.si;
 }
 
 /// The same by a tip behind it.

@@ -1,0 +1,99 @@
+#include "tests/support/test_class.h"
+#include "tests/widgets/scene/scene_fixture.h"
+#include "widgets/scene/view/graphics.h"
+
+#include <cmath>
+
+namespace carina::scope_picture_test
+{
+
+using namespace carina::test;
+
+namespace
+{
+
+constexpr int kSwitchFrames = 8; ///< after which another shader program is in use
+constexpr double kLightTolerance = 0.1;
+constexpr double kStray = 0.04; ///< of the albedo, light from everywhere
+
+std::optional<std::uint16_t> idAt(const IdPicture& picture, int x, int y)
+{
+    return picture.ids.at(std::size_t(y) * std::size_t(picture.width) + std::size_t(x));
+}
+
+/// Linear red light of a pixel, without the stray light.
+double redLight(const QImage& picture, double x, double y)
+{
+    const QRgb pixel = picture.pixel(int(x * picture.width()), int(y * picture.height()));
+    const double albedo = std::pow(220.0 / 255.0, 2.0); // of spherePart
+    return std::pow(qRed(pixel) / 255.0, 2.0) - kStray * albedo;
+}
+
+} // namespace
+
+/// What a view tells of its picture, and how a lamp beside the eye lights it.
+class TestScopePicture : public QObject
+{
+    Q_OBJECT
+
+public:
+    static void initMain() { prepareGraphics(); }
+
+private Q_SLOTS:
+    void init();
+    void tellsTheNearestOpaquePartInEachPixel();
+    void tellsNothingWhileNotShown();
+    void lightsLessWithTheDistance();
+};
+
+void TestScopePicture::init()
+{
+    if (!graphicsDriver())
+        QSKIP("no OpenGL 3.3");
+}
+
+void TestScopePicture::tellsTheNearestOpaquePartInEachPixel()
+{
+    const std::vector parts{spherePart(7, MaterialGroup::Bone, Vec3::Zero(), 0.1),
+                            spherePart(300, MaterialGroup::SoftTissue, {0.0, 0.5, 0.0}, 0.3),
+                            spherePart(9, MaterialGroup::Airway, {0.0, -0.5, 0.0}, 0.3)};
+    const auto view = shownView(parts, [](int, LocalTime) { return frontFrame(); });
+    QVERIFY(draws(*view, 3));
+    const IdPicture picture = view->opaqueIds();
+    QCOMPARE(picture.width, kWidth);
+    QCOMPARE(picture.height, kHeight);
+    QVERIFY(idAt(picture, kWidth / 2, kHeight / 2) == std::uint16_t{7});
+    // 0.2 m above the middle of the farther sphere, which is 2.5 m away.
+    const double focal = 0.5 * kHeight / std::tan(0.5 * OrbitCamera::kVerticalFieldOfView);
+    QVERIFY(idAt(picture, kWidth / 2, kHeight / 2 - int(0.2 / 2.5 * focal)) == std::uint16_t{300});
+    QVERIFY(!idAt(picture, 2, 2));
+}
+
+void TestScopePicture::tellsNothingWhileNotShown()
+{
+    SceneView view;
+    view.setParts(std::vector{spherePart(1, MaterialGroup::Bone, Vec3::Zero(), 0.1)});
+    QVERIFY(view.opaqueIds().ids.empty());
+}
+
+// Of two spheres that face the eye alike, 1 m and 2 m away, in a light that is a half at 1 m:
+// (1 + 2^2) / (1 + 1^2) times as much.
+void TestScopePicture::lightsLessWithTheDistance()
+{
+    const std::vector parts{spherePart(1, MaterialGroup::Bone, {-0.1, -1.0, 0.0}, 0.05),
+                            spherePart(2, MaterialGroup::Bone, {0.2, 0.0, 0.0}, 0.1)};
+    const auto view = shownView(parts, [](int, LocalTime) { return frontFrame(); });
+    view->setSpotlight(metres(1.0));
+    QVERIFY(draws(*view, kSwitchFrames));
+    const QImage picture = view->picture();
+    const double focal = 0.5 * kHeight / std::tan(0.5 * OrbitCamera::kVerticalFieldOfView);
+    const double aside = 0.1 * focal / kWidth; // shares of the picture's width
+    const double ratio = redLight(picture, 0.5 - aside, 0.5) / redLight(picture, 0.5 + aside, 0.5);
+    QVERIFY2(std::abs(ratio / 2.5 - 1.0) < kLightTolerance, qPrintable(QString::number(ratio)));
+}
+
+CARINA_SCREEN_TEST(TestScopePicture)
+
+} // namespace carina::scope_picture_test
+
+#include "tst_scope_picture.moc"

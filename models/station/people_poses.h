@@ -34,7 +34,7 @@ struct PersonPose {
     bool isOwn = false;    ///< of this program's participant
     bool isAtWork = false; ///< the tube or the jaw of who is at work
     PoseSample pose;       ///< X_AO as its owner has it
-    RigidTransform X_AO;   ///< where others draw it: at the place that was chosen for its owner
+    RigidTransform X_AO;   ///< where others see it: at the place that was chosen for its owner
 };
 
 /// The objects of the people who are present at a station, at a session time, by object; those

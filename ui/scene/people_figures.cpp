@@ -51,6 +51,14 @@ bool isDrawn(const PersonPose& person, const StationMoment& moment)
     return false;
 }
 
+/// Nobody sees their own objects turned: an eye is where its head is, whatever place was chosen.
+const RigidTransform& poseInView(const PersonPose& person,
+                                 const std::optional<ParticipantId>& throughEyesOf)
+{
+    const bool isViewers = throughEyesOf ? person.owner == *throughEyesOf : person.isOwn;
+    return isViewers ? person.pose.X_FO : person.X_AO;
+}
+
 /// Makes the parts of figures, each with an id of its own.
 class FigureMaker
 {
@@ -163,10 +171,11 @@ std::vector<ObjectInFrame> objectsIn(const SceneFrame& frame, const StationMomen
         const auto body =
             frame.bodies.find(isDrawnWithPatient ? kTubeBody : bodyOfObject(person.object));
         ObjectInFrame object{person.object, person.owner, person.kind, person.isOwn, person.X_AO};
-        if (body != frame.bodies.end())
-            object.X_AO = body->second.X_AF;
-        else if (!person.isOwn || person.pose.validity == Validity::Lost)
+        const bool isInFrame = body != frame.bodies.end();
+        if (!isInFrame && (!person.isOwn || person.pose.validity == Validity::Lost))
             continue;
+        if (isInFrame && !person.isOwn)
+            object.X_AO = body->second.X_AF;
         objects.push_back(object);
     }
     return objects;
@@ -179,7 +188,7 @@ void addPeople(SceneFrame& frame, const StationMoment& moment,
         const bool isEye = person.kind == ObjectKind::Head && person.owner == throughEyesOf;
         if (isDrawn(person, moment) && !person.isAtWork && !isEye
             && person.pose.validity != Validity::Lost)
-            frame.bodies[bodyOfObject(person.object)] = person.X_AO;
+            frame.bodies[bodyOfObject(person.object)] = poseInView(person, throughEyesOf);
     }
 }
 

@@ -41,7 +41,7 @@ struct ObjectInFrame {
     ParticipantId owner;
     ObjectKind kind = ObjectKind::Head;
     bool isOwn = false;    ///< of this program's participant
-    RigidTransform X_AO{}; ///< as drawn; of what is own and not drawn, where others draw it
+    RigidTransform X_AO{}; ///< as drawn; of what is own, where others draw it
 };
 
 /// The objects that a frame draws, and besides them those of this program's participant that are
@@ -49,8 +49,10 @@ struct ObjectInFrame {
 [[nodiscard]] std::vector<ObjectInFrame> objectsIn(const SceneFrame& frame,
                                                    const StationMoment& moment);
 
-/// Adds the bodies of the people to a frame; what is lost is not drawn.
-/// @param throughEyesOf whose head is the eye of the view and therefore not drawn
+/// Adds the bodies of the people to a frame, each at its place (PersonPose::X_AO), but for what is
+/// of the participant whose view it is, at whose eye nothing is turned; what is lost is not drawn.
+/// @param throughEyesOf whose head is the eye of the view and therefore not drawn; by default it is
+///                      the view of this program's participant
 void addPeople(SceneFrame& frame, const StationMoment& moment,
                const std::optional<ParticipantId>& throughEyesOf = {});
 

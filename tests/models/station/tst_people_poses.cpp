@@ -162,6 +162,28 @@ private Q_SLOTS:
         QVERIFY(headOf(people, FakeSessionNode::kInstructor) == nullptr);
     }
 
+    /// Others see them there; PersonPose::pose is where the own tracker has them.
+    void placesOwnObjectsAsThoseOfOthers()
+    {
+        FakeSessionNode node = session(kTess);
+        node.decide(fact::ObjectShared{{}, kTess, ObjectKind::Laryngoscope, "blade"});
+        node.decide(fact::PlaceChosen{kTess, degrees(90.0)});
+        const ObjectPoses own{.at = [](ObjectKind, SessionTime t) -> std::optional<PoseSample> {
+            PoseSample sample;
+            sample.time = t;
+            sample.X_FO = at(100.0);
+            return sample;
+        }};
+        const auto people = peoplePoses(node, FakeSessionNode::kStation, own, kNow);
+        QCOMPARE(std::ranges::count(people, true, &PersonPose::isOwn), 4);
+        for (const PersonPose& person : people) {
+            if (!person.isOwn)
+                continue;
+            QVERIFY((person.X_AO.translation() - Vec3{0.5, 0.0, -100.0}).norm() < kSmall);
+            QCOMPARE(person.pose.X_FO.translation().x(), 100.0);
+        }
+    }
+
     void namesHeadsAndTubes()
     {
         const FakeSessionNode node = session(kTess);

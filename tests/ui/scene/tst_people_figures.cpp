@@ -38,6 +38,32 @@ StationMoment crowd()
     return moment;
 }
 
+/// An object of somebody who stands elsewhere, as many metres to the patient's left by its tracker,
+/// as its number says; others see it as many to the right.
+StationMoment crowdAtPlaces()
+{
+    StationMoment moment = crowd();
+    for (const ParticipantId owner : {kSelf, kTom})
+        moment.people.push_back(
+            seen(std::uint16_t(20 + owner.value), owner, ObjectKind::Laryngoscope));
+    for (PersonPose& person : moment.people) {
+        person.pose.X_FO = person.X_AO;
+        if (person.owner != kTom) // who is at work has them in the patient
+            person.X_AO = placedBy(degrees(180.0)) * person.X_AO;
+    }
+    return moment;
+}
+
+/// Which objects are drawn where others see them, at a place.
+std::set<std::uint16_t> turned(const SceneFrame& frame)
+{
+    std::set<std::uint16_t> objects;
+    for (const auto& [name, body] : frame.bodies)
+        if (const double x = body.X_AF.translation().x(); x < 0.0)
+            objects.insert(std::uint16_t(std::lround(-x)));
+    return objects;
+}
+
 std::set<std::uint16_t> bodies(const StationMoment& moment,
                                const std::optional<ParticipantId>& throughEyesOf = {})
 {
@@ -80,6 +106,34 @@ private Q_SLOTS:
     void doesNotDrawTheHeadThroughWhoseEyesItLooks()
     {
         QCOMPARE(bodies(crowd(), kTess), (std::set<std::uint16_t>{5, 6, 7, 8, 12, 13, 15}));
+    }
+
+    /// A tube and a laryngoscope of one's own are where the hands are that hold them.
+    void doesNotTurnWhatIsOwn()
+    {
+        StationMoment moment = crowdAtPlaces();
+        moment.ownHandsAreDrawn = true;
+        SceneFrame frame;
+        addPeople(frame, moment);
+        QCOMPARE(turned(frame), (std::set<std::uint16_t>{11, 12, 13, 15}));
+        QVERIFY(frame.bodies.contains("person 21")); // the own laryngoscope
+        // What the own program draws elsewhere is told as others see it.
+        for (const ObjectInFrame& object : objectsIn(frame, moment))
+            QCOMPARE(object.X_AO.translation().x() < 0.0, object.owner != kTom);
+    }
+
+    /// Their eyes are at the head as it is tracked, and so are their hands; the own tools are where
+    /// they see them.
+    void doesNotTurnWhatIsOfWhomItLooksThroughTheEyes()
+    {
+        const StationMoment moment = crowdAtPlaces();
+        SceneFrame frame;
+        addPeople(frame, moment, kTess);
+        QVERIFY(frame.bodies.contains("person 12"));
+        QCOMPARE(turned(frame), (std::set<std::uint16_t>{5, 21}));
+        SceneFrame ofOwn;
+        addPeople(ofOwn, moment, kSelf);
+        QCOMPARE(turned(ofOwn), (std::set<std::uint16_t>{11, 12, 13, 15}));
     }
 
     /// The one that is then drawn with the patient.

@@ -47,6 +47,15 @@ std::optional<Duration> longestWayFrom(ParticipantId author, const DelaysByPeer&
     return own->second + onwards;
 }
 
+/// From this program's participant to whoever hears of it last.
+std::optional<Duration> longestWayFromHere(const DelaysByPeer& delays)
+{
+    std::optional<Duration> longest;
+    for (const auto& [peer, delay] : delays)
+        longest = std::max(longest.value_or(delay), delay);
+    return longest;
+}
+
 /// An action is stated exactly, so what is acted on has no tracker's errors.
 SameView sameView(const ObjectReport& report, const ObjectFigures& figures,
                   const std::optional<Duration>& delay)
@@ -96,6 +105,17 @@ NetworkFigures figuresOf(const PathReport& path)
     return figures;
 }
 
+/// The application analysis of one participant.
+/// @param longestWay from them
+void addAnalysis(const std::map<ParticipantId, double>& frequencies,
+                 const std::optional<Duration>& longestWay, NetworkFigures& figures)
+{
+    if (const auto frequency = frequencies.find(figures.id); frequency != frequencies.end())
+        figures.actions_per_s = frequency->second;
+    if (longestWay)
+        figures.upshot_per_s = upshotFrequency(*longestWay);
+}
+
 } // namespace
 
 std::vector<NetworkFigures> networkFigures(const SessionNode& node)
@@ -112,10 +132,7 @@ std::vector<NetworkFigures> networkFigures(const SessionNode& node)
             continue;
         NetworkFigures figures = figuresOf(path);
         figures.name = QString::fromStdString(participant->second.name);
-        if (const auto frequency = frequencies.find(path.peer); frequency != frequencies.end())
-            figures.actions_per_s = frequency->second;
-        if (const auto longest = longestWayFrom(path.peer, delays))
-            figures.upshot_per_s = upshotFrequency(*longest);
+        addAnalysis(frequencies, longestWayFrom(path.peer, delays), figures);
         for (const ObjectReport& report : reports) {
             const auto object = state->objects().find(report.object);
             if (object != state->objects().end() && object->second.owner == path.peer)
@@ -124,6 +141,15 @@ std::vector<NetworkFigures> networkFigures(const SessionNode& node)
         all.push_back(std::move(figures));
     }
     std::ranges::sort(all, {}, &NetworkFigures::id);
+    const auto self = state->participants().find(node.self());
+    if (!all.empty() && self != state->participants().end()) {
+        NetworkFigures own;
+        own.id = self->first;
+        own.name = QString::fromStdString(self->second.name);
+        own.isOwn = true;
+        addAnalysis(frequencies, longestWayFromHere(delays), own);
+        all.push_back(std::move(own));
+    }
     return all;
 }
 

@@ -38,6 +38,7 @@ struct ObjectFigures {
 struct NetworkFigures {
     ParticipantId id;
     QString name;
+    bool isOwn = false; ///< of this program's participant, to whom no path leads: actions alone
     std::optional<double> roundTrip_ms{};
     std::vector<double> delays_ms{}; ///< H_p: one-way delays, newest last
     std::optional<double> meanDelay_ms{};
@@ -56,7 +57,8 @@ struct NetworkFigures {
     std::vector<ObjectFigures> objects{};
 };
 
-/// The figures of all participants to whom this node measures a path, in the order of their ids.
+/// The figures of all participants to whom this node measures a path, in the order of their ids;
+/// where there are any, after them those of this program's participant.
 [[nodiscard]] std::vector<NetworkFigures> networkFigures(const SessionNode& node);
 
 } // namespace carina

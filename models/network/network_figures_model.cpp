@@ -122,6 +122,10 @@ void NetworkFiguresModel::show(const std::optional<NetworkFigures>& figures)
 std::vector<NetworkFiguresModel::Row> NetworkFiguresModel::rowsOf(const NetworkFigures& figures)
 {
     std::vector<Row> rows;
+    if (figures.isOwn) {
+        addActions(figures, rows);
+        return rows;
+    }
     addPath(figures, rows);
     if (figures.traffic)
         addTraffic(*figures.traffic, rows);

@@ -41,7 +41,7 @@ QVariant NetworkModel::data(const QModelIndex& index, int role) const
         return {};
     const NetworkFigures& figures = m_figures[std::size_t(index.row())];
     if (role == Qt::DisplayRole)
-        return figures.name;
+        return figures.isOwn ? tr("%1 (you)").arg(figures.name) : figures.name;
     if (role == kIdRole)
         return figures.id.value;
     return {};
@@ -52,6 +52,12 @@ std::optional<NetworkFigures> NetworkModel::figures(int row) const
     if (row < 0 || row >= rowCount())
         return std::nullopt;
     return m_figures[std::size_t(row)];
+}
+
+int NetworkModel::newest() const
+{
+    const bool endsWithOwn = !m_figures.empty() && m_figures.back().isOwn;
+    return rowCount() - (endsWithOwn ? 2 : 1);
 }
 
 std::vector<NetworkFigures> NetworkModel::measure()

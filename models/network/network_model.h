@@ -28,6 +28,8 @@ public:
 
     /// std::nullopt for a row that does not exist.
     [[nodiscard]] std::optional<NetworkFigures> figures(int row) const;
+    /// The row of who came in last, above the own; -1 where nobody did.
+    [[nodiscard]] int newest() const;
     /// How the session keeps acted-on objects alike.
     [[nodiscard]] StrategyModel& strategy() { return m_strategy; }
 

@@ -24,6 +24,7 @@ constexpr int kRowGap = 4;           ///< pixels between rows, so that most figu
 NetworkPanel::NetworkPanel(QWidget* parent)
     : QWidget{parent},
       m_participant{new QComboBox},
+      m_legend{new PlainLabel{tr("One-way delay, newest right; band: mean ± σ")}},
       m_plot{new HistoryPlot},
       m_table{new QTableView},
       m_strategy{new PlainLabel},
@@ -60,13 +61,12 @@ void NetworkPanel::layOut()
     auto* row = new QHBoxLayout;
     row->addWidget(label);
     row->addWidget(m_participant, 1);
-    auto* legend = new PlainLabel{tr("One-way delay, newest right; band: mean ± σ")};
-    legend->setWordWrap(true);
-    legend->setToolTip(tr("One-way delay (latency): half the round-trip time. σ: its standard "
-                          "deviation (jitter)"));
+    m_legend->setWordWrap(true);
+    m_legend->setToolTip(tr("One-way delay (latency): half the round-trip time. σ: its standard "
+                            "deviation (jitter)"));
     auto* column = new QVBoxLayout{this};
     column->addLayout(row);
-    column->addWidget(legend);
+    column->addWidget(m_legend);
     column->addWidget(m_plot);
     column->addWidget(m_table, 1);
     auto* research = new QHBoxLayout;
@@ -108,7 +108,7 @@ void NetworkPanel::askStrategy()
 void NetworkPanel::findShown()
 {
     const int row = m_participant->findData(m_shown, NetworkModel::kIdRole);
-    m_participant->setCurrentIndex(row >= 0 ? row : m_model->rowCount() - 1);
+    m_participant->setCurrentIndex(row >= 0 ? row : m_model->newest());
     m_shown = m_participant->currentData(NetworkModel::kIdRole);
 }
 
@@ -129,6 +129,8 @@ void NetworkPanel::refresh()
 
 void NetworkPanel::plot(const NetworkFigures& figures)
 {
+    for (QWidget* ofPath : {static_cast<QWidget*>(m_legend), static_cast<QWidget*>(m_plot)})
+        ofPath->setVisible(!figures.isOwn); // no path leads there
     std::optional<HistoryPlot::Band> band;
     if (figures.meanDelay_ms && figures.sigma_ms) {
         band = {*figures.meanDelay_ms, *figures.sigma_ms};

@@ -38,6 +38,7 @@ private:
     void plot(const NetworkFigures& figures);
 
     QComboBox* m_participant;
+    QLabel* m_legend;
     HistoryPlot* m_plot;
     QTableView* m_table;
     QLabel* m_strategy;

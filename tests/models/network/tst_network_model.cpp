@@ -71,12 +71,14 @@ private Q_SLOTS:
                             PathReport{ParticipantId{77}}}; // nobody the session knows
         SessionModel session{node};
         const NetworkModel model{session};
-        QCOMPARE(model.rowCount(), 2);
+        QCOMPARE(model.rowCount(), 3);
         QCOMPARE(model.index(0).data().toString(), QStringLiteral("Tom"));
         QCOMPARE(model.index(1).data().toString(), QStringLiteral("Olga"));
         QCOMPARE(model.index(1).data(NetworkModel::kIdRole).toInt(), int{kObserver.value});
+        QCOMPARE(model.newest(), 1);
+        QCOMPARE(model.index(2).data().toString(), QStringLiteral("Ina (you)"));
         QVERIFY(!model.figures(-1));
-        QVERIFY(!model.figures(2));
+        QVERIFY(!model.figures(3));
     }
 
     void givesEveryFigureInItsUnit()
@@ -121,7 +123,29 @@ private Q_SLOTS:
         QVERIFY(!all.at(1).actions_per_s);
         // From Tom to Olga it is 25 ms, and back.
         for (const NetworkFigures& one : all)
-            QVERIFY(std::abs(one.upshot_per_s.value() - 40.0) < 1e-9);
+            if (!one.isOwn)
+                QVERIFY(std::abs(one.upshot_per_s.value() - 40.0) < 1e-9);
+    }
+
+    /// Who instructs often acts most, and has no path to themselves.
+    void tellsHowOftenItsOwnParticipantActs()
+    {
+        FakeSessionNode node;
+        QVERIFY(networkFigures(node).empty()); // nobody is there who would hear of it
+        node.pathReports = {knownPath(kTrainee), knownPath(kObserver)};
+        node.pathReports[1].meanDelay = 40ms;
+        node.frequencies = {{kInstructor, 30.0}, {kTrainee, 2.0}};
+        const auto all = networkFigures(node);
+        QCOMPARE(all.size(), std::size_t{3});
+        const NetworkFigures& own = all.back();
+        QVERIFY(own.isOwn && own.id == kInstructor);
+        QCOMPARE(own.actions_per_s, std::optional{30.0});
+        QVERIFY(std::abs(own.upshot_per_s.value() - 25.0) < 1e-9); // 1 / 40 ms
+        QCOMPARE(linesOf(own),
+                 QStringList{QStringLiteral("Actions, vₖ (v₀): 30.0 (25) per s, above upshot")});
+        for (PathReport& path : node.pathReports)
+            path.meanDelay.reset();
+        QVERIFY(!networkFigures(node).back().upshot_per_s);
     }
 
     void theLimitOfAnObjectThatIsActedOnIsThatOfTheAction()

@@ -99,6 +99,25 @@ private Q_SLOTS:
         QCOMPARE(shown.roundTrip(), QStringLiteral("22.00 ms"));
     }
 
+    /// The one who instructs: their actions, and no plot of a path that is not there.
+    void showsOwnActionsBelowAllOthers()
+    {
+        Shown shown;
+        shown.node.frequencies = {{FakeSessionNode::kInstructor, 4.0}};
+        shown.deliver({pathOf(kTrainee, 10ms)});
+        QCOMPARE(shown.participant->count(), 2);
+        QCOMPARE(shown.participant->currentText(), QStringLiteral("Tom"));
+        QVERIFY(!shown.plot->isHidden());
+        shown.panel.choose(FakeSessionNode::kInstructor);
+        QCOMPARE(shown.participant->currentText(), QStringLiteral("Ina (you)"));
+        QVERIFY(shown.plot->isHidden());
+        QCOMPARE(shown.table->model()->rowCount(), 1);
+        QCOMPARE(shown.table->model()->index(0, NetworkFiguresModel::HowMuch).data().toString(),
+                 QStringLiteral("4.0 (100) per s, ✓ below upshot"));
+        shown.panel.choose(kTrainee);
+        QVERIFY(!shown.plot->isHidden());
+    }
+
     void aResearcherChoosesTheStrategy()
     {
         Shown shown;

@@ -129,6 +129,8 @@ QString ParticipantsModel::registrationTip(const RegistrationStanding& registrat
     const QString notice = standingNotice(registration);
     if (!notice.isEmpty())
         return notice;
+    if (registration.state == RegistrationState::NoTracker)
+        return tr("Their program has no tracker any more");
     return registration.state == RegistrationState::Simulated
                ? tr("A simulated manikin, registered without error")
                : tr("Verified. In 95 of 100 cases the error at the glottis is less than this");

@@ -111,6 +111,7 @@ public:
             return {.state = TaskState::Begun, .why = tr("There is no verdict yet.")};
         case RegistrationState::Good:
         case RegistrationState::Simulated:
+        case RegistrationState::NoTracker:
             break;
         }
         return {.state = TaskState::Done};

@@ -106,6 +106,8 @@ QString standingText(const RegistrationStanding& standing)
         return StandingWords::staleText(standing);
     case RegistrationState::Missing:
         return StandingWords::tr("▲ not registered");
+    case RegistrationState::NoTracker:
+        return QStringLiteral("–");
     }
     return {};
 }
@@ -115,6 +117,7 @@ QString standingNotice(const RegistrationStanding& standing)
     switch (standing.state) {
     case RegistrationState::Simulated:
     case RegistrationState::Good:
+    case RegistrationState::NoTracker:
         break;
     case RegistrationState::Unverified:
         return StandingWords::tr("The registration is not verified: touch two points to verify it");

@@ -71,8 +71,8 @@ SharedTools::SharedTools(SessionNode& node, Hardware hardware, PlaceOf placeOf)
     m_looking.callOnTimeout([this] {
         if (m_laid && m_laid->guard)
             m_laid->guard->look();
-        if (const auto now = standing())
-            m_report.tell(*now);
+        if (m_laid)
+            m_report.tell(standing());
     });
     m_looking.start(kGuardInterval_ms);
 }

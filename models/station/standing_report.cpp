@@ -8,6 +8,7 @@ namespace
 {
 
 constexpr Duration kAgain = std::chrono::seconds{1};
+constexpr RegistrationStanding kNoTracker{RegistrationState::NoTracker, StaleReason::None, {}};
 
 bool isUnderWay(const SessionNode& node)
 {
@@ -18,19 +19,22 @@ bool isUnderWay(const SessionNode& node)
 
 } // namespace
 
-void StandingReport::tell(const RegistrationStanding& standing)
+void StandingReport::tell(const std::optional<RegistrationStanding>& standing)
 {
     const auto state = m_node.state();
     const auto self = state->participants().find(m_node.self());
     const auto now = m_node.now();
-    if (!now || self == state->participants().end() || self->second.muted
-        || self->second.registration == standing)
+    if (!now || self == state->participants().end() || self->second.muted)
         return;
-    if ((m_told == standing && *now < m_again) || isUnderWay(m_node))
+    const auto& known = self->second.registration;
+    const RegistrationStanding told = standing.value_or(kNoTracker);
+    if (known == told || (!standing && !known))
         return;
-    m_told = standing;
+    if ((m_told == told && *now < m_again) || isUnderWay(m_node))
+        return;
+    m_told = told;
     m_again = *now + kAgain;
-    m_node.propose(kNoStation, fact::RegistrationStated{standing});
+    m_node.propose(kNoStation, fact::RegistrationStated{told});
 }
 
 } // namespace carina

@@ -13,9 +13,11 @@ public:
     /// @pre node outlives this.
     explicit StandingReport(SessionNode& node) : m_node{node} {}
 
+    /// @param standing nothing without a tracker, which is told where another standing was
+    ///
     /// To be called often: it proposes a fact only where the session does not have this standing,
     /// and the same one at most once a second.
-    void tell(const RegistrationStanding& standing);
+    void tell(const std::optional<RegistrationStanding>& standing);
 
 private:
     SessionNode& m_node;

@@ -22,6 +22,7 @@
 
 #include <QJsonDocument>
 
+#include <algorithm>
 #include <fstream>
 
 namespace
@@ -174,9 +175,12 @@ std::vector<std::string> factBodies()
         fact::ParticipantFellSilent{self}};
     static_assert(std::size(bodies) == std::variant_size_v<FactBody>, "one of each kind");
     std::vector<std::string> all;
-    for (const FactBody& body : bodies)
+    const auto add = [&all](const FactBody& body) {
         for (const char author : {'\0', '\1', '\2', '\4'})
             all.push_back(author + textOf(encodeBody(body)));
+    };
+    std::ranges::for_each(bodies, add);
+    add(fact::RegistrationStated{{RegistrationState::NoTracker, StaleReason::None, {}}});
     return all;
 }
 

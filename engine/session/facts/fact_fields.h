@@ -204,7 +204,8 @@ template <> inline constexpr SessionPhase kLastEnumerator<SessionPhase> = Sessio
 template <> inline constexpr Role kLastEnumerator<Role> = Role::Observer;
 template <> inline constexpr StrategyKind kLastEnumerator<StrategyKind> = StrategyKind::None;
 template <>
-inline constexpr RegistrationState kLastEnumerator<RegistrationState> = RegistrationState::Missing;
+inline constexpr RegistrationState kLastEnumerator<RegistrationState> =
+    RegistrationState::NoTracker;
 template <> inline constexpr StaleReason kLastEnumerator<StaleReason> = StaleReason::Drift;
 template <> inline constexpr ObjectKind kLastEnumerator<ObjectKind> = ObjectKind::Pointer;
 template <> inline constexpr LessonCut kLastEnumerator<LessonCut> = LessonCut::AllButAirway;

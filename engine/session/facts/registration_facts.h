@@ -15,6 +15,7 @@ enum class RegistrationState : std::uint8_t {
     NotGood, ///< verified: not good
     Stale,
     Missing,
+    NoTracker, ///< after another one: the program has no tracker any more
 };
 
 /// Why a registration is stale, or why its verification no longer counts.

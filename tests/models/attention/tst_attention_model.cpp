@@ -438,6 +438,17 @@ private Q_SLOTS:
                  qPrintable(text));
     }
 
+    void forgetsTheDoubtWithTheTracker()
+    {
+        Console console;
+        console.node.decide(fact::RegistrationStated{{RegistrationState::NotGood, {}, {}}}, kTom);
+        console.look();
+        QCOMPARE(console.texts().size(), 1);
+        console.node.decide(fact::RegistrationStated{{RegistrationState::NoTracker, {}, {}}}, kTom);
+        console.look();
+        QCOMPARE(console.texts(), QStringList{});
+    }
+
     void namesWhoseClockContradictsThePath()
     {
         Console console;
@@ -528,6 +539,7 @@ void TestAttentionModel::saysWhoseRegistrationCannotBeReliedOn_data()
     using Why = StaleReason;
     row("good", {State::Good, Why::None, millimetres(1.4)}, "");
     row("simulated", {State::Simulated, Why::None, {}}, "");
+    row("no tracker", {State::NoTracker, Why::None, {}}, "");
     row("missing", {State::Missing, Why::None, {}}, "not registered");
     row("unverified", {State::Unverified, Why::Fit, millimetres(2.0)}, "not verified");
     row("not good", {State::NotGood, Why::None, millimetres(4.2)}, "judged not good, 4.2\u00a0mm");

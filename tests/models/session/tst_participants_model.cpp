@@ -34,6 +34,7 @@ private Q_SLOTS:
     void tellsOfAReplacedToken();
     void saysHowEachRegistrationStands_data();
     void saysHowEachRegistrationStands();
+    void forgetsTheRegistrationWithTheTracker();
     void showsTheWorstOfSomebodysObjects();
     void forgetsTheObjectsOfWhoLeft();
     void takesWhoIsMutedForNoBrokenTracker();
@@ -252,6 +253,19 @@ void TestParticipantsModel::saysHowEachRegistrationStands()
     table.node.decide(fact::ParticipantLeft{FakeSessionNode::kTrainee});
     table.deliver();
     QCOMPARE(table.cell(kTraineeRow, Column::Registration), kNoValue);
+}
+
+void TestParticipantsModel::forgetsTheRegistrationWithTheTracker()
+{
+    Table table;
+    for (const auto state : {RegistrationState::Good, RegistrationState::NoTracker})
+        table.node.decide(fact::RegistrationStated{{state, {}, {}}}, FakeSessionNode::kTrainee);
+    table.deliver();
+    QCOMPARE(table.cell(kTraineeRow, Column::Registration), kNoValue);
+    QCOMPARE(table.cell(kTraineeRow, Column::Registration, Qt::AccessibleTextRole),
+             QStringLiteral("Registration: none"));
+    QVERIFY(table.cell(kTraineeRow, Column::Registration, Qt::ToolTipRole)
+                .contains(QStringLiteral("no tracker")));
 }
 
 void TestParticipantsModel::showsTheWorstOfSomebodysObjects()

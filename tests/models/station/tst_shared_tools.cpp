@@ -371,6 +371,26 @@ private Q_SLOTS:
         QCOMPARE(two.chin.server->clients(), 1);
     }
 
+    /// Taken off by a person, or by a site that names no devices any more.
+    void tellsTheSessionThatItsTrackerIsGone()
+    {
+        Station station{recording()};
+        const auto known = [&] {
+            const auto state = station.node.state();
+            return state->participants().at(FakeSessionNode::kTrainee).registration;
+        };
+        const auto isKnown = [&](RegistrationState wanted) {
+            return known().has_value() && known()->state == wanted;
+        };
+        QVERIFY(station.tools.lay(patient()));
+        QTRY_VERIFY(isKnown(RegistrationState::Good));
+        QVERIFY(station.tools.setTracker(std::nullopt));
+        QTRY_VERIFY(isKnown(RegistrationState::NoTracker));
+        QVERIFY(!station.tools.standing());
+        QVERIFY(station.tools.setTracker(recording()));
+        QTRY_VERIFY(isKnown(RegistrationState::Good));
+    }
+
     /// As where the site alone says so. In the frame of another device it would be of no use.
     void usesARegistrationOnWhileTheFrameIsTheSame()
     {

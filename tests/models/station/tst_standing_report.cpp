@@ -60,6 +60,24 @@ private Q_SLOTS:
         QVERIFY(trainee.known() == kGood);
     }
 
+    /// What was said of the registration does not hold any more; where nothing was, nothing is.
+    void tellsThatThereIsNoTrackerAnyMore()
+    {
+        constexpr RegistrationStanding none{RegistrationState::NoTracker, StaleReason::None, {}};
+        Trainee trainee;
+        trainee.report.tell(std::nullopt);
+        QCOMPARE(trainee.node.proposed, 0);
+        trainee.report.tell(kNotGood);
+        trainee.report.tell(std::nullopt);
+        trainee.report.tell(std::nullopt);
+        QVERIFY(trainee.known() == none);
+        QCOMPARE(trainee.node.proposed, 2);
+        QCOMPARE(standingText(none), QStringLiteral("–"));
+        QVERIFY(standingNotice(none).isEmpty());
+        trainee.report.tell(kGood);
+        QVERIFY(trainee.known() == kGood);
+    }
+
     void waitsWhileTheHostIsAway()
     {
         Trainee trainee;

@@ -131,8 +131,9 @@ void TestFactRules::knowsWhichStandingHasAReason()
     const auto stated = [](RegistrationState state, StaleReason reason) {
         return verdictOn(fact::RegistrationStated{{state, reason, {}}});
     };
-    for (const auto state : {RegistrationState::Simulated, RegistrationState::Good,
-                             RegistrationState::NotGood, RegistrationState::Missing}) {
+    for (const auto state :
+         {RegistrationState::Simulated, RegistrationState::Good, RegistrationState::NotGood,
+          RegistrationState::Missing, RegistrationState::NoTracker}) {
         QCOMPARE(stated(state, StaleReason::None), QByteArray{"fine"});
         QCOMPARE(stated(state, StaleReason::Stylus), QByteArray{"out of range"});
     }

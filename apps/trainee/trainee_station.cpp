@@ -26,7 +26,7 @@ void TraineeStation::showAnew()
 {
     const std::unique_ptr<StationView> before =
         std::exchange(m_view, std::make_unique<StationView>(*m_node, m_station, patient().lungs(),
-                                                            m_tools.poses()));
+                                                            m_tools.posesOnScreen()));
     if (m_tools.tracker() && !m_manikin)
         m_manikin = std::make_unique<ManikinBreaths>(*m_node, m_tools.source(ToolRole::Chest));
     for (const auto& told : m_onShown)

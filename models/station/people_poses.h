@@ -19,8 +19,8 @@ struct ObjectPoses {
     std::function<std::optional<SessionTime>(ObjectKind)> newest = [](ObjectKind) {
         return std::nullopt;
     };
-    /// Whether own hands and the own stylus are drawn, for a person who looks at a screen. In a
-    /// headset they are where they are seen anyway.
+    /// Whether own hands and the own stylus are drawn for a person who looks at a screen. A scene
+    /// that is shown in a headset never draws them (StationScene): they are seen anyway.
     bool handsAreDrawn = false;
 };
 

@@ -315,16 +315,6 @@ std::optional<RegistrationStanding> SharedTools::standing() const
     return m_laid->place->standing;
 }
 
-ObjectPoses SharedTools::poses() const
-{
-    ObjectPoses own = posesOnScreen();
-    own.handsAreDrawn = false;
-    own.at = [at = std::move(own.at)](ObjectKind kind, SessionTime t) {
-        return kind == ObjectKind::Stylus ? std::nullopt : at(kind, t);
-    };
-    return own;
-}
-
 ObjectPoses SharedTools::posesOnScreen() const
 {
     return {.at = [this](ObjectKind kind, SessionTime t) -> std::optional<PoseSample> {

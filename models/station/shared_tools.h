@@ -109,11 +109,9 @@ public:
     /// Why layAnyhow() took the tracker away, until another one is given or taken.
     [[nodiscard]] const std::optional<Error>& fault() const { return m_fault; }
 
-    /// The own objects as they are to be drawn, of whatever is tracked with then: for a person who
-    /// sees their own hands. Valid while this exists.
-    [[nodiscard]] ObjectPoses poses() const;
-    /// The same for a person who looks at a screen: hands are drawn, and the stylus, as what it
-    /// points at.
+    /// The own objects as they are to be drawn, of whatever is tracked with then: the stylus as
+    /// what it points at, and hands for a person who looks at a screen; who wears a headset sees
+    /// their own (StationScene). Valid while this exists.
     [[nodiscard]] ObjectPoses posesOnScreen() const;
     /// What is shared of a tool: its newest pose X_AO; of the stylus that of its tip. May be called
     /// from any thread, also when this exists no more, while the node does.

@@ -46,6 +46,7 @@ StationScene::StationScene(SceneView& scene, const PatientModel& patient, const 
 SceneFrame StationScene::frameOf(int level, LocalTime lit)
 {
     m_moment = m_view->litAt(lit, static_cast<std::size_t>(level));
+    m_moment.ownHandsAreDrawn = drawsOwnHands(m_moment, m_output);
     showFigures();
     m_scene.setLie(lieOf(m_moment.position));
     SceneFrame frame =

@@ -57,6 +57,13 @@ public:
     /// Adds a listener.
     void onFrameDrawn(Listener listener);
 
+    /// Whether own hands and the own stylus are drawn: on a screen, if the view gives them. In a
+    /// headset they are where they are seen anyway.
+    [[nodiscard]] static bool drawsOwnHands(const StationMoment& moment, ViewOutput output)
+    {
+        return moment.ownHandsAreDrawn && output == ViewOutput::Screen;
+    }
+
 private:
     [[nodiscard]] SceneFrame frameOf(int level, LocalTime lit);
     /// Has the scene make figures of the people of the moment, and of what is lifted out, if these

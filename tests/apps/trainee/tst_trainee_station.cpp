@@ -77,7 +77,7 @@ private Q_SLOTS:
         QVERIFY(!station.view().at(now, 0).head);
         QVERIFY(station.tools().setTracker(recording()));
         QTRY_VERIFY(station.view().at(now, 0).head.has_value());
-        QVERIFY(!station.view().at(now, 0).ownHandsAreDrawn);
+        QVERIFY(station.view().at(now, 0).ownHandsAreDrawn); // where the output is a screen
         QVERIFY(station.tools().setTracker(std::nullopt));
         QVERIFY(!station.view().at(now, 0).head);
     }

@@ -1,6 +1,7 @@
 #include "tests/support/test_class.h"
 #include "ui/scene/people_figures.h"
 #include "ui/scene/scene_parts.h"
+#include "ui/scene/station_scene.h"
 
 #include <set>
 
@@ -94,6 +95,18 @@ private Q_SLOTS:
         StationMoment moment = crowd();
         moment.ownHandsAreDrawn = true;
         QCOMPARE(bodies(moment), (std::set<std::uint16_t>{2, 3, 5, 6, 7, 8, 11, 12, 13, 15}));
+    }
+
+    /// The output can be changed while the program runs.
+    void drawsNoOwnHandsInAHeadset()
+    {
+        StationMoment moment = crowd();
+        moment.ownHandsAreDrawn = true;
+        QVERIFY(StationScene::drawsOwnHands(moment, ViewOutput::Screen));
+        QVERIFY(!StationScene::drawsOwnHands(moment, ViewOutput::Mono));
+        QVERIFY(!StationScene::drawsOwnHands(moment, ViewOutput::SideBySide));
+        moment.ownHandsAreDrawn = false; // a view that has none
+        QVERIFY(!StationScene::drawsOwnHands(moment, ViewOutput::Screen));
     }
 
     void doesNotDrawWhatIsLost()

@@ -22,8 +22,8 @@ struct SameView {
 ///
 /// The limit is speed x one-way delay from the owner: when an object starts or stops to move at
 /// that speed, no other participant can be informed before one delay has passed, and its view is
-/// wrong by up to that much. For an object moved by actions it is the limit of the last action
-/// (ActionMeter).
+/// wrong by up to that much. For an object moved by actions it is that of an action that was under
+/// way when the views were compared, and 0 where none was (ActionMeter).
 struct ObjectFigures {
     QString name;
     std::optional<double> drift_deg{};

@@ -211,7 +211,8 @@ void NetworkFiguresModel::addObject(const ObjectFigures& object, std::vector<Row
             "time, with the noise of the tracker. In brackets the part that the network delay "
             "makes "
             "unavoidable, speed × delay, for a viewer that goes on with the old motion until it "
-            "hears of the new one; one that guesses better can be below. Neither has what the two "
+            "hears of the new one; one that guesses better can be below. For an object that moves "
+            "by itself that is 0 once its last action has arrived. Neither has what the two "
             "clocks cannot see, the asymmetry of the path: speed × the bound of the clock at "
             "most")});
 }

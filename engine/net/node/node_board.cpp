@@ -34,6 +34,12 @@ void noteSpeedsAt(SessionTime compared, const RemoteObject& object, ObjectReport
     }
 }
 
+void noteLimit(const Drift& limit, ObjectReport& report)
+{
+    report.limitDeg = inDegrees(limit.rotation);
+    report.limitMm = inMillimetres(limit.position);
+}
+
 } // namespace
 
 void NodeBoard::showActions(View& view, const SharedActions& actions) const
@@ -61,16 +67,17 @@ std::vector<ObjectReport> NodeBoard::objectReports(SessionTime now) const
 {
     std::vector<ObjectReport> reports = objects.reports(now);
     const auto shared = part(&View::actions);
+    const auto drifts = part(&View::drifts);
     for (const auto& [id, meter] : shared->meters()) {
-        const ActionFigures& figures = meter.figures();
         auto report = std::ranges::find(reports, id, &ObjectReport::object);
         if (report == reports.end())
             report = reports.insert(reports.end(), ObjectReport{id});
-        report->limitDeg = inDegrees(figures.limit.rotation);
-        report->limitMm = inMillimetres(figures.limit.position);
-        report->delay = figures.delay;
+        const auto compared = drifts->find(id);
+        noteLimit(compared != drifts->end() ? meter.limitAt(compared->second.at)
+                                            : meter.figures().limit,
+                  *report);
+        report->delay = meter.figures().delay;
     }
-    const auto drifts = part(&View::drifts);
     for (ObjectReport& report : reports)
         if (const auto drift = drifts->find(report.object); drift != drifts->end()) {
             report.driftDeg = inDegrees(drift->second.drift.rotation);

@@ -58,10 +58,10 @@ struct ObjectReport {
     /// none.
     std::optional<double> turnDegPerS{};
     std::optional<double> moveMmPerS{}; ///< speed of its origin, likewise
-    // Of the last action on an object that is acted on (see ActionMeter):
-    std::optional<double> limitDeg{}; ///< least drift for the delay of the path
-    std::optional<double> limitMm{};
-    std::optional<Duration> delay{};
+    // Of an object that is acted on (see ActionMeter):
+    std::optional<double> limitDeg{}; ///< least drift for the delay of the path, at that time: 0
+    std::optional<double> limitMm{};  ///< unless an action was under way
+    std::optional<Duration> delay{};  ///< of the last action
 };
 
 /// The certificate by which a host authenticates, as PEM files.

@@ -29,6 +29,19 @@ void ActionMeter::arrived(const EventCpo& event, const EventCpo& before, Session
         if (past.epoch == event.epoch)
             shortest = std::min(shortest, past.delay);
     m_figures = {driftAfter(event, before, shortest), delay};
+    m_arrivals.back().limit = m_figures.limit;
+}
+
+Drift ActionMeter::limitAt(SessionTime t) const
+{
+    Drift largest{};
+    for (const Arrival& past : m_arrivals) {
+        if (t < past.at - past.delay || t >= past.at)
+            continue;
+        largest.rotation = std::max(largest.rotation, past.limit.rotation);
+        largest.position = std::max(largest.position, past.limit.position);
+    }
+    return largest;
 }
 
 } // namespace carina

@@ -347,6 +347,14 @@ void TestParticipantsModel::takesTheTrackersErrorForNoDifference()
     table.node.reports[0].limitDeg = 0.02;
     table.deliver();
     QCOMPARE(table.cell(kTraineeRow, Column::Same), QStringLiteral("▲ differs"));
+    // Nobody sees a tenth of a degree, also where the action has arrived and nothing is left.
+    table.node.reports[0].limitDeg = 0.0;
+    table.node.reports[0].driftDeg = 0.09;
+    table.deliver();
+    QCOMPARE(table.cell(kTraineeRow, Column::Same), QStringLiteral("✓ same"));
+    table.node.reports[0].driftDeg = 0.11;
+    table.deliver();
+    QCOMPARE(table.cell(kTraineeRow, Column::Same), QStringLiteral("▲ differs"));
 }
 
 void TestParticipantsModel::takesAHandForNoDifference_data()

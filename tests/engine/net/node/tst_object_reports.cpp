@@ -28,6 +28,38 @@ PoseSource tubeMoving(const DriverWorld& world, const NodeBoard& board, const Lo
     };
 }
 
+constexpr ObjectId kTurned{1};
+constexpr ParticipantId kTurner{1};
+constexpr SessionTime kBegin{1000s};
+constexpr double kRate = 100.0 * 3.14159265358979323846 / 180.0; // rad/s
+
+EventCpo turnAt(SessionTime start, std::uint32_t number, double rate)
+{
+    EventCpo event;
+    event.object = kTurned;
+    event.epoch = 1;
+    event.action = number;
+    event.start = start;
+    event.axis_A = Vec3f::UnitZ();
+    event.rate = static_cast<float>(rate);
+    return event;
+}
+
+/// An object at rest that begins to turn at 100 deg/s, which is heard of here 40 ms later, and a
+/// view of it that is 4 degrees off at the time `compared`.
+NodeBoard::View turnedAndCompared(SessionTime compared)
+{
+    SharedActions actions;
+    actions.share(kTurned, {kTurner, 1});
+    actions.take(turnAt(kBegin - 1s, 1, 0.0), kBegin - 960ms, LocalTime{1s});
+    actions.take(turnAt(kBegin, 2, kRate), kBegin + 40ms, LocalTime{2s});
+    NodeBoard::View view;
+    view.actions = std::make_shared<SharedActions>(actions);
+    view.drifts = std::make_shared<ShownViews::Drifts>(
+        ShownViews::Drifts{{kTurned, {Drift{degrees(4.0), millimetres(0.0)}, compared}}});
+    return view;
+}
+
 } // namespace
 
 class TestObjectReports : public QObject
@@ -62,6 +94,29 @@ private Q_SLOTS:
         QVERIFY2(std::abs(fastest - 1e3 * kSpeed) < 1.0, qPrintable(QString::number(fastest)));
         world.run(500ms);
         QVERIFY(reportOf().moveMmPerS.value_or(1e3) < 1.0);
+    }
+
+    /// What a viewer is off by for good stands beside 0, not beside what the delay once explained.
+    void limitOfAnActionIsThatOfTheTimeThatWasCompared_data()
+    {
+        QTest::addColumn<SessionTime>("compared");
+        QTest::addColumn<double>("limit_deg");
+        QTest::newRow("before it began") << kBegin - 1ms << 0.0;
+        QTest::newRow("while it was under way") << kBegin + 20ms << 4.0;
+        QTest::newRow("once it had arrived") << kBegin + 40ms << 0.0;
+    }
+    void limitOfAnActionIsThatOfTheTimeThatWasCompared()
+    {
+        QFETCH(const SessionTime, compared);
+        QFETCH(const double, limit_deg);
+        NodeBoard board;
+        static_cast<void>(board.show(turnedAndCompared(compared)));
+        const auto reports = board.objectReports(kBegin + 1s);
+        QCOMPARE(reports.size(), std::size_t{1});
+        QVERIFY(std::abs(reports[0].driftDeg.value() - 4.0) < 1e-9);
+        QVERIFY(std::abs(reports[0].limitDeg.value() - limit_deg) < 1e-5);
+        QCOMPARE(reports[0].limitMm, std::optional{0.0});
+        QCOMPARE(reports[0].delay, std::optional{Duration{40ms}});
     }
 };
 

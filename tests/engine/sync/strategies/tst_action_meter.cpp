@@ -106,6 +106,19 @@ private Q_SLOTS:
         QCOMPARE(meter.figures().limit.rotation.si, 0.0);
     }
 
+    /// Once everybody has an action, nothing keeps views of it apart.
+    void limitHoldsWhileAnActionIsUnderWay()
+    {
+        ActionMeter meter;
+        meter.arrived(turnAt(kBegin, 2.0F), turnAt(kBegin, 0.0F), kBegin + 40ms);
+        meter.arrived(turnAt(kBegin + 30ms, 1.0F), turnAt(kBegin + 30ms, 2.0F), kBegin + 70ms);
+        QCOMPARE(meter.limitAt(kBegin - 1ns).rotation.si, 0.0);
+        QVERIFY(isNear(meter.limitAt(kBegin).rotation.si, 2.0 * 0.040));
+        QVERIFY(isNear(meter.limitAt(kBegin + 35ms).rotation.si, 2.0 * 0.040)); // both
+        QVERIFY(isNear(meter.limitAt(kBegin + 40ms).rotation.si, 1.0 * 0.040));
+        QCOMPARE(meter.limitAt(kBegin + 70ms).rotation.si, 0.0);
+    }
+
     void forgetsAllButTheLastHundredDelays()
     {
         ActionMeter meter;

@@ -11,12 +11,17 @@ namespace
 {
 
 /// An object whose motion is stated exactly: less than this nobody sees.
-constexpr SameView kUnseen{0.1, 1.0};
+constexpr SameView kUnseen{0.1, 1.0, 1.0};
 using DelaysByPeer = std::map<ParticipantId, Duration>;
 
 std::optional<double> inMs(const std::optional<Duration>& duration)
 {
     return duration ? std::optional{1e3 * toSeconds(*duration)} : std::nullopt;
+}
+
+std::optional<double> inPercent(const std::optional<double>& share)
+{
+    return share ? std::optional{100.0 * *share} : std::nullopt;
 }
 
 std::optional<double> product(const std::optional<double>& rate,
@@ -62,11 +67,12 @@ SameView sameView(const ObjectReport& report, const ObjectFigures& figures,
 {
     const double limit_deg = figures.limit_deg.value_or(0.0);
     const double limit_mm = figures.limit_mm.value_or(0.0);
+    const double percent = std::max(figures.limit_percent.value_or(0.0), kUnseen.percent);
     if (report.limitDeg)
-        return {std::max(limit_deg, kUnseen.deg), std::max(limit_mm, kUnseen.mm)};
+        return {std::max(limit_deg, kUnseen.deg), std::max(limit_mm, kUnseen.mm), percent};
     const Drift bound =
         trackedViewBound({degrees(limit_deg), millimetres(limit_mm)}, delay.value_or(Duration{}));
-    return {inDegrees(bound.rotation), inMillimetres(bound.position)};
+    return {inDegrees(bound.rotation), inMillimetres(bound.position), percent};
 }
 
 ObjectFigures figuresOf(const ObjectReport& report, const SharedObject& object,
@@ -80,6 +86,8 @@ ObjectFigures figuresOf(const ObjectReport& report, const SharedObject& object,
     figures.drift_mm = report.driftMm;
     figures.limit_deg = report.limitDeg ? report.limitDeg : product(report.turnDegPerS, delay);
     figures.limit_mm = report.limitMm ? report.limitMm : product(report.moveMmPerS, delay);
+    figures.drift_percent = inPercent(report.driftScale);
+    figures.limit_percent = inPercent(report.limitScale);
     figures.same = sameView(report, figures, delay);
     return figures;
 }

@@ -16,6 +16,7 @@ namespace carina
 struct SameView {
     double deg = 0.0;
     double mm = 0.0;
+    double percent = 0.0; ///< of the size
 };
 
 /// The drift that the network causes on one shared object. A figure is empty while it is unknown.
@@ -30,6 +31,8 @@ struct ObjectFigures {
     std::optional<double> limit_deg{};
     std::optional<double> drift_mm{};
     std::optional<double> limit_mm{};
+    std::optional<double> drift_percent{}; ///< of the size of an object that is acted on
+    std::optional<double> limit_percent{};
     SameView same{};
 };
 

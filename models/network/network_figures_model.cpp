@@ -39,9 +39,16 @@ QString driftText(const ObjectFigures& object)
 {
     if (!object.drift_deg && !object.drift_mm)
         return NetworkFiguresModel::tr("not known yet");
-    return NetworkFiguresModel::tr("%1, %2", "drift in angle and in position")
-        .arg(withBound(object.drift_deg, object.limit_deg, NetworkFiguresModel::tr("°")),
-             withBound(object.drift_mm, object.limit_mm, NetworkFiguresModel::tr(" mm")));
+    const QString angle =
+        withBound(object.drift_deg, object.limit_deg, NetworkFiguresModel::tr("°"));
+    const QString position =
+        withBound(object.drift_mm, object.limit_mm, NetworkFiguresModel::tr(" mm"));
+    if (!object.drift_percent)
+        return NetworkFiguresModel::tr("%1, %2", "drift in angle and in position")
+            .arg(angle, position);
+    return NetworkFiguresModel::tr("%1, %2, %3", "drift in angle, in position and in size")
+        .arg(angle, position,
+             withBound(object.drift_percent, object.limit_percent, NetworkFiguresModel::tr(" %")));
 }
 
 /// Told by shape besides the words.

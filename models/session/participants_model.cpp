@@ -136,12 +136,18 @@ QString ParticipantsModel::registrationTip(const RegistrationStanding& registrat
                : tr("Verified. In 95 of 100 cases the error at the glottis is less than this");
 }
 
-/// Angle, distance, age, and what bounds the first two.
+/// Angle, distance, age and size, and what bounds them.
 QString ParticipantsModel::figuresText(const Row& row)
 {
-    return tr("Off by %1 (bound %2) and %3 (bound %4); newest sample %5 old", "degrees; mm; ms")
-        .arg(cell(row, DriftAngle), number(row.bound_deg, 2, tr("%1°")), cell(row, DriftDistance),
-             number(row.bound_mm, 1, tr("%1 mm")), cell(row, Age));
+    const QString places =
+        tr("Off by %1 (bound %2) and %3 (bound %4); newest sample %5 old", "degrees; mm; ms")
+            .arg(cell(row, DriftAngle), number(row.bound_deg, 2, tr("%1°")),
+                 cell(row, DriftDistance), number(row.bound_mm, 1, tr("%1 mm")), cell(row, Age));
+    if (!row.drift_percent)
+        return places;
+    return tr("%1; size off by %2 (bound %3)")
+        .arg(places, number(row.drift_percent, 1, tr("%1 %")),
+             number(row.bound_percent, 1, tr("%1 %")));
 }
 
 QString ParticipantsModel::sameText(const Row& row)
@@ -350,8 +356,12 @@ void ParticipantsModel::addNetwork(const std::vector<NetworkFigures>& figures, R
             continue;
         keepLargest(row.bound_deg, object.same.deg);
         keepLargest(row.bound_mm, object.same.mm);
-        const bool isSame =
-            *object.drift_deg <= object.same.deg && *object.drift_mm <= object.same.mm;
+        keepLargest(row.drift_percent, object.drift_percent);
+        if (object.drift_percent)
+            keepLargest(row.bound_percent, object.same.percent);
+        const bool isSame = *object.drift_deg <= object.same.deg
+                            && *object.drift_mm <= object.same.mm
+                            && object.drift_percent.value_or(0.0) <= object.same.percent;
         row.seesTheSame = row.seesTheSame.value_or(true) && isSame;
     }
 }

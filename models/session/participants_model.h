@@ -68,6 +68,8 @@ private:
         std::optional<double> drift_mm{};
         std::optional<double> bound_deg{}; ///< of the drift, up to which it is the same
         std::optional<double> bound_mm{};
+        std::optional<double> drift_percent{}; ///< of the size of what is acted on
+        std::optional<double> bound_percent{};
         std::optional<double> delay_ms{};  ///< to or from this program, one way
         std::optional<bool> seesTheSame{}; ///< as far as is known
         bool isCompared = false; ///< somebody else is here, whose objects would be compared

@@ -187,7 +187,7 @@ void ClientDriver::compareViews(LocalTime now)
     m_nextViews = clock->localAt(m_views.nextDue(clock->at(now)));
 }
 
-std::optional<RigidTransform> ClientDriver::shownPose(ObjectId object, SessionTime t) const
+std::optional<ActedPose> ClientDriver::shownPose(ObjectId object, SessionTime t) const
 {
     const LocalTime drawn = m_core.clock().mapping()->localAt(t);
     return shownPoseOf(m_core.actions(), m_board.objects, object, t, drawn);

@@ -51,7 +51,7 @@ private:
     /// What a fact about this participant itself changes here.
     void noteConduct(const FactBody& body);
     void compareViews(LocalTime now);
-    [[nodiscard]] std::optional<RigidTransform> shownPose(ObjectId object, SessionTime t) const;
+    [[nodiscard]] std::optional<ActedPose> shownPose(ObjectId object, SessionTime t) const;
     void noteStrategy(const FactBody& body, LocalTime now);
     [[nodiscard]] std::optional<ClockReport> clockReport(LocalTime now) const;
     /// The proposals that wait, as shown last where they are the same.

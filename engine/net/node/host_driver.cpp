@@ -252,7 +252,7 @@ void HostDriver::share(const SharedObject& object)
         m_board.objects.add(object.id, object.owner, object.station);
 }
 
-std::optional<RigidTransform> HostDriver::shownPose(ObjectId object, SessionTime t) const
+std::optional<ActedPose> HostDriver::shownPose(ObjectId object, SessionTime t) const
 {
     return shownPoseOf(m_core->actions(), m_board.objects, object, t, m_core->localTime(t));
 }

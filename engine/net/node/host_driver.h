@@ -93,7 +93,7 @@ private:
     void takeMoved(const Result<std::optional<std::filesystem::path>>& moved);
     void share(const SharedObject& object);
     void compareViews(LocalTime now);
-    [[nodiscard]] std::optional<RigidTransform> shownPose(ObjectId object, SessionTime t) const;
+    [[nodiscard]] std::optional<ActedPose> shownPose(ObjectId object, SessionTime t) const;
     void sendOwnStreams(LocalTime now);
     void show(LocalTime now);
     [[nodiscard]] std::vector<PathReport> measurePaths(LocalTime now) const;

@@ -38,6 +38,7 @@ void noteLimit(const Drift& limit, ObjectReport& report)
 {
     report.limitDeg = inDegrees(limit.rotation);
     report.limitMm = inMillimetres(limit.position);
+    report.limitScale = limit.scale;
 }
 
 } // namespace
@@ -82,6 +83,8 @@ std::vector<ObjectReport> NodeBoard::objectReports(SessionTime now) const
         if (const auto drift = drifts->find(report.object); drift != drifts->end()) {
             report.driftDeg = inDegrees(drift->second.drift.rotation);
             report.driftMm = inMillimetres(drift->second.drift.position);
+            if (shared->table().newest(report.object))
+                report.driftScale = drift->second.drift.scale;
             if (const auto poses = objects.find(report.object))
                 noteSpeedsAt(drift->second.at, *poses, report);
         }

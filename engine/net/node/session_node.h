@@ -62,6 +62,9 @@ struct ObjectReport {
     std::optional<double> limitDeg{}; ///< least drift for the delay of the path, at that time: 0
     std::optional<double> limitMm{};  ///< unless an action was under way
     std::optional<Duration> delay{};  ///< of the last action
+    /// Of the sizes, the larger by the smaller, less 1.
+    std::optional<double> driftScale{};
+    std::optional<double> limitScale{};
 };
 
 /// The certificate by which a host authenticates, as PEM files.

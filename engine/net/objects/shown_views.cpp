@@ -6,14 +6,16 @@
 namespace carina
 {
 
-std::optional<RigidTransform> shownPoseOf(const SharedActions& actions, const RemoteObjects& others,
-                                          ObjectId object, SessionTime t, LocalTime drawn)
+std::optional<ActedPose> shownPoseOf(const SharedActions& actions, const RemoteObjects& others,
+                                     ObjectId object, SessionTime t, LocalTime drawn)
 {
     if (const auto acted = actions.shown(object, t, drawn, drawn))
-        return acted->acted.X_AO;
+        return acted->acted;
     const auto poses = others.find(object);
     const auto pose = poses ? poses->at(t) : std::nullopt;
-    return pose && pose->validity != Validity::Lost ? std::optional{pose->X_FO} : std::nullopt;
+    if (!pose || pose->validity == Validity::Lost)
+        return std::nullopt;
+    return ActedPose{pose->X_FO};
 }
 
 std::vector<ShownPose> ShownViews::advance(const SessionState& state, ParticipantId self,
@@ -30,11 +32,11 @@ std::vector<ShownPose> ShownViews::advance(const SessionState& state, Participan
     m_last = at;
     forgetOld(state, self, now);
     for (const auto& [id, object] : state.objects()) {
-        const auto X_AO = m_shownPose(id, at);
-        if (X_AO && object.owner == self)
-            own.push_back({id, at, *X_AO});
-        else if (X_AO)
-            m_views.remember({id, at, *X_AO});
+        const auto shown = m_shownPose(id, at);
+        if (shown && object.owner == self)
+            own.push_back({id, at, shown->X_AO, shown->scale});
+        else if (shown)
+            m_views.remember({id, at, shown->X_AO, shown->scale});
         else if (object.owner == self)
             m_toMeasure.push_back(id);
     }

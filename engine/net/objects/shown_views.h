@@ -12,12 +12,11 @@
 namespace carina
 {
 
-/// X_AO of an object at session time t, local time `drawn`, as it is acted on, else as its owner's
-/// samples have it; nothing where neither is known, and where it is lost.
-[[nodiscard]] std::optional<RigidTransform> shownPoseOf(const SharedActions& actions,
-                                                        const RemoteObjects& others,
-                                                        ObjectId object, SessionTime t,
-                                                        LocalTime drawn);
+/// An object at session time t, local time `drawn`, as it is acted on, else as its owner's samples
+/// have it; nothing where neither is known, and where it is lost.
+[[nodiscard]] std::optional<ActedPose> shownPoseOf(const SharedActions& actions,
+                                                   const RemoteObjects& others, ObjectId object,
+                                                   SessionTime t, LocalTime drawn);
 
 /// Takes note of what this node shows of the shared objects a few times a second, and compares it
 /// with what their owners showed at the same session times. Used on the node's thread.
@@ -29,11 +28,13 @@ public:
     /// How long a comparison holds.
     static constexpr Duration kHolds = std::chrono::seconds{2};
 
-    /// X_AO of an object as this node shows it at session time t; nothing where it shows none.
-    using PoseOf = std::function<std::optional<RigidTransform>(ObjectId, SessionTime)>;
+    /// An object as this node shows it at session time t; nothing where it shows none.
+    using ShownOf = std::function<std::optional<ActedPose>(ObjectId, SessionTime)>;
+    /// X_AO of an object as it was measured for session time t; nothing where it was not.
+    using MeasuredOf = std::function<std::optional<RigidTransform>(ObjectId, SessionTime)>;
     /// @param shown of objects of others, and of own ones that are acted on
     /// @param measured of own tracked objects
-    ShownViews(PoseOf shown, PoseOf measured)
+    ShownViews(ShownOf shown, MeasuredOf measured)
         : m_shownPose{std::move(shown)}, m_measuredPose{std::move(measured)}
     {
     }
@@ -59,8 +60,8 @@ public:
 private:
     void forgetOld(const SessionState& state, ParticipantId self, SessionTime now);
 
-    PoseOf m_shownPose;
-    PoseOf m_measuredPose;
+    ShownOf m_shownPose;
+    MeasuredOf m_measuredPose;
     ViewComparison m_views;
     std::shared_ptr<const Drifts> m_drifts = std::make_shared<Drifts>();
     SessionTime m_last = SessionTime::min();

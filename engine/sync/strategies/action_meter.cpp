@@ -1,5 +1,7 @@
 #include "engine/sync/strategies/action_meter.h"
 
+#include "engine/sync/actions/shared_actions.h"
+
 #include <algorithm>
 
 namespace carina
@@ -7,12 +9,21 @@ namespace carina
 namespace
 {
 
+/// As it is drawn.
+ActedPose evaluated(const EventCpo& event, SessionTime t)
+{
+    ActedPose acted = evaluate(event, t);
+    acted.scale =
+        std::clamp(acted.scale, SharedActions::kSmallestScale, SharedActions::kLargestScale);
+    return acted;
+}
+
 Drift driftAfter(const EventCpo& event, const EventCpo& before, Duration delay)
 {
     if (delay == Duration{})
         return {}; // where it puts the object elsewhere that was meant, and drawn in time
     const SessionTime t = event.start + delay;
-    return driftBetween(evaluate(event, t).X_AO, evaluate(before, t).X_AO);
+    return driftBetween(evaluated(event, t), evaluated(before, t));
 }
 
 } // namespace
@@ -40,6 +51,7 @@ Drift ActionMeter::limitAt(SessionTime t) const
             continue;
         largest.rotation = std::max(largest.rotation, past.limit.rotation);
         largest.position = std::max(largest.position, past.limit.position);
+        largest.scale = std::max(largest.scale, past.limit.scale);
     }
     return largest;
 }

@@ -26,7 +26,7 @@ std::optional<Drift> ViewComparison::compare(const ShownPose& owners) const
     const auto shown = std::ranges::find(kept->second, owners.at, &ShownPose::at);
     if (shown == kept->second.end())
         return std::nullopt;
-    return driftBetween(owners.X_AO, shown->X_AO);
+    return driftBetween(ActedPose{owners.X_AO, owners.scale}, {shown->X_AO, shown->scale});
 }
 
 } // namespace carina

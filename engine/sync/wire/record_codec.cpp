@@ -201,6 +201,8 @@ ShownPose readShownPose(ByteReader& in)
     // Written so that a NaN fails too.
     in.require(std::abs(q_AO.norm() - 1.0) <= kUnitTolerance, "rotation");
     in.require(p_AO.allFinite(), "position");
+    shown.scale = double{in.realFloat()};
+    in.require(std::isfinite(shown.scale) && shown.scale > 0.0, "scale");
     if (in.ok())
         shown.X_AO = RigidTransform{q_AO, p_AO};
     return shown;
@@ -316,6 +318,7 @@ public:
             m_out.real(component);
         for (const double metres : shown.X_AO.translation())
             m_out.real(metres);
+        m_out.real(static_cast<float>(shown.scale));
     }
     void operator()(const LagNeeded& needed)
     {

@@ -7,11 +7,12 @@
 namespace carina
 {
 
-/// The pose of a shared object O that a program showed at a session time.
+/// The pose and the size of a shared object O that a program showed at a session time.
 struct ShownPose {
     ObjectId object;
     SessionTime at{};
     RigidTransform X_AO;
+    double scale = 1.0; ///< size of O relative to its model, above 0; a float on the wire
 };
 
 } // namespace carina

@@ -160,6 +160,20 @@ private Q_SLOTS:
         QCOMPARE(all.at(0).objects.at(0).limit_mm, std::optional{0.25});
     }
 
+    void saysBesideThePlaceHowFarTheSizeIsOff()
+    {
+        FakeSessionNode node;
+        node.pathReports = {knownPath(kTrainee)};
+        node.reports = {movingTube()};
+        node.reports[0].limitDeg = 0.0;
+        node.reports[0].limitMm = 0.0;
+        node.reports[0].driftScale = 0.041;
+        node.reports[0].limitScale = 0.0;
+        QCOMPARE(linesOf(networkFigures(node).at(0)).last(),
+                 QStringLiteral(
+                     "tube: drift (limit): 0.140 (0.000)°, 0.800 (0.000) mm, 4.100 (0.000) %"));
+    }
+
     void withOneParticipantTheUpshotIsThatOfThePathHere()
     {
         FakeSessionNode node;

@@ -355,6 +355,16 @@ void TestParticipantsModel::takesTheTrackersErrorForNoDifference()
     table.node.reports[0].driftDeg = 0.11;
     table.deliver();
     QCOMPARE(table.cell(kTraineeRow, Column::Same), QStringLiteral("▲ differs"));
+    // Nor a hundredth of a size; one that grew by 4 % for its owner alone looks different.
+    table.node.reports[0].driftDeg = 0.0;
+    table.node.reports[0].driftScale = 0.009;
+    table.deliver();
+    QCOMPARE(table.cell(kTraineeRow, Column::Same), QStringLiteral("✓ same"));
+    table.node.reports[0].driftScale = 0.04;
+    table.deliver();
+    QCOMPARE(table.cell(kTraineeRow, Column::Same), QStringLiteral("▲ differs"));
+    const QString tip = table.cell(kTraineeRow, Column::Same, Qt::ToolTipRole);
+    QVERIFY2(tip.contains(QStringLiteral("size off by 4.0 % (bound 1.0 %)")), qPrintable(tip));
 }
 
 void TestParticipantsModel::takesAHandForNoDifference_data()

@@ -56,7 +56,7 @@ NodeBoard::View turnedAndCompared(SessionTime compared)
     NodeBoard::View view;
     view.actions = std::make_shared<SharedActions>(actions);
     view.drifts = std::make_shared<ShownViews::Drifts>(
-        ShownViews::Drifts{{kTurned, {Drift{degrees(4.0), millimetres(0.0)}, compared}}});
+        ShownViews::Drifts{{kTurned, {Drift{degrees(4.0), millimetres(0.0), 0.02}, compared}}});
     return view;
 }
 
@@ -116,6 +116,8 @@ private Q_SLOTS:
         QVERIFY(std::abs(reports[0].driftDeg.value() - 4.0) < 1e-9);
         QVERIFY(std::abs(reports[0].limitDeg.value() - limit_deg) < 1e-5);
         QCOMPARE(reports[0].limitMm, std::optional{0.0});
+        QCOMPARE(reports[0].driftScale, std::optional{0.02});
+        QCOMPARE(reports[0].limitScale, std::optional{0.0});
         QCOMPARE(reports[0].delay, std::optional{Duration{40ms}});
     }
 };

@@ -30,11 +30,12 @@ SessionState twoObjects()
 
 RigidTransform at(double x) { return RigidTransform{Quat::Identity(), Vec3{x, 0.0, 0.0}}; }
 
-/// Both objects move along x; they are shown late by so much.
-ShownViews viewsLateBy(Duration late)
+/// Both objects move along x; they are shown late by so much, and in this size.
+ShownViews viewsLateBy(Duration late, double scale = 1.0)
 {
-    return ShownViews{[late](ObjectId, SessionTime t) {
-                          return std::optional{at(kSpeed * toSeconds(t - late - kStart))};
+    return ShownViews{[late, scale](ObjectId, SessionTime t) {
+                          const double moved = kSpeed * toSeconds(t - late - kStart);
+                          return std::optional{ActedPose{at(moved), scale}};
                       },
                       [](ObjectId, SessionTime) { return std::optional<RigidTransform>{}; }};
 }
@@ -59,6 +60,18 @@ private Q_SLOTS:
         }
         QCOMPARE(viewer.drifts()->size(), std::size_t{2});
         QVERIFY(std::abs(viewer.drifts()->at(kTurned).drift.position.si - 0.004) < 1e-12);
+    }
+
+    void driftOfASizeIsItsRatio()
+    {
+        const SessionState state = twoObjects();
+        ShownViews owner = viewsLateBy(0ms, 1.5);
+        ShownViews viewer = viewsLateBy(0ms, 1.2);
+        QVERIFY(viewer.advance(state, kViewer, kStart).empty());
+        for (const ShownPose& shown : owner.advance(state, kOwner, kStart))
+            viewer.compare(shown);
+        QVERIFY(std::abs(viewer.drifts()->at(kTurned).drift.scale - 0.25) < 1e-12);
+        QCOMPARE(viewer.drifts()->at(kTurned).drift.position.si, 0.0);
     }
 
     void comparisonHoldsForTwoSeconds()
@@ -88,7 +101,8 @@ private Q_SLOTS:
         const SessionState state = twoObjects();
         std::vector<SessionTime> asked;
         ShownViews owner{[](ObjectId id, SessionTime) {
-                             return id == kTurned ? std::optional{at(0.0)} : std::nullopt;
+                             return id == kTurned ? std::optional{ActedPose{at(0.0)}}
+                                                  : std::nullopt;
                          },
                          [&](ObjectId, SessionTime t) {
                              asked.push_back(t);

@@ -1,6 +1,8 @@
 #include "engine/sync/strategies/action_meter.h"
 #include "tests/support/test_class.h"
 
+#include <cmath>
+
 namespace carina::action_meter_test
 {
 namespace
@@ -66,6 +68,17 @@ private Q_SLOTS:
         const ActionFigures& figures = meter.figures();
         QVERIFY(isNear(figures.limit.position.si, 0.025));
         QVERIFY(isNear(figures.limit.rotation.si, 0.0));
+    }
+
+    void limitOfAScalingIsARatio()
+    {
+        EventCpo growth = turnAt(kBegin, 0.5F);
+        growth.kind = ActionKind::Scaling;
+        ActionMeter meter;
+        meter.arrived(growth, turnAt(kBegin, 0.0F), kBegin + 100ms);
+        QVERIFY(isNear(meter.figures().limit.scale, std::exp(0.05) - 1.0));
+        QVERIFY(isNear(meter.limitAt(kBegin + 50ms).scale, std::exp(0.05) - 1.0));
+        QVERIFY(isNear(meter.figures().limit.rotation.si, 0.0));
     }
 
     void limitIsOfTheShortestDelay()

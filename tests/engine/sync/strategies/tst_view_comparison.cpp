@@ -46,6 +46,19 @@ private Q_SLOTS:
         QVERIFY(std::abs(views.compare(shownAt(kAt, 0.0))->position.si - 0.010) < 1e-12);
     }
 
+    /// Whoever of the two shows it larger.
+    void driftOfASizeIsTheLargerByTheSmaller()
+    {
+        ViewComparison views;
+        views.remember(shownAt(kAt, 0.0));
+        ShownPose owners = shownAt(kAt, 0.0);
+        QCOMPARE(views.compare(owners)->scale, 0.0);
+        for (const double scale : {1.25, 0.8}) {
+            owners.scale = scale;
+            QVERIFY(std::abs(views.compare(owners)->scale - 0.25) < 1e-12);
+        }
+    }
+
     void onlyOfTheSameTimeAndObject()
     {
         ViewComparison views;

@@ -26,11 +26,11 @@ inline BundleHeader goldenHeader()
 }
 
 inline constexpr const char* kGoldenHeaderHex =
-    "43 41 0c 03  44 33 22 11  88 77 66 55  01 02  08 07 06 05 04 03 02 01"
+    "43 41 0d 03  44 33 22 11  88 77 66 55  01 02  08 07 06 05 04 03 02 01"
     "fe ff ff ff ff ff ff ff  ff ff ff ff";
 
 inline constexpr const char* kPlainHeaderHex =
-    "43 41 0c 00  01 00 00 00  02 00 00 00  ff ff  00 00 00 00 00 00 00 00"
+    "43 41 0d 00  01 00 00 00  02 00 00 00  ff ff  00 00 00 00 00 00 00 00"
     "00 00 00 00 00 00 00 00  00 00 00 00";
 
 /// A quarter turn about z at (0.1, -0.2, 0.3) m, 2^32 + 5 us after the epoch.
@@ -143,11 +143,12 @@ inline std::vector<GoldenRecord> goldenRecords()
         {"needed lag", LagNeeded{Duration{0x01020304}}, "0f  04 03 02 01"},
         {"shown pose",
          ShownPose{ObjectId{0x0102}, SessionTime{Duration{0x0304}},
-                   RigidTransform{Quat{0.0, 1.0, 0.0, 0.0}, Vec3{1.0, 2.0, -0.5}}},
+                   RigidTransform{Quat{0.0, 1.0, 0.0, 0.0}, Vec3{1.0, 2.0, -0.5}}, 2.0},
          "10  02 01  04 03 00 00 00 00 00 00"
          "00 00 00 00 00 00 f0 3f  00 00 00 00 00 00 00 00"
          "00 00 00 00 00 00 00 00  00 00 00 00 00 00 00 00"
-         "00 00 00 00 00 00 f0 3f  00 00 00 00 00 00 00 40  00 00 00 00 00 00 e0 bf"},
+         "00 00 00 00 00 00 f0 3f  00 00 00 00 00 00 00 40  00 00 00 00 00 00 e0 bf"
+         "00 00 00 40"},
         {"external time", ExternalTimeRecord{{Duration{0x0102030405060708}, Duration{0x01020304}}},
          "11  08 07 06 05 04 03 02 01  04 03 02 01 00 00 00 00"},
         {"hello to a station", Hello{goldenKey(), FactNumber{9}, goldenProposal(), "R5"},

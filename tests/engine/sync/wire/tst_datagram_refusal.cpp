@@ -201,6 +201,10 @@ private Q_SLOTS:
         row("strategy with a message cut short", 14, 2, "04", "length");
         row("shown rotation too long", 16, 11, "00 00 80 00 00 00 f0 3f", "rotation");
         row("shown position infinite", 16, 43, "00 00 00 00 00 00 f0 7f", "position");
+        row("shown size zero", 16, 67, "00 00 00 00", "scale");
+        row("shown size negative", 16, 67, "00 00 80 bf", "scale");
+        row("shown size infinite", 16, 67, "00 00 80 7f", "scale");
+        row("shown size not a number", 16, 67, "00 00 c0 7f", "scale");
         row("clock without an error", 17, 9, "00 00 00 00 00 00 00 00", "error of a clock");
         row("clock off by more than 16 s", 17, 9, "01 a0 ac b9 03 00 00 00", "error of a clock");
         row("negative error of a clock", 17, 9, "ff ff ff ff ff ff ff ff", "error of a clock");
@@ -247,6 +251,7 @@ private Q_SLOTS:
         row("fastest rate", 1, 86, "00 00 c8 42");
         row("fastest rate backwards", 1, 86, "00 00 c8 c2");
         row("last strategy", 14, 1, "07");
+        row("smallest size shown", 16, 67, "01 00 00 00");
         row("first fact", 2, 1, "01 00 00 00 00 00 00 00");
         row("last reason", 5, 9, "08");
     }

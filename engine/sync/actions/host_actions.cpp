@@ -122,13 +122,24 @@ void HostActions::take(PeerAddress from, const RelayedMessage& relayed,
         m_strategy.receive(peer->second.participant, message.bytes, now);
 }
 
+bool HostActions::isRelayedAtOnce(Peer& peer, ObjectId object, LocalTime now)
+{
+    if (now == peer.relayedAt && peer.relayedThen.insert(object).second)
+        return true; // goes out in the same datagrams
+    if (!peer.relayedAtOnce.take(1.0, kAtOnce, now))
+        return false;
+    peer.relayedAt = now;
+    peer.relayedThen = {object};
+    return true;
+}
+
 void HostActions::relay(Peer& peer, ObjectId object, const std::vector<std::byte>& message,
                         LocalTime now)
 {
     const auto waiting = peer.relayed.find(object);
     if (waiting != peer.relayed.end()) {
         waiting->second = message;
-    } else if (peer.relayedAtOnce.take(1.0, kAtOnce, now)) {
+    } else if (isRelayedAtOnce(peer, object, now)) {
         m_strategy.receive(peer.participant, message, now);
     } else {
         peer.relayed.emplace(object, message);

@@ -55,9 +55,10 @@ public:
     void take(PeerAddress from, const EventBeat& beat, SessionTime session, LocalTime now);
     /// A message of the strategy from a peer: dropped where it is an action and the peer may not
     /// act, or not on that object, and where it is to all others and no action. Of probes, and of
-    /// answers, at most kFastestProbes a second go from one participant to another. Actions beyond
-    /// kAtOnce wait as those of the session clock do, and those that are replaced meanwhile are
-    /// lost, as the strategies must bear.
+    /// answers, at most kFastestProbes a second go from one participant to another. Actions that
+    /// come together, one on each object, as snapshots do, count as one; beyond kAtOnce they wait
+    /// as those of the session clock do, and those that are replaced meanwhile are lost, as the
+    /// strategies must bear.
     /// @param relayed the message, decoded
     void take(PeerAddress from, const RelayedMessage& relayed, const StrategyMessage& message,
               bool mayAct, LocalTime now);
@@ -86,8 +87,10 @@ private:
         std::vector<WireRecord> acks{};
         Duration delay{};
         LocalTime nextLag = LocalTime::min();
-        TokenBucket atOnce{};        ///< actions that are not put off
-        TokenBucket relayedAtOnce{}; ///< the same of messages
+        TokenBucket atOnce{};                   ///< actions that are not put off
+        TokenBucket relayedAtOnce{};            ///< the same of messages
+        LocalTime relayedAt = LocalTime::min(); ///< when one was taken from it last
+        std::set<ObjectId> relayedThen{};       ///< at that time, each once
         /// Messages that are put off until relayedDue, the newest of each object.
         std::map<ObjectId, std::vector<std::byte>> relayed{};
         LocalTime relayedDue = LocalTime::max();
@@ -98,6 +101,8 @@ private:
     void tellParticipants(LocalTime now);
     /// Forwards a message with an action, now or with others.
     void relay(Peer& peer, ObjectId object, const std::vector<std::byte>& message, LocalTime now);
+    /// Whether a message with an action on this object is not put off.
+    [[nodiscard]] static bool isRelayedAtOnce(Peer& peer, ObjectId object, LocalTime now);
     void relayDue(LocalTime now);
     [[nodiscard]] bool hasLag() const { return m_choice.kind == StrategyKind::LocalLag; }
     /// The lag with which actions of this peer, or nullptr for the host, begin everywhere at once.

@@ -2,6 +2,8 @@
 #include "engine/sync/actions/host_actions.h"
 #include "tests/support/test_class.h"
 
+#include <algorithm>
+
 namespace carina::host_actions_test
 {
 namespace
@@ -40,6 +42,40 @@ HostActions hostOfThree()
     }
     return host;
 }
+
+/// A host whose session interpolates, with eight objects of the first of two peers.
+struct Relayed {
+    static constexpr std::uint16_t kObjects = 8;
+
+    HostActions host;
+
+    Relayed()
+    {
+        host.setStrategy({.kind = StrategyKind::Interpolation}, kStart);
+        for (std::uint16_t object = 1; object <= kObjects; ++object)
+            host.share(ObjectId{object}, {ParticipantId{1}, 1});
+        for (const PeerAddress address : {kOwner, kFirst})
+            host.join(address, ParticipantId{static_cast<std::uint16_t>(address - 100)}, kStart);
+    }
+    void send(std::uint16_t object, std::uint32_t number, LocalTime now)
+    {
+        EventCpo event = actionOf(1, number);
+        event.object = ObjectId{object};
+        const RelayedMessage message{ParticipantId{1}, kAllOthers, event};
+        host.take(kOwner, message, {StrategyKind::Interpolation, encodeRelayed(message)}, true,
+                  now);
+    }
+    /// How many messages go to the other peer now.
+    std::size_t heard(LocalTime now)
+    {
+        host.advance(kSession, now);
+        const auto records = host.takeDue(kFirst, now);
+        const auto isMessage = [](const WireRecord& record) {
+            return std::holds_alternative<StrategyMessage>(record);
+        };
+        return static_cast<std::size_t>(std::ranges::count_if(records, isMessage));
+    }
+};
 
 } // namespace
 
@@ -142,6 +178,52 @@ private Q_SLOTS:
         QVERIFY(due <= kStart + kActions * 1ms + HostActions::kTogether);
         hear(due);
         QCOMPARE(newest, kActions); // the newest is not lost
+    }
+
+    /// As in virtual time: sixty times a second all objects of a participant, in one datagram.
+    void snapshotsOfSeveralObjectsDoNotWait()
+    {
+        Relayed relayed;
+        for (std::uint32_t tick = 1; tick <= 600; ++tick) {
+            const LocalTime now = kStart + tick * 16'667us;
+            for (std::uint16_t object = 1; object <= Relayed::kObjects; ++object)
+                relayed.send(object, tick, now);
+            QCOMPARE(relayed.heard(now), std::size_t{Relayed::kObjects});
+        }
+    }
+
+    /// One object after the other, or one again and again at the same time, does not count as one.
+    void onlyWhatComesTogetherCountsAsOne_data()
+    {
+        QTest::addColumn<int>("atATime");
+        QTest::addColumn<bool>("isOneObject");
+        QTest::newRow("one after the other") << 1 << false;
+        QTest::newRow("one again and again") << 8 << true;
+    }
+    void onlyWhatComesTogetherCountsAsOne()
+    {
+        QFETCH(const int, atATime);
+        QFETCH(const bool, isOneObject);
+        Relayed relayed;
+        double moments = 0.0;
+        double messages = 0.0;
+        std::uint32_t number = 0;
+        for (LocalTime now = kStart + 1ms; now <= kStart + 5s; now += 1ms) {
+            for (int i = 0; i < atATime; ++i, ++number)
+                relayed.send(isOneObject ? 1 : static_cast<std::uint16_t>(
+                                                   1 + number % Relayed::kObjects),
+                             number, now);
+            const std::size_t heard = relayed.heard(now);
+            moments += heard > 0 ? 1.0 : 0.0;
+            messages += static_cast<double>(heard);
+        }
+        // The burst and those at once, and those together, in 5 s.
+        const double together = 5.0 / toSeconds(HostActions::kTogether) + 2.0;
+        QVERIFY2(moments <= 7.0 * HostActions::kAtOnce + together,
+                 qPrintable(QString::number(moments)));
+        const double objects = isOneObject ? 1.0 : double{Relayed::kObjects};
+        QVERIFY2(messages <= 7.0 * HostActions::kAtOnce + objects * together,
+                 qPrintable(QString::number(messages)));
     }
 
     /// Nobody has it any more: the action is neither shown, nor sent, nor stored.

@@ -9,10 +9,12 @@
 namespace carina
 {
 
-void ClientActions::setStrategy(const StrategyChoice& choice, LocalTime now)
+void ClientActions::setStrategy(const StrategyChoice& choice, LocalTime now,
+                                std::optional<SessionTime> session)
 {
     m_choice = choice;
     beginStrategy(now);
+    goOn(session, now);
 }
 
 void ClientActions::beginStrategy(LocalTime now)
@@ -41,6 +43,11 @@ void ClientActions::startAfresh()
 void ClientActions::connected(std::optional<SessionTime> session, LocalTime now)
 {
     beginStrategy(now);
+    goOn(session, now);
+}
+
+void ClientActions::goOn(std::optional<SessionTime> session, LocalTime now)
+{
     for (const EventCpo& event : m_actions.table().newest())
         goOn(event, session, now);
 }

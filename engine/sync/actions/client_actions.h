@@ -13,8 +13,10 @@ class ClientActions
 {
 public:
     void setSelf(ParticipantId self) { m_actions.setSelf(self); }
-    /// The session's strategy, taken from the facts.
-    void setStrategy(const StrategyChoice& choice, LocalTime now);
+    /// The session's strategy, taken from the facts. It goes on with own objects as they are at
+    /// this session time, where that is known, so that it need not wait for an action.
+    void setStrategy(const StrategyChoice& choice, LocalTime now,
+                     std::optional<SessionTime> session = std::nullopt);
     /// The other participants who are present.
     void setOthers(std::vector<ParticipantId> others, LocalTime now);
     /// The lag with which own actions begin everywhere at once, as the host told.
@@ -53,6 +55,7 @@ public:
 
 private:
     void beginStrategy(LocalTime now);
+    void goOn(std::optional<SessionTime> session, LocalTime now);
     void goOn(const EventCpo& event, std::optional<SessionTime> session, LocalTime now);
 
     SharedActions m_actions;

@@ -23,12 +23,23 @@ EventAck ackOf(const EventCpo& event) { return {event.object, event.epoch, event
 
 } // namespace
 
-void HostActions::setStrategy(const StrategyChoice& choice, LocalTime now)
+void HostActions::setStrategy(const StrategyChoice& choice, LocalTime now,
+                              std::optional<SessionTime> session)
 {
     m_choice = choice;
     for (auto& [address, peer] : m_peers)
         peer.relayed.clear(); // of the strategy before
     m_strategy.choose(choice, now);
+    m_actions.show(m_strategy.view());
+    if (session)
+        goOn(*session, now);
+}
+
+void HostActions::goOn(SessionTime session, LocalTime now)
+{
+    for (const EventCpo& event : m_actions.table().newest())
+        if (m_actions.isOwners(kActingHost, event))
+            m_strategy.begin(begunFrom(evaluate(event, session), session, event), now);
     m_actions.show(m_strategy.view());
 }
 

@@ -32,8 +32,10 @@ public:
     static constexpr double kAtOnce = 64.0;
     static constexpr Duration kTogether = std::chrono::milliseconds{16};
 
-    /// The session's strategy, taken from the facts.
-    void setStrategy(const StrategyChoice& choice, LocalTime now);
+    /// The session's strategy, taken from the facts. It goes on with objects of the host as they
+    /// are at this session time, where that is known.
+    void setStrategy(const StrategyChoice& choice, LocalTime now,
+                     std::optional<SessionTime> session = std::nullopt);
     /// The delay of the path to or from a peer.
     void measured(PeerAddress peer, Duration oneWay);
 
@@ -99,6 +101,8 @@ private:
     };
 
     void tellParticipants(LocalTime now);
+    /// The strategy goes on with the host's objects.
+    void goOn(SessionTime session, LocalTime now);
     /// Forwards a message with an action, now or with others.
     void relay(Peer& peer, ObjectId object, const std::vector<std::byte>& message, LocalTime now);
     /// Whether a message with an action on this object is not put off.

@@ -77,7 +77,7 @@ public:
     /// The session's strategy and the other participants who are present, taken from the facts.
     void setStrategy(const StrategyChoice& choice, LocalTime now)
     {
-        m_actions.setStrategy(choice, now);
+        m_actions.setStrategy(choice, now, sessionTime(now));
     }
     void setOthers(std::vector<ParticipantId> others, LocalTime now)
     {

@@ -151,7 +151,7 @@ public:
     /// The session's strategy, taken from the facts.
     void setStrategy(const StrategyChoice& choice, LocalTime now)
     {
-        m_actions.setStrategy(choice, now);
+        m_actions.setStrategy(choice, now, sessionTime(now));
     }
     /// Begins an action on an object of the host, now.
     /// @returns what SharedActions::begun does.

@@ -142,14 +142,19 @@ private Q_SLOTS:
     {
         QTest::addColumn<StrategyKind>("before");
         QTest::addColumn<StrategyKind>("after");
-        QTest::newRow("snapshots behind") << StrategyKind::Interpolation << StrategyKind::Event;
-        QTest::newRow("and the ASA") << StrategyKind::Interpolation << StrategyKind::AsaFixed;
-        QTest::newRow("an action behind") << StrategyKind::Event << StrategyKind::Interpolation;
+        QTest::addColumn<double>("lag_s"); // of the ASA before its first probe
+        QTest::newRow("snapshots behind")
+            << StrategyKind::Interpolation << StrategyKind::Event << kDelay_s;
+        QTest::newRow("and the ASA")
+            << StrategyKind::Interpolation << StrategyKind::AsaFixed << kDelay_s;
+        QTest::newRow("an action behind")
+            << StrategyKind::Event << StrategyKind::Interpolation << kDelay_s + 1.0 / 60.0;
     }
     void ownerWhoHearsLateHoldsNobodyUp()
     {
         QFETCH(const StrategyKind, before);
         QFETCH(const StrategyKind, after);
+        QFETCH(const double, lag_s);
         StrategyWorld world{before};
         QVERIFY(world.turn(0));
         world.run(300ms);
@@ -161,10 +166,55 @@ private Q_SLOTS:
         world.site(0).client->setStrategy({.kind = after}, world.local(0));
         world.run(2s);
         for (const std::size_t viewer : {1U, 2U})
-            QVERIFY2(std::abs(world.behind_deg(viewer)) < kTolerance_deg,
+            QVERIFY2(std::abs(world.behind_deg(viewer) - 100.0 * lag_s) < kTolerance_deg,
                      qPrintable(QString::number(world.behind_deg(viewer))));
-        QVERIFY(std::abs(turned_deg(world.shown(0)) - turned_deg(world.shownByHost()))
-                < kTolerance_deg);
+        const double behind = turned_deg(world.shown(0)) - turned_deg(world.shownByHost());
+        QVERIFY(std::abs(behind - 100.0 * (lag_s - kDelay_s / 2.0)) < kTolerance_deg);
+    }
+
+    /// Without another action.
+    void goesOnWithWhatMoves_data()
+    {
+        QTest::addColumn<StrategyKind>("kind");
+        QTest::addColumn<double>("lag_s");
+        QTest::newRow("event") << StrategyKind::Event << kDelay_s;
+        QTest::newRow("none") << StrategyKind::None << kDelay_s;
+        QTest::newRow("dead reckoning") << StrategyKind::DeadReckoning << kDelay_s;
+        QTest::newRow("interpolation") << StrategyKind::Interpolation << kDelay_s + 1.0 / 60.0;
+        QTest::newRow("ASA, before its first probe") << StrategyKind::AsaAdaptive << kDelay_s;
+    }
+    void goesOnWithWhatMoves()
+    {
+        QFETCH(const StrategyKind, kind);
+        QFETCH(const double, lag_s);
+        StrategyWorld world{StrategyKind::SessionClock};
+        QVERIFY(world.turn(0));
+        world.run(300ms);
+        const double before = turned_deg(world.shown(0));
+        world.choose({.kind = kind});
+        QVERIFY(std::abs(turned_deg(world.shown(0)) - before) < kTolerance_deg);
+        world.run(500ms);
+        for (const std::size_t viewer : {1U, 2U})
+            QVERIFY2(std::abs(world.behind_deg(viewer) - 100.0 * lag_s) < kTolerance_deg,
+                     qPrintable(QString::number(world.behind_deg(viewer))));
+    }
+
+    void goesOnWithWhatTheHostMoves()
+    {
+        StrategyWorld world{StrategyKind::SessionClock};
+        world.session.ownership = {ParticipantId{0}, 2};
+        world.host().share(kModel, world.session.ownership);
+        for (std::size_t i = 0; i < 3; ++i)
+            world.site(i).client->share(kModel, world.session.ownership);
+        world.run(100ms);
+        QVERIFY(world.host().act(kModel, {ActionKind::Rotation, Vec3::UnitZ(), kRate, {}},
+                                 world.hostTime()));
+        world.run(300ms);
+        world.choose({.kind = StrategyKind::Event});
+        world.run(500ms);
+        const double behind = turned_deg(world.shownByHost()) - turned_deg(world.shown(1));
+        QVERIFY2(std::abs(behind - 100.0 * kDelay_s / 2.0) < kTolerance_deg,
+                 qPrintable(QString::number(behind)));
     }
 
     /// Whoever shows the last snapshot of an owner that was away gets new ones when it is back.

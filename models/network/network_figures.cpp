@@ -102,6 +102,7 @@ NetworkFigures figuresOf(const PathReport& path)
     figures.meanDelay_ms = inMs(path.meanDelay);
     figures.sigma_ms = inMs(path.sigma);
     figures.probes_per_s = path.probesPerSecond;
+    figures.isOfStrategy = path.isOfStrategy;
     if (path.clockOffset)
         figures.clockOffset_s = toSeconds(*path.clockOffset);
     figures.clockError_ms = inMs(path.clockError);

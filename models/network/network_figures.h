@@ -47,6 +47,7 @@ struct NetworkFigures {
     std::optional<double> meanDelay_ms{};
     std::optional<double> sigma_ms{};
     std::optional<double> probes_per_s{}; ///< gamma_0 (adaptive probe rate)
+    bool isOfStrategy = false; ///< delays and gamma_0: of the session's strategy, else of its clock
     std::optional<double> clockOffset_s{};
     std::optional<double> clockError_ms{};
     std::optional<double> clockChange_ms{}; ///< of the offset, since its first estimate

@@ -319,7 +319,8 @@ void ClientDriver::show(LocalTime now)
     view.links = std::make_shared<std::vector<NodeBoard::Link>>(
         1, linkReport(kHostParticipant, linkState(m_core.state()), m_core.link()));
     m_board.showPaths(view, now, [&] {
-        return std::vector{reportPath(kHostParticipant, m_core.link(), m_core.clock().trigger())};
+        return std::vector{reportPath(kHostParticipant, m_core.link(), m_core.clock().trigger(),
+                                      m_core.strategyTriggerTo(kHostParticipant))};
     });
     view.refusal = m_refusal;
     if (const auto refused = m_core.helloRefused())

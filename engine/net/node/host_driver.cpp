@@ -430,7 +430,8 @@ std::vector<PathReport> HostDriver::measurePaths(LocalTime now) const
     const SessionTime session = m_core->sessionTime(now);
     std::vector<PathReport> paths;
     for (const auto& [address, peer] : m_core->peers()) {
-        PathReport path = reportPath(peer.participant, peer.link, peer.clock.trigger());
+        PathReport path = reportPath(peer.participant, peer.link, peer.clock.trigger(),
+                                     m_core->strategyTriggerTo(peer.participant));
         path.traffic = reportTraffic(peer.traffic, now);
         if ((path.clockOffset = peer.clock.offset(session))) {
             path.clockError = fromSeconds(peer.clock.uncertainty(session));

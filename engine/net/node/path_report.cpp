@@ -3,12 +3,15 @@
 namespace carina
 {
 
-PathReport reportPath(ParticipantId peer, const PeerLink& link, const ProbeTrigger& trigger)
+PathReport reportPath(ParticipantId peer, const PeerLink& link, const ProbeTrigger& clocks,
+                      const ProbeTrigger* strategys)
 {
     PathReport report;
     report.peer = peer;
     report.roundTrip = link.newestRoundTrip();
     report.loss = link.loss();
+    report.isOfStrategy = strategys && strategys->history().size() > 0;
+    const ProbeTrigger& trigger = report.isOfStrategy ? *strategys : clocks;
     const DelayHistory& history = trigger.history();
     if (history.size() == 0)
         return report;

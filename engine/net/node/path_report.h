@@ -34,11 +34,18 @@ struct PathReport {
     std::optional<ExternalVerdict> external{}; ///< of clocks disciplined from outside, if both have
     std::optional<double> loss{};              ///< 0 to 1, of the datagrams from this participant
     std::optional<TrafficReport> traffic{};    ///< at the host
+    /// Whether delays and gamma_0 are those that the session's strategy goes by, and not those of
+    /// the session clock.
+    bool isOfStrategy = false;
 };
 
 /// A report without clock and traffic.
+///
+/// @param clocks by which the session clock probes the path
+/// @param strategys by which the session's strategy does, nullptr where it does not; reported once
+///                  it has a delay
 [[nodiscard]] PathReport reportPath(ParticipantId peer, const PeerLink& link,
-                                    const ProbeTrigger& trigger);
+                                    const ProbeTrigger& clocks, const ProbeTrigger* strategys);
 
 [[nodiscard]] TrafficReport reportTraffic(const PeerTraffic& traffic, LocalTime now);
 

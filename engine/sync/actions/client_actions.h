@@ -52,6 +52,11 @@ public:
     [[nodiscard]] LocalTime nextDue() const;
 
     [[nodiscard]] const SharedActions& shared() const { return m_actions; }
+    /// How the strategy itself probes the path to another participant (StarParticipant::triggerTo).
+    [[nodiscard]] const ProbeTrigger* triggerTo(ParticipantId other) const
+    {
+        return m_strategy.triggerTo(other);
+    }
 
 private:
     void beginStrategy(LocalTime now);

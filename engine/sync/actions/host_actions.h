@@ -81,6 +81,11 @@ public:
     /// For how long what goes out may wait at the host, which actions with a lag wait for, too.
     void setLongestWait(Duration wait) { m_longestWait = wait; }
     [[nodiscard]] const SharedActions& shared() const { return m_actions; }
+    /// How the strategy itself probes the path to another participant (StarParticipant::triggerTo).
+    [[nodiscard]] const ProbeTrigger* triggerTo(ParticipantId other) const
+    {
+        return m_strategy.triggerTo(other);
+    }
 
 private:
     struct Peer {

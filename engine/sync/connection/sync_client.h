@@ -110,6 +110,12 @@ public:
     }
     [[nodiscard]] const FittedClock& clock() const { return m_clock; }
     [[nodiscard]] const SharedActions& actions() const { return m_actions.shared(); }
+    /// How the session's strategy itself probes the path to another participant; nullptr for one
+    /// that measures none (StarParticipant::triggerTo).
+    [[nodiscard]] const ProbeTrigger* strategyTriggerTo(ParticipantId other) const
+    {
+        return m_actions.triggerTo(other);
+    }
     [[nodiscard]] const PeerLink& link() const { return m_link; }
     /// Why the host does not admit this participant, or ended its connection. After Removed, Banned
     /// and UsedElsewhere the client is closed and does not ask again.

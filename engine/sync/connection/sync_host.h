@@ -184,6 +184,12 @@ public:
     /// Whether a program of this participant is connected or admitted.
     [[nodiscard]] bool isHere(ParticipantId participant) const;
     [[nodiscard]] const SharedActions& actions() const { return m_actions.shared(); }
+    /// How the session's strategy itself probes the path to another participant; nullptr for one
+    /// that measures none (StarParticipant::triggerTo).
+    [[nodiscard]] const ProbeTrigger* strategyTriggerTo(ParticipantId other) const
+    {
+        return m_actions.triggerTo(other);
+    }
     [[nodiscard]] const std::vector<FactRecord>& log() const { return m_log; }
     /// Half the longest recent round trip of any peer, at most kLongestPath; of those who may not
     /// act, kLongestPathOfWatchers.

@@ -75,6 +75,12 @@ public:
 
     [[nodiscard]] std::uint64_t probesSent() const override { return m_probes; }
 
+    [[nodiscard]] const ProbeTrigger* triggerTo(ParticipantId other) const override
+    {
+        const auto found = m_neighbours.find(other);
+        return found == m_neighbours.end() ? nullptr : &found->second.trigger;
+    }
+
 private:
     struct Neighbour {
         ProbeTrigger trigger;

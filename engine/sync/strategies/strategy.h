@@ -59,6 +59,7 @@ private:
 
 inline constexpr ParticipantId kStarHost{0};
 
+class ProbeTrigger;
 class RelayedView;
 
 /// A participant's end of a synchronisation strategy.
@@ -75,6 +76,9 @@ public:
     [[nodiscard]] virtual const RelayedView* view() const { return nullptr; }
     /// Forgets an object; sends nothing about it any more.
     virtual void forget(ObjectId object) = 0;
+    /// How the strategy itself probes the path to another participant, with the delays that it goes
+    /// by; nullptr for one that measures none, and towards who is not there.
+    [[nodiscard]] virtual const ProbeTrigger* triggerTo(ParticipantId) const { return nullptr; }
     /// Participants have come or gone.
     virtual void setOthers(std::span<const ParticipantId>, LocalTime) {}
     /// Session time, for strategies with a session clock.

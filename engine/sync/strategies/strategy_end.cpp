@@ -74,6 +74,11 @@ const RelayedView* StrategyEnd::view() const
     return m_participant ? m_participant->view() : nullptr;
 }
 
+const ProbeTrigger* StrategyEnd::triggerTo(ParticipantId other) const
+{
+    return m_participant ? m_participant->triggerTo(other) : nullptr;
+}
+
 void StrategyHost::choose(const StrategyChoice& choice, LocalTime now)
 {
     m_own.choose(choice, {kStarHost, without(m_participants, kStarHost)}, now);

@@ -29,6 +29,8 @@ public:
     [[nodiscard]] LocalTime nextDue() const;
     /// What is shown; nullptr where the session clock decides it.
     [[nodiscard]] const RelayedView* view() const;
+    /// As StarParticipant::triggerTo; nullptr where the session clock decides what is shown.
+    [[nodiscard]] const ProbeTrigger* triggerTo(ParticipantId other) const;
 
 private:
     std::unique_ptr<StarParticipant> m_participant;
@@ -60,6 +62,11 @@ public:
     [[nodiscard]] std::vector<std::vector<std::byte>> takeDue(ParticipantId to);
     [[nodiscard]] LocalTime nextDue() const;
     [[nodiscard]] const RelayedView* view() const { return m_own.view(); }
+    /// Of the host's own end.
+    [[nodiscard]] const ProbeTrigger* triggerTo(ParticipantId other) const
+    {
+        return m_own.triggerTo(other);
+    }
 
 private:
     void forward(LocalTime now);

@@ -1,4 +1,4 @@
-#include "tests/engine/net/node/nodes.h"
+#include "tests/engine/net/node/driver_world.h"
 #include "tests/support/test_class.h"
 
 namespace carina::node_paths_test
@@ -65,6 +65,35 @@ private Q_SLOTS:
         QVERIFY(path.roundTrip.value() > 0ns && path.roundTrip.value() < kLongestLoopback);
         QVERIFY(path.meanDelay.value() < kLongestLoopback);
         QVERIFY(!path.clockOffset);
+    }
+
+    /// What is set for the ASA is seen at both ends.
+    void showsTheProbesOfTheStrategyThatRuns()
+    {
+        constexpr std::uint16_t kDelays = 5;
+        constexpr double kProbes = 7.0;
+        HeldStore::Disk disk;
+        DriverWorld world{disk};
+        auto& anna = world.add("Anna");
+        world.run(2s);
+        const auto isOfStrategy = [](const NodeBoard& board) {
+            const auto paths = board.part(&NodeBoard::View::paths);
+            return paths->size() == 1 && paths->front().isOfStrategy;
+        };
+        QVERIFY(!isOfStrategy(world.board) && !isOfStrategy(anna.board));
+        StrategyChoice choice{.kind = StrategyKind::AsaFixed};
+        choice.asa = {.delays = kDelays, .start = kProbes, .lowest = 1.0, .highest = 20.0};
+        world.host->propose(kNoStation, fact::StrategyChosen{choice}, world.now);
+        world.run(3s);
+        for (const NodeBoard* board : {&world.board, &anna.board}) {
+            QVERIFY(isOfStrategy(*board));
+            const auto paths = board->part(&NodeBoard::View::paths);
+            QCOMPARE(paths->front().delays.size(), std::size_t{kDelays});
+            QCOMPARE(paths->front().probesPerSecond, std::optional{kProbes});
+        }
+        world.host->propose(kNoStation, fact::StrategyChosen{}, world.now);
+        world.run(1s);
+        QVERIFY(!isOfStrategy(world.board) && !isOfStrategy(anna.board));
     }
 
     void whoLeavesHasNoPath()

@@ -1,3 +1,4 @@
+#include "engine/sync/strategies/probe_trigger.h"
 #include "engine/sync/strategies/relayed_message.h"
 #include "tests/engine/sync/strategies/strategy_star.h"
 #include "tests/support/test_class.h"
@@ -231,6 +232,21 @@ private Q_SLOTS:
         star.forgetDepartures();
         star.runTo(20s);
         QCOMPARE(star.departures().size(), 4U * 30U * 4U);
+    }
+
+    /// One delay of two legs of 10 ms for each probe; the others have none to show.
+    void asaShowsTheDelaysThatItGoesBy()
+    {
+        StrategyStar star{"asa-fixed", 2, {}};
+        star.runTo(4500ms);
+        const ProbeTrigger* trigger = star.participant(1).triggerTo(ParticipantId{2});
+        QVERIFY(trigger);
+        QCOMPARE(trigger->history().size(), std::size_t{4});
+        QCOMPARE(trigger->history().mean(), Duration{20ms});
+        QCOMPARE(trigger->rate(), 1.0);
+        QVERIFY(!star.participant(1).triggerTo(ParticipantId{3}));
+        StrategyStar events{"event", 2, {}};
+        QVERIFY(!events.participant(1).triggerTo(ParticipantId{2}));
     }
 
     void asaUsesTheNewestRoundTrip()

@@ -120,8 +120,8 @@ inline constexpr Key kLive{"live", "true"};
 inline constexpr Key kNetwork{"network", "relay or netlab"};
 inline constexpr Key kBound{
     "bound_time_average_deg",
-    "with session-clock 1.5 limit + W (0.2 ms + half the asymmetry of the paths, or E if that is "
-    "less, + half a frame), otherwise 1.25 of virtual time + W 0.3 ms"};
+    "1.25 of virtual time + W 0.3 ms; with session-clock also 1.5 limit + W (0.2 ms + half the "
+    "asymmetry of the paths, or E if that is less, + half a frame), if that is less"};
 inline constexpr Key kVirtual{
     "virtual_time_average_deg",
     "time_average_mean_deg of the same in virtual time, mean of twenty runs"};

@@ -14,7 +14,7 @@ namespace
 
 constexpr double kClockAllowance_s = 0.2e-3;
 constexpr double kLimitsAllowed = 1.5;
-/// Of the other strategies, beside the same in virtual time.
+/// Of every strategy, beside the same in virtual time.
 constexpr double kMachineAllowance_s = 0.3e-3;
 constexpr double kVirtualsAllowed = 1.25;
 
@@ -39,6 +39,29 @@ double boundByLimit(double limit, const DriftSettings& settings)
     return kLimitsAllowed * limit
            + settings.script.angularSpeed
                  * (clockAllowance(settings.scenario) + halfAFrame(settings.scenario.frames));
+}
+
+double boundByVirtualTime(double average, const DriftSettings& settings)
+{
+    return kVirtualsAllowed * average + settings.script.angularSpeed * kMachineAllowance_s;
+}
+
+/// What is judged: with the session clock, which repeats what is lost, over all actions.
+double judgedAverage(const DriftFigures& figures, const DriftSettings& settings)
+{
+    return settings.strategy->kind == StrategyKind::SessionClock
+               ? figures.timeAverage
+               : figures.timeAverageShown.value_or(figures.timeAverage);
+}
+
+double boundOf(const LiveFigures& figures, const DriftSettings& settings,
+               const DriftFigures& inVirtualTime)
+{
+    const double byVirtualTime =
+        boundByVirtualTime(judgedAverage(inVirtualTime, settings), settings);
+    return settings.strategy->kind == StrategyKind::SessionClock
+               ? std::min(byVirtualTime, boundByLimit(figures.drift.limit, settings))
+               : byVirtualTime;
 }
 
 QJsonValue shownAverage(const DriftFigures& figures)
@@ -81,15 +104,7 @@ QJsonObject reportOf(const DriftFigures& figures)
 QJsonObject reportOf(const LiveFigures& figures, const DriftSettings& settings,
                      const DriftFigures& inVirtualTime)
 {
-    const bool isByLimit = settings.strategy->kind == StrategyKind::SessionClock;
-    const double average = isByLimit
-                               ? figures.drift.timeAverage
-                               : figures.drift.timeAverageShown.value_or(figures.drift.timeAverage);
-    const double bound =
-        isByLimit
-            ? boundByLimit(figures.drift.limit, settings)
-            : kVirtualsAllowed * inVirtualTime.timeAverageShown.value_or(inVirtualTime.timeAverage)
-                  + settings.script.angularSpeed * kMachineAllowance_s;
+    const double bound = boundOf(figures, settings, inVirtualTime);
     double load = 0.0;
     ::getloadavg(&load, 1);
     QJsonObject object = reportOf(figures.drift);
@@ -101,7 +116,7 @@ QJsonObject reportOf(const LiveFigures& figures, const DriftSettings& settings,
     object[drift_key::kBound] = inDegrees(bound);
     object[drift_key::kVirtual] = inDegrees(inVirtualTime.timeAverage);
     object[drift_key::kVirtualShown] = shownAverage(inVirtualTime);
-    object[drift_key::kIsWithinBound] = average <= bound;
+    object[drift_key::kIsWithinBound] = judgedAverage(figures.drift, settings) <= bound;
     object[drift_key::kIsEndStateSame] = figures.isEndStateSame;
     object[drift_key::kHandshakeMean] = 1e3 * toSeconds(figures.handshakeMean);
     object[drift_key::kHandshakeMax] = 1e3 * toSeconds(figures.handshakeMax);

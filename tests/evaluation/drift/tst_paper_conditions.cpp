@@ -2,6 +2,9 @@
 #include "evaluation/drift/drift_experiment.h"
 #include "tests/support/test_class.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace carina::paper_conditions_test
 {
 namespace
@@ -9,15 +12,21 @@ namespace
 
 using namespace std::chrono_literals;
 
-DriftFigures figuresOf(const char* strategy, const DriftScenario& scenario, int seeds,
-                       std::uint16_t participants = 2)
+DriftSettings settingsOf(const char* strategy, const DriftScenario& scenario,
+                         std::uint16_t participants = 2)
 {
     DriftSettings settings;
     settings.strategy = findSyncStrategy(strategy);
     settings.participants = participants;
     settings.script = {.angularSpeed = degrees(100.0).si, .speed = 0.1};
     settings.scenario = scenario;
-    return runDrift(settings, seeds);
+    return settings;
+}
+
+DriftFigures figuresOf(const char* strategy, const DriftScenario& scenario, int seeds,
+                       std::uint16_t participants = 2)
+{
+    return runDrift(settingsOf(strategy, scenario, participants), seeds);
 }
 
 double deg(double rad) { return inDegrees(radians(rad)); }
@@ -58,22 +67,33 @@ private Q_SLOTS:
         QVERIFY2(six <= 1.15 * two, QByteArray::number(six));
     }
 
-    void rawAngleExceedsAHalfTurnForAnyDrift()
+    void rawAngleIsTheDriftOrAWholeTurnLess()
     {
         // Nothing is corrected, and yet the angle is small. Of q and -q each program has its own:
-        // 2 acos(w) is about 0 or about 360 deg, as often the one as the other.
-        const DriftFigures figures = figuresOf("none", *findScenario("paper"), 40);
+        // 2 acos(w) is the drift or 360 deg less it, as often the one as the other. It compares
+        // with the script, and the drift with what the actor draws by a clock that is 50 ppm off:
+        // 50 actions of 120 deg apart by no more than this.
+        constexpr double kApart_deg = 50.0 * 120.0 * 50e-6;
+        constexpr int kSeeds = 40;
+        DriftSettings settings = settingsOf("none", *findScenario("paper"));
         double raw = 0.0;
+        double drift = 0.0;
         double greatest = 0.0;
-        for (const ActionDrift& action : figures.actions) {
-            raw += deg(action.rawAngle) / 50.0;
-            greatest = std::max(greatest, deg(action.rawAngle));
-        }
-        QVERIFY(deg(figures.atEvent) < 15.0);
+        for (settings.seed = 1; settings.seed <= kSeeds; ++settings.seed)
+            for (const ActionDrift& action : runDrift(settings).actions) {
+                const double one = deg(action.rawAngle);
+                const double d = deg(action.angle);
+                QVERIFY2(std::min(std::abs(one - d), std::abs(360.0 - d - one)) <= kApart_deg,
+                         QByteArray::number(one));
+                raw += one / (50.0 * kSeeds);
+                drift += d / (50.0 * kSeeds);
+                greatest = std::max(greatest, one);
+            }
+        QVERIFY(drift < 15.0);
+        QVERIFY(greatest > 210.0); // what the paper prints
+        // Of 2000 actions, 0 or 360 deg each. Those of a run are not independent of each other: if
+        // each six count as one, three standard deviations are 30 deg.
         QVERIFY2(std::abs(raw - 180.0) < 30.0, QByteArray::number(raw));
-        QVERIFY2(deg(figures.actions.back().rawAngle) > 150.0,
-                 QByteArray::number(deg(figures.actions.back().rawAngle)));
-        QVERIFY2(greatest > 210.0, QByteArray::number(greatest));
     }
 
     void rawAngleSaysNothingOfDrift()

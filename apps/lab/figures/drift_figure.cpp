@@ -94,6 +94,7 @@ Result<FigurePair> measureActions(const FigureSettings& settings, const std::str
     if (isAngleRaw) {
         pair.orientation.yLabel = "2 acos(w) as in 2004, deg";
         pair.orientation.yColumn = "raw_angle_deg";
+        pair.orientation.isAngleRaw = true;
     }
     settings.onCurve(pair.orientation.title);
     const auto figures = settings.source.run(experimentOf(settings, strategy, kFullSpeed));

@@ -43,6 +43,7 @@ struct DriftFigure {
     std::string yColumn{};
     bool isLogarithmic = false; ///< both axes
     bool hasLimit = false;      ///< the last curve is the physical limit
+    bool isAngleRaw = false;    ///< 2 acos(w), see FigureSettings
     std::vector<DriftCurve> curves{};
 };
 

@@ -39,11 +39,20 @@ constexpr std::array kPrinted{
     Printed{10, "drift-by-action-event", "mean of the actions", "11", "higher order", meanOf},
     Printed{11, "drift-by-action-asa-adaptive", "mean of the actions", "2.83", "higher order",
             meanOf},
+    Printed{12, "drift-by-participants-event", "mean with 2 participants", "", kLine, ofTwo},
+    Printed{12, "drift-by-participants-event", "mean with 6 participants", "", kLine, ofSix},
     Printed{13, "drift-by-participants-asa-adaptive", "mean with 2 participants", "2.83", kLine,
             ofTwo},
     Printed{13, "drift-by-participants-asa-adaptive", "mean with 6 participants", "3.17", kLine,
             ofSix},
 };
+
+/// The paper's angle is always 2 acos(w), which is the drift for w >= 0 alone.
+std::string quantityOf(const Printed& printed, const DriftFigure& figure)
+{
+    return std::string{figure.isAngleRaw ? "2 acos(w)" : "drift"} + ": "
+           + std::string{printed.quantity};
+}
 
 } // namespace
 
@@ -54,7 +63,7 @@ std::vector<PaperValue> besidePaper(std::span<const DriftFigure> figures)
         const std::string name = std::string{printed.figure} + "-orientation";
         const auto figure = std::ranges::find(figures, name, &DriftFigure::name);
         if (figure != figures.end())
-            values.push_back({printed.number, &*figure, std::string{printed.quantity},
+            values.push_back({printed.number, &*figure, quantityOf(printed, *figure),
                               std::string{printed.value}, printed.measured(*figure),
                               std::string{printed.trend}});
     }

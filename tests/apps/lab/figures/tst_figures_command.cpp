@@ -1,6 +1,7 @@
 #include "apps/lab/command/csv_table.h"
 #include "apps/lab/commands.h"
 #include "apps/lab/figures/drift_figure.h"
+#include "apps/lab/figures/paper_values.h"
 #include "engine/core/units.h"
 #include "evaluation/drift/drift_experiment.h"
 #include "tests/support/test_class.h"
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace carina::lab::figures_command_test
 {
@@ -211,6 +213,7 @@ private Q_SLOTS:
         QCOMPARE(none.name, std::string{"drift-by-action-none-orientation"});
         QCOMPARE(none.yColumn, std::string{"raw_angle_deg"});
         QVERIFY(none.yLabel.starts_with("2 acos(w) as in 2004"));
+        QVERIFY(none.isAngleRaw && !figures->at(2).isAngleRaw);
         QCOMPARE(figures->at(2).yColumn, std::string{"orientation_deg"});
         const DriftFigures experiment = experimentOf("none", 2, 100.0);
         for (std::size_t i = 0; i < experiment.actions.size(); ++i)
@@ -221,24 +224,50 @@ private Q_SLOTS:
     {
         const auto table =
             CsvTable::read(m_folder.filePath(QStringLiteral("paper.csv")),
-                           {"paper_figure", "paper_printed", "measured", "order", "source"});
+                           {"paper_figure", "paper_printed", "measured", "order", "source",
+                            "quantity", "paper_trend"});
         QVERIFY(table);
-        // As printed in 2004; none for 3, 4 and 5 participants.
-        const std::array<std::array<const char*, 2>, 5> printed{
-            {{"9", "above 210"}, {"10", "11"}, {"11", "2.83"}, {"13", "2.83"}, {"13", "3.17"}}};
+        // As printed in 2004; none for 3, 4 and 5 participants, and none in figure 12.
+        const std::array<std::array<const char*, 2>, 7> printed{{{"9", "above 210"},
+                                                                 {"10", "11"},
+                                                                 {"11", "2.83"},
+                                                                 {"12", ""},
+                                                                 {"12", ""},
+                                                                 {"13", "2.83"},
+                                                                 {"13", "3.17"}}};
         QCOMPARE(table->rows(), printed.size());
         for (std::size_t row = 0; row < printed.size(); ++row) {
             QCOMPARE(table->text(row, 0), QString::fromLatin1(printed[row][0]));
             QCOMPARE(table->text(row, 1), QString::fromLatin1(printed[row][1]));
             QVERIFY(table->text(row, 4).contains(QStringLiteral("2004")));
+            QVERIFY(table->text(row, 5).startsWith(QStringLiteral("drift: ")));
+            QCOMPARE(table->text(row, 6) == QStringLiteral("linear regression"), row >= 3);
         }
         QCOMPARE(*table->number(0, 3), double{kTrendOfNone});
-        const auto asaOf = [](std::uint16_t participants) {
-            return inDegrees(radians(experimentOf("asa-adaptive", participants, 100.0).atEvent));
+        const auto meanOf = [](const char* strategy, std::uint16_t participants) {
+            return inDegrees(radians(experimentOf(strategy, participants, 100.0).atEvent));
         };
-        QVERIFY(std::abs(*table->number(2, 2) - asaOf(2)) < kRoundingError);
-        QCOMPARE(*table->number(3, 2), asaOf(2));
-        QCOMPARE(*table->number(4, 2), asaOf(6));
+        QVERIFY(std::abs(*table->number(2, 2) - meanOf("asa-adaptive", 2)) < kRoundingError);
+        QCOMPARE(*table->number(3, 2), meanOf("event", 2));
+        QCOMPARE(*table->number(4, 2), meanOf("event", 6));
+        QCOMPARE(*table->number(5, 2), meanOf("asa-adaptive", 2));
+        QCOMPARE(*table->number(6, 2), meanOf("asa-adaptive", 6));
+    }
+
+    void paperStandsBesideWhatItsAngleIs()
+    {
+        DriftFigure none;
+        none.name = "drift-by-action-none-orientation";
+        none.curves = {DriftCurve{.name = "none", .x = {1.0, 2.0}, .y = {11.0, 349.0}}};
+        for (const bool isRaw : {true, false}) {
+            none.isAngleRaw = isRaw;
+            const auto values = besidePaper(std::span{&none, 1});
+            QCOMPARE(values.size(), std::size_t{1});
+            QCOMPARE(values[0].quantity,
+                     std::string{isRaw ? "2 acos(w)" : "drift"} + ": greatest of an action");
+            QCOMPARE(values[0].printed, std::string{"above 210"});
+            QCOMPARE(values[0].measured, 349.0);
+        }
     }
 
     void announcesEveryCurve()

@@ -31,6 +31,7 @@ LIBRARY_OF_PREFIX = [
     ("arpa/", "POSIX"), ("netinet/", "POSIX"), ("termios.h", "POSIX"), ("sys/", "POSIX"), ("unistd.h", "POSIX"), ("fcntl.h", "POSIX"), ("time.h", "POSIX"),
     ("dlfcn.h", "POSIX"), ("signal.h", "POSIX"), ("poll.h", "POSIX"), ("pthread.h", "POSIX"),
     ("malloc.h", "glibc"), ("linux/", "Linux"), ("seccomp.h", "libseccomp"),
+    ("boost/circular_buffer", "Boost.CircularBuffer"),
 ]
 
 

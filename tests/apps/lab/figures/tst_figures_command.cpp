@@ -222,10 +222,9 @@ private Q_SLOTS:
 
     void paperStandsBesideOurs()
     {
-        const auto table =
-            CsvTable::read(m_folder.filePath(QStringLiteral("paper.csv")),
-                           {"paper_figure", "paper_printed", "measured", "order", "source",
-                            "quantity", "paper_trend"});
+        const auto table = CsvTable::read(m_folder.filePath(QStringLiteral("paper.csv")),
+                                          {"paper_figure", "paper_printed", "measured", "order",
+                                           "source", "quantity", "paper_trend"});
         QVERIFY(table);
         // As printed in 2004; none for 3, 4 and 5 participants, and none in figure 12.
         const std::array<std::array<const char*, 2>, 7> printed{{{"9", "above 210"},

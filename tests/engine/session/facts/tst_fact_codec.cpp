@@ -185,7 +185,7 @@ void TestFactCodec::refusesBadBytes_data()
     const QByteArray look{"0100 0100 00 00 00 00"};
     row("121 looks", "23 ffff 00 00 " + cuts + " 00 79" + look.repeated(121),
         "fact of kind 35: number of looks");
-    row("standing 6", "1b 06 00 0000000000000000", "fact of kind 27: enumerator");
+    row("standing 7", "1b 07 00 0000000000000000", "fact of kind 27: enumerator");
     row("stale by 11", "1b 04 0b 0000000000000000", "fact of kind 27: enumerator");
     row("text cut within a character", "03 01c3", "fact of kind 3: UTF-8");
     row("text with a surrogate", "03 03eda080", "fact of kind 3: UTF-8");

@@ -210,9 +210,9 @@ private Q_SLOTS:
         std::uint32_t number = 0;
         for (LocalTime now = kStart + 1ms; now <= kStart + 5s; now += 1ms) {
             for (int i = 0; i < atATime; ++i, ++number)
-                relayed.send(isOneObject ? 1 : static_cast<std::uint16_t>(
-                                                   1 + number % Relayed::kObjects),
-                             number, now);
+                relayed.send(
+                    isOneObject ? 1 : static_cast<std::uint16_t>(1 + number % Relayed::kObjects),
+                    number, now);
             const std::size_t heard = relayed.heard(now);
             moments += heard > 0 ? 1.0 : 0.0;
             messages += static_cast<double>(heard);

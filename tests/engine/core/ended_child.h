@@ -7,6 +7,9 @@
 namespace carina::test
 {
 
+/// Whether this is a child of endOfChild.
+inline bool isEndingChild = false;
+
 struct EndedChild {
     int status = 0;   ///< as waitpid gives it
     std::string said; ///< what it wrote into its pipe
@@ -20,8 +23,10 @@ template <class Work> EndedChild endOfChild(const Work& work)
     if (pipe(pipeEnds) != 0)
         return {};
     const pid_t child = fork();
-    if (child == 0)
+    if (child == 0) {
+        isEndingChild = true;
         work(pipeEnds[1]);
+    }
     close(pipeEnds[1]);
     EndedChild end;
     char letter = 0;

@@ -13,8 +13,8 @@ std::vector<SerialPortFound> serialPorts()
     std::vector<SerialPortFound> found;
     for (const QSerialPortInfo& port : QSerialPortInfo::availablePorts())
         found.push_back({port.systemLocation().toStdString(), port.description().toStdString()});
-    std::ranges::stable_partition(
-        found, [](const SerialPortFound& port) { return !port.description.empty(); });
+    std::stable_partition(found.begin(), found.end(),
+                          [](const SerialPortFound& port) { return !port.description.empty(); });
     return found;
 }
 

@@ -21,7 +21,8 @@ bool has(const std::string& name, std::string_view word)
     const auto alike = [](char a, char b) {
         return std::tolower(static_cast<unsigned char>(a)) == b;
     };
-    return word.empty() || !std::ranges::search(name, word, alike).empty();
+    return std::search(name.begin(), name.end(), word.begin(), word.end(), alike) != name.end()
+           || word.empty();
 }
 
 /// The points of the first bone whose name has both; none where there is no such bone.

@@ -42,6 +42,7 @@ constexpr std::array kRoleNames{
     NamedRole{PartRole::Muscle, "muscle"},
     NamedRole{PartRole::Skin, "skin"},
     NamedRole{PartRole::Mucosa, "mucosa"},
+    NamedRole{PartRole::LaryngealMucosa, "laryngeal_mucosa"},
     NamedRole{PartRole::VocalFold, "vocal_fold"},
     NamedRole{PartRole::Other, "other"},
 };

@@ -39,8 +39,9 @@ enum class PartRole : std::uint8_t {
     Vessel,
     Muscle,
     Skin,
-    Mucosa,    ///< what lines mouth, pharynx and larynx, with lips and gums
-    VocalFold, ///< white where the mucosa is pink
+    Mucosa,          ///< what lines mouth and pharynx, with lips and gums
+    LaryngealMucosa, ///< what lines the larynx, with its other folds
+    VocalFold,       ///< white where the mucosa is pink
     Other,
 };
 

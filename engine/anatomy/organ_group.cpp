@@ -19,6 +19,7 @@ OrganGroup groupOf(PartRole role)
     case PartRole::Tongue:
     case PartRole::Pharynx:
     case PartRole::Mucosa:
+    case PartRole::LaryngealMucosa:
     case PartRole::VocalFold:
         return OrganGroup::Airway;
     case PartRole::Mandible:

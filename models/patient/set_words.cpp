@@ -83,7 +83,9 @@ QString roleWord(PartRole role)
     case PartRole::Skin:
         return said("Skin");
     case PartRole::Mucosa:
-        return said("Lining of mouth and larynx");
+        return said("Lining of mouth and throat");
+    case PartRole::LaryngealMucosa:
+        return said("Lining of the larynx");
     case PartRole::VocalFold:
         return said("Vocal fold");
     case PartRole::Other:

@@ -33,6 +33,7 @@ ChestRegion regionOf(PartRole role)
         return ChestRegion::Mediastinum;
     case PartRole::Larynx:
     case PartRole::Epiglottis:
+    case PartRole::LaryngealMucosa:
     case PartRole::VocalFold:
         return ChestRegion::Larynx;
     case PartRole::Tongue:

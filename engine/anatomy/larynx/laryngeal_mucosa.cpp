@@ -174,25 +174,25 @@ std::vector<PartPlan> laryngealMucosa(const BodyPlan& plan_, const LarynxFrame& 
                          - Vec2::Constant(1.6);
     const Mucosa mucosa{LaryngealCavity{trachea}, epiglottis};
     std::vector<PartPlan> parts;
-    parts.push_back(plan("Laryngeal mucosa", PartRole::Mucosa, "", frame,
+    parts.push_back(plan("Laryngeal mucosa", PartRole::LaryngealMucosa, "", frame,
                          {Vec3{-14, -19, -27}, Vec3{14, 17, 30}}, kMucosaVoxel,
                          [mucosa](const Vec3& p) { return mucosa.wall(p); }));
     for (const double sign : {1.0, -1.0}) {
         const Box box{Vec3{0, -16, -8}, Vec3{14, 16, 30}};
         parts.push_back(onSide("vocal fold", "", PartRole::VocalFold, frame, sign, box, kFoldVoxel,
                                [mucosa](const Vec3& p) { return mucosa.vocalFold(p); }));
-        parts.push_back(onSide("vestibular fold", "", PartRole::Mucosa, frame, sign, box,
+        parts.push_back(onSide("vestibular fold", "", PartRole::LaryngealMucosa, frame, sign, box,
                                kFoldVoxel,
                                [mucosa](const Vec3& p) { return mucosa.vestibularFold(p); }));
-        parts.push_back(onSide("aryepiglottic fold", "", PartRole::Mucosa, frame, sign, box,
-                               kRimVoxel,
+        parts.push_back(onSide("aryepiglottic fold", "", PartRole::LaryngealMucosa, frame, sign,
+                               box, kRimVoxel,
                                [mucosa](const Vec3& p) { return mucosa.aryepiglotticFold(p); }));
-        parts.push_back(
-            onSide("cuneiform tubercle", "", PartRole::Mucosa, frame, sign, box, kFoldVoxel,
-                   [mucosa](const Vec3& p) { return mucosa.capWithin(p, cuneiform(p, 1.3)); }));
-        parts.push_back(
-            onSide("corniculate tubercle", "", PartRole::Mucosa, frame, sign, box, kFoldVoxel,
-                   [mucosa](const Vec3& p) { return mucosa.capWithin(p, corniculate(p, 1.3)); }));
+        parts.push_back(onSide(
+            "cuneiform tubercle", "", PartRole::LaryngealMucosa, frame, sign, box, kFoldVoxel,
+            [mucosa](const Vec3& p) { return mucosa.capWithin(p, cuneiform(p, 1.3)); }));
+        parts.push_back(onSide(
+            "corniculate tubercle", "", PartRole::LaryngealMucosa, frame, sign, box, kFoldVoxel,
+            [mucosa](const Vec3& p) { return mucosa.capWithin(p, corniculate(p, 1.3)); }));
     }
     return parts;
 }

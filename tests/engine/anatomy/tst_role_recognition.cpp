@@ -73,11 +73,11 @@ private Q_SLOTS:
         row("Oral cavity", "pharynx");
         row("Pharyngeal mucosa", "pharynx");
         row("Uvula", "pharynx");
-        row("Laryngeal mucosa", "mucosa");
+        row("Laryngeal mucosa", "laryngeal_mucosa");
         row("Left aryepiglotticus", "larynx");
-        row("Left aryepiglottic fold", "mucosa");
+        row("Left aryepiglottic fold", "laryngeal_mucosa");
         row("Median glosso-epiglottic fold", "mucosa");
-        row("Left vestibular fold", "mucosa");
+        row("Left vestibular fold", "laryngeal_mucosa");
         row("Left vocal fold", "vocal_fold");
         row("Left vocalis", "larynx");
         row("Lower lip", "mucosa");

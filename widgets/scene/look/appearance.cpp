@@ -96,6 +96,7 @@ Appearance appearanceOf(const AnatomyPart& part)
     case PartRole::Skin:
         return {MaterialGroup::Skin, {201, 162, 136}};
     case PartRole::Mucosa:
+    case PartRole::LaryngealMucosa:
         return {MaterialGroup::Airway, mucosaColor(part.name)};
     case PartRole::VocalFold:
         return {MaterialGroup::SoftTissue, {248, 244, 232}};

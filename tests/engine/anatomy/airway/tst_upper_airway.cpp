@@ -77,9 +77,9 @@ double distanceOutside(const SurfaceTree& surface, const Vec3& p_A)
 bool isSoft(const AnatomyPart& part)
 {
     return part.role == PartRole::Tongue || part.role == PartRole::Epiglottis
-           || part.role == PartRole::Mucosa || part.role == PartRole::VocalFold
-           || part.role == PartRole::Pharynx || part.role == PartRole::Skull
-           || part.role == PartRole::Spine;
+           || part.role == PartRole::Mucosa || part.role == PartRole::LaryngealMucosa
+           || part.role == PartRole::VocalFold || part.role == PartRole::Pharynx
+           || part.role == PartRole::Skull || part.role == PartRole::Spine;
 }
 
 double extentAlong(const TriangleMesh& mesh, const Vec3& axis)

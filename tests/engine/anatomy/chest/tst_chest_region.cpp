@@ -38,7 +38,8 @@ void TestChestRegion::tellsHowEachRoleMoves_data()
     QTest::newRow("vessel") << PartRole::Vessel << ChestRegion::Mediastinum;
     for (const PartRole throat : {PartRole::Tongue, PartRole::Mucosa, PartRole::Muscle})
         QTest::newRow(roleName(throat)) << throat << ChestRegion::Throat;
-    for (const PartRole larynx : {PartRole::Larynx, PartRole::Epiglottis, PartRole::VocalFold})
+    for (const PartRole larynx :
+         {PartRole::Larynx, PartRole::Epiglottis, PartRole::LaryngealMucosa, PartRole::VocalFold})
         QTest::newRow(roleName(larynx)) << larynx << ChestRegion::Larynx;
     QTest::newRow("pharynx") << PartRole::Pharynx << ChestRegion::Pharynx;
     for (const PartRole still :

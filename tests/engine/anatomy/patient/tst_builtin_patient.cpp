@@ -61,10 +61,10 @@ const std::map<PartRole, std::size_t> kRoles{
     {PartRole::Tooth, 28},
     {PartRole::Tongue, 1},
     {PartRole::Pharynx, 7}, // three constrictors, hard and soft palate, uvula, mucosa
-    // Of the larynx with two vestibular and two aryepiglottic folds and four tubercles, the fold in
-    // the vallecula, four arches and two tonsils, gums, lips and
-    // cheeks.
-    {PartRole::Mucosa, 21},
+    // The fold in the vallecula, four arches and two tonsils, gums, lips and cheeks.
+    {PartRole::Mucosa, 12},
+    // The lining, two vestibular and two aryepiglottic folds and four tubercles.
+    {PartRole::LaryngealMucosa, 9},
     {PartRole::VocalFold, 2},
     {PartRole::Skull, 1}, // maxilla
     {PartRole::Oesophagus, 1},

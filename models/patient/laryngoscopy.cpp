@@ -8,13 +8,19 @@ namespace
 /// Of who looks into a mouth from kReadingDistance: 70 mm high.
 constexpr Angle kDirectFieldOfView = degrees(13.3);
 
+bool isOfThroat(PartRole role)
+{
+    return role == PartRole::Epiglottis || role == PartRole::Larynx
+           || role == PartRole::LaryngealMucosa || role == PartRole::VocalFold
+           || role == PartRole::Pharynx;
+}
+
 /// The parts by which upperAirwayOf finds its places.
 std::vector<AnatomyPart> partsOfThroat(const PatientModel& patient)
 {
     std::vector<AnatomyPart> parts;
     for (const PatientSurface& surface : patient.surfaces()) {
-        const PartRole role = surface.description.role;
-        if (role != PartRole::Epiglottis && role != PartRole::Larynx && role != PartRole::Pharynx)
+        if (!isOfThroat(surface.description.role))
             continue;
         parts.push_back(surface.description);
         parts.back().levels.push_back(*surface.levels.front());

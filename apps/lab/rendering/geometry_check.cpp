@@ -142,7 +142,7 @@ Result<GeometryErrors> checkGeometry(const AirwayLandmarks& airway, const Geomet
                 view.setBackground(Qt::black);
             },
         .frame = [&](SceneView&, std::size_t i) { return frameOf(*series, i); },
-        .take = [&](std::size_t i, const QImage& picture) -> Result<void> {
+        .take = [&](SceneView&, std::size_t i, const QImage& picture) -> Result<void> {
             comparison.add(i, picture);
             return {};
         }};

@@ -38,6 +38,7 @@ constexpr Length kReferenceWay = millimetres(87.6);
 
 /// Lengths of the tip's way are those of an adult, in proportion.
 constexpr Length kTipBelowTeeth = millimetres(9.0);
+constexpr Length kTipBeforeEpiglottis = millimetres(14.0);
 constexpr Length kTipInVallecula = millimetres(4.0); ///< in front of the epiglottis
 constexpr Length kTipBehindEpiglottis = millimetres(5.0);
 constexpr double kUvulaShare = 0.55; ///< of the way from the teeth to the epiglottis
@@ -45,8 +46,9 @@ constexpr double kIntoTongue = 0.5;  ///< of the way from its back to the straig
 constexpr double kDirectShare = 0.6; ///< of the epiglottis' height, where a straight tip lifts it
 
 constexpr Length kReachOfLigament = millimetres(18.0); ///< above the vallecula, where a tip is felt
-constexpr Length kMostTilt = millimetres(18.0);        ///< of the vallecula
-constexpr Length kBehindThickness = millimetres(2.0);  ///< from the epiglottis' middle to its back
+constexpr double kLever = 1.2; ///< of the vallecula's way forward over that of the tip
+constexpr Length kMostTilt = millimetres(18.0);       ///< of the vallecula
+constexpr Length kBehindThickness = millimetres(2.0); ///< from the epiglottis' middle to its back
 
 /// The hinge of the larynx, from the base of the epiglottis: below the cords. What lies so far
 /// behind that base tilts wholly, higher up what lies farther back, too, and arytenoids little.
@@ -163,6 +165,8 @@ Vec3 tipIn(LaryngoscopyStep step, const UpperAirway& moved, const Blade& blade, 
     case LaryngoscopyStep::Uvula:
         return overTongue(moved, way, kUvulaShare * lengthOf(way));
     case LaryngoscopyStep::Epiglottis:
+        if (blade.lift == EpiglottisLift::Direct)
+            return overTongue(moved, way, lengthOf(way) - size * kTipBeforeEpiglottis);
         return moved.p_A_vallecula + size * kTipInVallecula.si * moved.forward_A()
                + size * kReachOfLigament.si * moved.up_A;
     case LaryngoscopyStep::Partial:
@@ -178,8 +182,9 @@ double pulledBy(const UpperAirway& moved, const Vec3& p_A_tip)
     const double size = sizeOf(moved);
     const double over = heightOf(moved, p_A_tip - moved.p_A_vallecula + moved.p_A_epiglottisBase);
     const double felt = 1.0 - formula::step(over / (size * kReachOfLigament.si)).value;
-    const double forward = moved.forward_A().dot(p_A_tip - moved.p_A_vallecula);
-    return felt * std::max(forward, 0.0);
+    const double forward =
+        moved.forward_A().dot(p_A_tip - moved.p_A_vallecula) - size * kTipInVallecula.si;
+    return felt * kLever * std::max(forward, 0.0);
 }
 
 LarynxHinge hingeOf(const UpperAirway& moved)

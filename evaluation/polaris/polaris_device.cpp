@@ -102,7 +102,8 @@ std::string PolarisDevice::answer(const std::string& command, LocalTime now)
         return asText(setRate(arguments));
     if (const auto changed = changeMode(name, now))
         return asText(*changed);
-    if (m_mode == Mode::Begun)
+    const bool changesPorts = name == "PINIT" || name == "PENA" || name == "PHF" || name == "PVWR";
+    if (m_mode == Mode::Begun || (m_mode == Mode::Tracking && changesPorts))
         return asText(error(0x0C));
     if (const auto told = poses(name, arguments, now))
         return *told;

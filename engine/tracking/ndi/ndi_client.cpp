@@ -260,10 +260,15 @@ void NdiClient::lookAtPorts(const NdiFrame& frame)
         return wanted && m_tools.isWired(*wanted) && isOff(tool);
     });
     const bool isTold = (frame.status & (kNdiPortOccupied | kNdiPortUnoccupied)) != 0;
-    if (m_now < m_nextLook || !(isTold || isAnyOff || m_tools.isAnyUnplugged()))
+    if (m_now < m_nextLook || !(isTold || isAnyOff || m_tools.isAnyAwaited()))
         return;
     m_nextLook = m_now + kBetweenLooks;
-    m_tools.lookAtPorts();
+    m_tools.lookAtPorts([this](const NdiReply& restarted) {
+        if (!isFine(restarted))
+            return fallSilent("it does not track: " + whyRefused(restarted));
+        m_lastFrame.reset(); // it may count anew
+        listen();
+    });
 }
 
 void NdiClient::listen()

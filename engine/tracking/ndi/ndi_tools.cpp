@@ -3,6 +3,7 @@
 #include "engine/tracking/ndi/ndi_hexadecimal.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace carina
@@ -18,6 +19,7 @@ constexpr std::size_t kBlockBytes = 64; // of a definition, in PVWR
 constexpr std::size_t kDefinitionBytes = 1024;
 const std::string kPlace = "0020"; // of PHINF: device, port and channel
 const std::string kUnplugged = "nothing is plugged in for it";
+constexpr int kTries = 3; // of a wired tool that is refused: each stops the others for a moment
 
 /// The handles in a reply to PHSR: a count, and for each two digits and three of its status.
 std::vector<std::uint16_t> handlesIn(const NdiReply& reply)
@@ -35,6 +37,11 @@ std::vector<std::uint16_t> handlesIn(const NdiReply& reply)
 NdiStep asking(NdiCommand command, std::function<void(const NdiReply&)> then = {})
 {
     return {.command = std::move(command), .patience = kToolPatience, .then = std::move(then)};
+}
+
+NdiStep afterwards(std::function<void()> then)
+{
+    return {.patience = Duration{0}, .inVain = std::move(then)};
 }
 
 /// One that goes on without an answer.
@@ -58,17 +65,52 @@ void NdiTools::setUp()
     m_refused.clear();
     m_plugged.clear();
     m_placeOf.clear();
+    m_found.clear();
+    m_refusedAt.clear();
+    m_tries.clear();
     // First the wired ones: of a wireless tool that is refused the port is left.
-    lookAtPorts();
+    m_dialogue.queue(asking({"PHSR", "01"}, [this](const NdiReply& reply) { free(reply); }));
+    m_dialogue.queue(asking({"PHSR", "02"}, [this](const NdiReply& reply) { findWired(reply); }));
+    m_dialogue.queue(afterwards([this] { m_dialogue.queueFirst(initialisingFound()); }));
     for (std::size_t tool = 0; tool < m_wanted.size(); ++tool)
         if (m_wanted[tool].definition)
             define(tool);
 }
 
-void NdiTools::lookAtPorts()
+/// What was plugged out is freed only when the device is stopped for a tool.
+void NdiTools::lookAtPorts(std::function<void(const NdiReply&)> restarted)
 {
-    m_dialogue.queue(asking({"PHSR", "01"}, [this](const NdiReply& reply) { free(reply); }));
+    m_dialogue.queue(asking({"PHSR", "01"}, [this](const NdiReply& reply) {
+        m_toFree = handlesIn(reply);
+        forget(m_toFree);
+    }));
     m_dialogue.queue(asking({"PHSR", "02"}, [this](const NdiReply& reply) { findWired(reply); }));
+    m_dialogue.queue(afterwards([this, then = std::move(restarted)] { useFound(then); }));
+}
+
+/// A device that tracks refuses PHF, PINIT and PENA.
+void NdiTools::useFound(const std::function<void(const NdiReply&)>& restarted)
+{
+    for (const auto& [handle, tool] : m_refusedAt)
+        if (mayBeTried(tool))
+            m_found.emplace_back(tool, handle);
+    if (m_found.empty())
+        return;
+    std::vector<NdiStep> steps;
+    steps.push_back(asking({"TSTOP"}));
+    for (const std::uint16_t handle : std::exchange(m_toFree, {}))
+        steps.push_back(trying({"PHF", inHexadecimal(handle, 2)}));
+    std::ranges::move(initialisingFound(), std::back_inserter(steps));
+    steps.push_back(asking({"TSTART"}, restarted));
+    m_dialogue.queueFirst(std::move(steps));
+}
+
+std::vector<NdiStep> NdiTools::initialisingFound()
+{
+    std::vector<NdiStep> steps;
+    for (const auto& [tool, handle] : std::exchange(m_found, {}))
+        steps.push_back(initialising(tool, handle));
+    return steps;
 }
 
 void NdiTools::freeAll()
@@ -78,13 +120,26 @@ void NdiTools::freeAll()
 
 void NdiTools::free(const NdiReply& ports)
 {
+    const std::vector<std::uint16_t> handles = handlesIn(ports);
+    forget(handles);
     std::vector<NdiStep> freeing;
-    for (const std::uint16_t handle : handlesIn(ports)) {
+    for (const std::uint16_t handle : handles)
+        freeing.push_back(trying({"PHF", inHexadecimal(handle, 2)}));
+    m_dialogue.queueFirst(std::move(freeing));
+}
+
+void NdiTools::forget(const std::vector<std::uint16_t>& handles)
+{
+    for (const std::uint16_t handle : handles) {
         m_toolOf.erase(handle);
         m_plugged.erase(handle);
-        freeing.push_back(trying({"PHF", inHexadecimal(handle, 2)}));
+        const auto refused = m_refusedAt.find(handle);
+        if (refused == m_refusedAt.end())
+            continue;
+        m_refused.erase(refused->second);
+        m_tries.erase(refused->second);
+        m_refusedAt.erase(refused);
     }
-    m_dialogue.queueFirst(std::move(freeing));
 }
 
 void NdiTools::define(std::size_t tool)
@@ -118,10 +173,12 @@ void NdiTools::findWired(const NdiReply& ports)
 {
     for (std::size_t tool = 0; tool < m_wanted.size(); ++tool)
         if (isWired(tool) && !hasHandle(tool))
-            m_refused[tool] = kUnplugged; // or is told of again
+            m_refused.try_emplace(tool, kUnplugged); // or is told of again
     std::vector<NdiStep> steps;
     for (const std::uint16_t handle : handlesIn(ports)) {
         m_plugged.insert(handle);
+        if (m_refusedAt.contains(handle))
+            continue;
         steps.push_back(asking({"PHINF", inHexadecimal(handle, 2) + kPlace},
                                [this, handle](const NdiReply& reply) {
                                    useWired(handle, errorCode(reply) ? std::string{} : reply.bytes);
@@ -138,9 +195,7 @@ void NdiTools::useWired(std::uint16_t handle, const std::string& place)
     m_refused.erase(*tool);
     if (!place.empty())
         m_placeOf[*tool] = place;
-    std::vector<NdiStep> steps;
-    steps.push_back(initialising(*tool, handle));
-    m_dialogue.queueFirst(std::move(steps));
+    m_found.emplace_back(*tool, handle);
 }
 
 /// The tool that was at this place; else the next one that was at none, or the only one.
@@ -164,7 +219,7 @@ std::optional<std::size_t> NdiTools::wiredAt(const std::string& place) const
 NdiStep NdiTools::initialising(std::size_t tool, std::uint16_t handle)
 {
     return asking({"PINIT", inHexadecimal(handle, 2)}, [this, tool, handle](const NdiReply& reply) {
-        isFine(reply) ? enable(tool, handle) : refuse(tool, reply);
+        isFine(reply) ? enable(tool, handle) : refuseAt(handle, tool, reply);
     });
 }
 
@@ -173,12 +228,26 @@ void NdiTools::enable(std::size_t tool, std::uint16_t handle)
     std::vector<NdiStep> steps;
     steps.push_back(asking({"PENA", inHexadecimal(handle, 2) + "D"},
                            [this, tool, handle](const NdiReply& reply) {
-                               if (isFine(reply))
-                                   m_toolOf[handle] = tool;
-                               else
-                                   refuse(tool, reply);
+                               isFine(reply) ? use(handle, tool) : refuseAt(handle, tool, reply);
                            }));
     m_dialogue.queueFirst(std::move(steps));
+}
+
+void NdiTools::use(std::uint16_t handle, std::size_t tool)
+{
+    m_toolOf[handle] = tool;
+    m_refused.erase(tool);
+    m_refusedAt.erase(handle);
+    m_tries.erase(tool);
+}
+
+void NdiTools::refuseAt(std::uint16_t handle, std::size_t tool, const NdiReply& reply)
+{
+    refuse(tool, reply);
+    if (!isWired(tool))
+        return;
+    m_refusedAt[handle] = tool;
+    ++m_tries[tool];
 }
 
 void NdiTools::refuse(std::size_t tool, const NdiReply& reply)
@@ -203,9 +272,17 @@ bool NdiTools::isUnplugged(std::size_t tool) const
     return refused != m_refused.end() && refused->second == kUnplugged;
 }
 
-bool NdiTools::isAnyUnplugged() const
+bool NdiTools::isAnyAwaited() const
 {
-    return std::ranges::any_of(m_refused, [](const auto& why) { return why.second == kUnplugged; });
+    return std::ranges::any_of(m_refused, [](const auto& why) { return why.second == kUnplugged; })
+           || std::ranges::any_of(m_refusedAt,
+                                  [this](const auto& at) { return mayBeTried(at.second); });
+}
+
+bool NdiTools::mayBeTried(std::size_t tool) const
+{
+    const auto tries = m_tries.find(tool);
+    return tries == m_tries.end() || tries->second < kTries;
 }
 
 std::string NdiTools::refusals() const

@@ -61,6 +61,13 @@ public:
     void disturb(bool disturbs) { m_disturbs = disturbs; }
     void plug(bool isPlugged) { m_isPlugged = isPlugged; }
     void passBreaks(bool passes) { m_passesBreaks = passes; }
+    /// A bit of the next command of this name is wrong.
+    void damageNext(const std::string& command) { m_damaged = command; }
+    /// How often a command was sent.
+    [[nodiscard]] int sent(const std::string& command) const
+    {
+        return int(std::ranges::count(m_sent, command));
+    }
 
     /// The device was set to this rate by somebody before.
     void leaveAt(int rate)
@@ -118,10 +125,16 @@ private:
     void act()
     {
         m_device.faults().corruptsNext = m_device.faults().corruptsNext || m_disturbs;
-        const NdiPortAction action = m_client.advance(m_now);
+        NdiPortAction action = m_client.advance(m_now);
         m_hostRate = action.rate.value_or(m_hostRate);
+        if (!action.bytes.empty())
+            m_sent.push_back(action.bytes.substr(0, action.bytes.find(':')));
         if (!m_isPlugged)
             return;
+        if (!m_damaged.empty() && action.bytes.starts_with(m_damaged + ':')) {
+            action.bytes[m_damaged.size() + 1] ^= 0x01;
+            m_damaged.clear();
+        }
         if (action.sendBreak && m_passesBreaks)
             m_underWay = {m_device.reset(m_now)};
         for (PolarisDevice::Reply& reply :
@@ -135,6 +148,8 @@ private:
     std::vector<PolarisDevice::Reply> m_underWay;
     std::string m_hidden;
     std::function<bool(const std::string&)> m_isGarbled;
+    std::string m_damaged;
+    std::vector<std::string> m_sent; ///< names of commands
     bool m_disturbs = false;
     int m_hostRate = 9600;
     bool m_isPlugged = true;
@@ -331,6 +346,63 @@ private Q_SLOTS:
         static_cast<void>(line.run(1500ms));
         const auto measured = line.run(500ms);
         QVERIFY(!measured.empty() && measured.back().tools[0]->X_TO);
+    }
+
+    /// The device refuses to be given tools while it tracks.
+    void stopsOnlyWhenAToolIsToBeSetUp()
+    {
+        Line line{{.tools = {{"probe"}, wireless("tube"), {"second probe"}, {"absent"}},
+                   .rates = {115200}},
+                  {.wired = {{.port = 1}, {.port = 3}}}};
+        line.start();
+        static_cast<void>(line.run(5s));
+        QCOMPARE(line.client().trouble(), std::string{"absent: nothing is plugged in for it"});
+        line.device().ports().unplug(2);
+        QVERIFY(line.run(3s).size() >= 170);
+        QCOMPARE(line.sent("TSTOP"), 0);
+        line.device().ports().plugIn(2);
+        static_cast<void>(line.run(3s));
+        QCOMPARE(line.sent("TSTOP"), 1);
+        QCOMPARE(line.sent("TSTART"), 2);
+        QVERIFY(line.device().isTracking());
+        QVERIFY(line.run(1s).back().tools[2]->X_TO);
+    }
+
+    /// The answer to a command that arrived damaged is an error too.
+    void aWiredToolThatWasRefusedIsTriedAgain_data()
+    {
+        QTest::addColumn<QByteArray>("command");
+        QTest::newRow("PINIT") << QByteArray{"PINIT"};
+        QTest::newRow("PENA") << QByteArray{"PENA"};
+    }
+
+    void aWiredToolThatWasRefusedIsTriedAgain()
+    {
+        QFETCH(const QByteArray, command);
+        Line line{{.tools = {{"probe"}, wireless("tube")}, .rates = {115200}},
+                  {.wired = {{.port = 1}}}};
+        line.damageNext(command.toStdString());
+        line.start();
+        static_cast<void>(line.run(5s));
+        QCOMPARE(line.client().phase(), NdiClient::Phase::Tracking);
+        QCOMPARE(line.client().trouble(), std::string{});
+        const auto measured = line.run(500ms);
+        QVERIFY(!measured.empty());
+        QVERIFY(measured.back().tools[0]->X_TO && measured.back().tools[1]->X_TO);
+    }
+
+    void aWiredToolThatIsAlwaysRefusedDoesNotStopTheOthersForEver()
+    {
+        Line line{{.tools = {{"probe"}, wireless("tube")}, .rates = {115200}},
+                  {.wired = {{.port = 1}}, .constants = {{"PINIT:01", "ERROR13"}}}};
+        line.start();
+        static_cast<void>(line.run(8s));
+        QCOMPARE(line.sent("TSTOP"), 2); // of three tries the first was before it tracked
+        QVERIFY(line.client().trouble().starts_with("probe: "));
+        const auto measured = line.run(3s);
+        QVERIFY(measured.size() >= 178);
+        QVERIFY(measured.back().tools[1]->X_TO);
+        QCOMPARE(line.sent("TSTOP"), 2);
     }
 
     /// The second comes back first: it must not be taken for the first.

@@ -47,7 +47,10 @@ public:
     {
     }
 
-    void start(LocalTime now) override { m_client.start(now); }
+    void start(LocalTime now, HoldsRate holdsRate) override
+    {
+        m_client.start(now, std::move(holdsRate));
+    }
     void take(std::span<const std::byte> bytes, LocalTime now) override
     {
         m_client.take(bytes, now);
@@ -86,7 +89,7 @@ public:
     {
     }
 
-    void start(LocalTime now) override { m_client.start(now); }
+    void start(LocalTime now, HoldsRate) override { m_client.start(now); }
     void take(std::span<const std::byte> bytes, LocalTime now) override
     {
         m_client.take(bytes, now);

@@ -40,7 +40,8 @@ public:
     virtual ~DeviceClient() = default;
 
     /// The port is open, and the device in any state.
-    virtual void start(LocalTime now) = 0;
+    /// @param holdsRate whether a serial port can be set to a rate; the port outlives its use
+    virtual void start(LocalTime now, HoldsRate holdsRate) = 0;
     /// Bytes that have arrived.
     virtual void take(std::span<const std::byte> bytes, LocalTime now) = 0;
     /// What is to be done now. Call it after start(), after take() and at nextWake().

@@ -45,6 +45,13 @@ public:
         m_port.close();
     }
     [[nodiscard]] bool isOpen() const override { return m_port.isOpen(); }
+    [[nodiscard]] bool holdsRate(int rate) override
+    {
+        const qint32 present = m_port.baudRate();
+        const bool holds = m_port.setBaudRate(rate);
+        m_port.setBaudRate(present);
+        return holds;
+    }
     void act(const NdiPortAction& action) override
     {
         if (action.rate)
@@ -100,6 +107,7 @@ public:
     {
         return m_socket.state() == QAbstractSocket::ConnectedState;
     }
+    [[nodiscard]] bool holdsRate(int) override { return true; }
     void act(const NdiPortAction& action) override
     {
         if (!action.bytes.empty())

@@ -40,6 +40,9 @@ public:
     virtual void open() = 0;
     virtual void close() = 0;
     [[nodiscard]] virtual bool isOpen() const = 0;
+    /// Whether it can be set to a rate of transmission, bits a second, which it does not keep.
+    /// @pre isOpen()
+    [[nodiscard]] virtual bool holdsRate(int rate) = 0;
     /// @pre isOpen()
     virtual void act(const NdiPortAction& action) = 0;
     [[nodiscard]] virtual QByteArray readAll() = 0;

@@ -43,7 +43,9 @@ public:
                             [this] {
                                 if (m_tracker.m_log)
                                     m_tracker.m_log->opened(monotonicNow());
-                                m_client->start(monotonicNow());
+                                m_client->start(monotonicNow(), [this](int rate) {
+                                    return m_port->holdsRate(rate);
+                                });
                                 serve();
                             },
                         .arrived = [this] { serve(); },

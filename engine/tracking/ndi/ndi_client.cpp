@@ -65,11 +65,11 @@ NdiClient::NdiClient(NdiClientSettings settings)
 {
 }
 
-void NdiClient::start(LocalTime now)
+void NdiClient::start(LocalTime now, HoldsRate holdsRate)
 {
     m_now = now;
     m_hasLeft = false;
-    m_connection.startOver();
+    m_connection.startOver(std::move(holdsRate));
     begin();
 }
 
@@ -108,6 +108,7 @@ void NdiClient::initialise()
     init.then = [this](const NdiReply& reply) {
         if (!isFine(reply))
             return fallSilent("it does not initialise: " + whyRefused(reply));
+        m_connection.keepRate();
         m_phase = Phase::SettingUp;
     };
     init.inVain = [this] {

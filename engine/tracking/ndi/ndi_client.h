@@ -20,8 +20,8 @@ struct NdiClientSettings {
     NdiPoseReply poses = NdiPoseReply::Bx;
     /// Whether the device is at a serial port, which has a rate and is reset by a break.
     bool isSerial = true;
-    /// Rates of transmission that the host's port can hold, in bits a second, best first; of those
-    /// that COMM can set.
+    /// Rates of transmission that are to be tried, in bits a second, best first; of those that COMM
+    /// can set.
     std::vector<int> rates{921600, 115200, 57600, 38400, 19200, 9600};
 };
 
@@ -73,7 +73,8 @@ public:
     NdiClient& operator=(const NdiClient&) = delete;
 
     /// The port is open, and the device in any state.
-    void start(LocalTime now);
+    /// @param holdsRate asked before the device is set to a rate; without it all rates are held
+    void start(LocalTime now, HoldsRate holdsRate = {});
     /// Bytes that have arrived.
     void take(std::span<const std::byte> bytes, LocalTime now);
     /// What is to be done now. Call it after start(), after take() and at nextWake().

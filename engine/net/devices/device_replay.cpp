@@ -64,7 +64,7 @@ public:
     {
         if (line.opens) {
             m_isOpen = true;
-            m_client->start(line.time);
+            m_client->start(line.time, [](int) { return true; }); // no port of this computer
         }
         if (!m_isOpen)
             return;

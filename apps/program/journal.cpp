@@ -116,8 +116,13 @@ QJsonObject holders(const SessionState& state, StationId station)
 
 } // namespace
 
-Journal::Journal(const SessionNode& node, StationId station, StationScene& scene, Notice notice)
-    : m_node{node}, m_station{station}, m_scene{scene}, m_notice{std::move(notice)}
+Journal::Journal(const SessionNode& node, StationId station, StationScene& scene, Notice notice,
+                 VideoSince videoSince)
+    : m_node{node},
+      m_station{station},
+      m_scene{scene},
+      m_notice{std::move(notice)},
+      m_videoSince{std::move(videoSince)}
 {
     scene.onFrameDrawn(
         [kept = std::weak_ptr{m_frames}](const DrawnFrame& drawn, const StationMoment& moment) {
@@ -129,9 +134,10 @@ Journal::Journal(const SessionNode& node, StationId station, StationScene& scene
 
 Result<std::unique_ptr<Journal>> Journal::open(const QString& path, const SessionNode& node,
                                                StationId station, StationScene& scene,
-                                               Notice notice)
+                                               Notice notice, VideoSince videoSince)
 {
-    std::unique_ptr<Journal> journal{new Journal{node, station, scene, std::move(notice)}};
+    std::unique_ptr<Journal> journal{
+        new Journal{node, station, scene, std::move(notice), std::move(videoSince)}};
     journal->m_file.setFileName(path);
     // It holds people's names.
     if (!openPrivately(journal->m_file, QIODevice::WriteOnly | QIODevice::Append))
@@ -171,6 +177,8 @@ void Journal::writeLine()
     line[QStringLiteral("holders")] = holders(*state, m_station);
     if (m_notice)
         line[QStringLiteral("notice")] = m_notice();
+    if (const auto since = m_videoSince ? m_videoSince() : std::nullopt)
+        line[QStringLiteral("video_since_ns")] = nanoseconds(*since);
     addPatient(line, m_scene.moment(), sharedPatient(*state, m_station));
     m_file.write(QJsonDocument{line}.toJson(QJsonDocument::Compact) + '\n');
     m_file.flush();
@@ -186,11 +194,13 @@ void addJournalOption(QCommandLineParser& parser)
 
 Result<std::unique_ptr<Journal>> journalFromOptions(const QCommandLineParser& parser,
                                                     const SessionNode& node, StationId station,
-                                                    StationScene& scene, Journal::Notice notice)
+                                                    StationScene& scene, Journal::Notice notice,
+                                                    Journal::VideoSince videoSince)
 {
     if (!parser.isSet(kJournal))
         return nullptr;
-    return Journal::open(parser.value(kJournal), node, station, scene, std::move(notice));
+    return Journal::open(parser.value(kJournal), node, station, scene, std::move(notice),
+                         std::move(videoSince));
 }
 
 } // namespace carina::program

@@ -10,6 +10,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 namespace carina::program
 {
@@ -26,26 +27,29 @@ namespace carina::program
 /// ObjectKind), xyz_mm and q_xyzw in the anatomy frame (objectsIn); and lifted: of all that it drew
 /// lifted out, object, owner, group (a name of groupName, or empty for the second tube), xyz_mm,
 /// q_xyzw and size in the anatomy frame (liftedIn). holders has the owner of each object that can
-/// be lifted out, by the object's name, while somebody has it; notice, where the program shows one.
+/// be lifted out, by the object's name, while somebody has it; notice, where the program shows one;
+/// video_since_ns, the session time of the first picture, while its tracker plays a video.
 class Journal
 {
 public:
     /// What the program tells the person in front of it.
     using Notice = std::function<QString()>;
+    /// When the video that it tracks in began; nothing where there is none.
+    using VideoSince = std::function<std::optional<SessionTime>()>;
 
     /// Starts to append to the file, which only its owner may read from then on. @pre all outlive
     /// this.
     /// @returns FileUnwritable with the path.
-    [[nodiscard]] static Result<std::unique_ptr<Journal>> open(const QString& path,
-                                                               const SessionNode& node,
-                                                               StationId station,
-                                                               StationScene& scene, Notice notice);
+    [[nodiscard]] static Result<std::unique_ptr<Journal>>
+    open(const QString& path, const SessionNode& node, StationId station, StationScene& scene,
+         Notice notice, VideoSince videoSince);
 
     /// Logs another station from now on.
     void setStation(StationId station) { m_station = station; }
 
 private:
-    Journal(const SessionNode& node, StationId station, StationScene& scene, Notice notice);
+    Journal(const SessionNode& node, StationId station, StationScene& scene, Notice notice,
+            VideoSince videoSince);
     void writeLine();
 
     const SessionNode& m_node;
@@ -53,7 +57,8 @@ private:
     const StationScene& m_scene;
     /// Since the last line; the scene's listener adds to them while the journal is there.
     std::shared_ptr<QJsonArray> m_frames = std::make_shared<QJsonArray>();
-    Notice m_notice; ///< may be empty
+    Notice m_notice;         ///< may be empty
+    VideoSince m_videoSince; ///< likewise
     QFile m_file;
     QTimer m_timer;
 };
@@ -64,6 +69,7 @@ void addJournalOption(QCommandLineParser& parser);
 /// The journal for `--journal`; null without it. @returns the errors of Journal::open.
 [[nodiscard]] Result<std::unique_ptr<Journal>>
 journalFromOptions(const QCommandLineParser& parser, const SessionNode& node, StationId station,
-                   StationScene& scene, Journal::Notice notice = {});
+                   StationScene& scene, Journal::Notice notice = {},
+                   Journal::VideoSince videoSince = {});
 
 } // namespace carina::program

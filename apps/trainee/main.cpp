@@ -309,9 +309,13 @@ Result<Left> takePart(const QCommandLineParser& parser, Outfit& outfit, program:
     if (const QString file = program::recordOption(parser); !file.isEmpty())
         if (const auto begun = recording.begin(file); !begun)
             return tl::unexpected(begun.error());
-    const auto journal =
-        program::journalFromOptions(parser, station.node(), place.id(), window.stationScene(),
-                                    [&window] { return window.notice(); });
+    const auto journal = program::journalFromOptions(
+        parser, station.node(), place.id(), window.stationScene(),
+        [&window] { return window.notice(); },
+        [&tools] {
+            const auto tracking = tools.tracking();
+            return tracking ? tracking->tracker().playedSince() : std::nullopt;
+        });
     if (!journal)
         return tl::unexpected(journal.error());
     QObject::connect(&place, &OwnStation::changed, &place, [&](StationId now) {

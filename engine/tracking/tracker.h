@@ -5,6 +5,7 @@
 #include "engine/tracking/pose_history.h"
 #include "engine/tracking/tool_sight.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,10 @@ public:
     /// What keeps the device, or one of its tools, from tracking, for the person who can mend it;
     /// empty where nothing does. May be called from any thread.
     [[nodiscard]] virtual std::string trouble() const { return {}; }
+
+    /// When the present playing of a video began, by the clock of its samples; nothing of what is
+    /// no video, and before the first picture. May be called from any thread.
+    [[nodiscard]] virtual std::optional<SessionTime> playedSince() const { return std::nullopt; }
 
     /// What the device says now of how it sees a tool, by its index in tools(). May be called from
     /// any thread.

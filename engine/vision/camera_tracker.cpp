@@ -41,6 +41,7 @@ public:
     void end(std::jthread& thread);
     [[nodiscard]] const std::vector<TrackedTool>& tools() const { return m_tools; }
     [[nodiscard]] std::string trouble() const;
+    [[nodiscard]] std::optional<SessionTime> playedSince() const;
 
 private:
     struct Tool {
@@ -58,6 +59,7 @@ private:
     [[nodiscard]] std::optional<SessionTime> wait(SessionTime until,
                                                   const std::stop_token& stopping);
     void rest(Duration duration, const std::stop_token& stopping);
+    void beginPlaying(SessionTime now);
     void say(std::string trouble);
 
     CameraTrackerSettings m_settings;
@@ -68,6 +70,7 @@ private:
     mutable std::mutex m_delivery; ///< held to deliver, to read the clock, and to end
     mutable std::mutex m_mutex;
     std::string m_trouble;
+    std::optional<SessionTime> m_playedSince;
     std::condition_variable_any m_wake;
 };
 
@@ -116,6 +119,8 @@ std::vector<TrackedTool> CameraTracker::tools() const { return m_watching->tools
 
 std::string CameraTracker::trouble() const { return m_watching->trouble(); }
 
+std::optional<SessionTime> CameraTracker::playedSince() const { return m_watching->playedSince(); }
+
 CameraTracker::Watching::Watching(CameraTrackerSettings settings, ReadSessionClock clock)
     : m_settings{std::move(settings)}, m_clock{std::move(clock)}, m_watch{watchedOf(m_settings)}
 {
@@ -141,6 +146,18 @@ std::string CameraTracker::Watching::trouble() const
 {
     const std::lock_guard lock{m_mutex};
     return m_trouble;
+}
+
+std::optional<SessionTime> CameraTracker::Watching::playedSince() const
+{
+    const std::lock_guard lock{m_mutex};
+    return m_playedSince;
+}
+
+void CameraTracker::Watching::beginPlaying(SessionTime now)
+{
+    const std::lock_guard lock{m_mutex};
+    m_playedSince = now;
 }
 
 void CameraTracker::Watching::say(std::string trouble)
@@ -200,10 +217,12 @@ void CameraTracker::Watching::play(PictureSource& source, const std::stop_token&
         const auto now = wait(begin ? due : SessionTime{Duration::min()}, stopping);
         if (!now)
             return;
-        if (!begin)
+        if (!begin) {
             begin = *now;
-        else if (*now > due + period && source.skip())
+            beginPlaying(*begin);
+        } else if (*now > due + period && source.skip()) {
             continue;
+        }
         const auto taken = source.next();
         if (!taken)
             break;

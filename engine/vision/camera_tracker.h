@@ -50,6 +50,7 @@ public:
     void stop() override;
     [[nodiscard]] std::vector<TrackedTool> tools() const override;
     [[nodiscard]] std::string trouble() const override;
+    [[nodiscard]] std::optional<SessionTime> playedSince() const override;
 
 private:
     class Watching;

@@ -44,6 +44,14 @@ std::string TrackerSet::trouble() const
     return all;
 }
 
+std::optional<SessionTime> TrackerSet::playedSince() const
+{
+    for (const auto& device : m_devices)
+        if (const auto since = device->playedSince())
+            return since;
+    return std::nullopt;
+}
+
 ToolSight TrackerSet::sightOf(std::size_t tool) const
 {
     const Place& place = m_places.at(tool);

@@ -31,6 +31,8 @@ public:
     [[nodiscard]] std::vector<TrackedTool> tools() const override { return m_tools; }
     /// That of each device that has any, one after another.
     [[nodiscard]] std::string trouble() const override;
+    /// Of the first that plays a video.
+    [[nodiscard]] std::optional<SessionTime> playedSince() const override;
     [[nodiscard]] ToolSight sightOf(std::size_t tool) const override;
 
 private:

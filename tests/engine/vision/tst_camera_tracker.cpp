@@ -167,11 +167,13 @@ private Q_SLOTS:
         QVERIFY((*tracker)->start());
         clock.set(kBegin);
         QTRY_COMPARE(tool.history->samples().size(), std::size_t{1});
+        QVERIFY((*tracker)->playedSince() == kBegin);
         clock.set(kBegin + 60 * kPeriod);
         // The end is passed, and the first picture shown again at the time there is.
         QTRY_VERIFY(tool.history->newest()->time == kBegin + 60 * kPeriod);
         QVERIFY((tool.history->newest()->X_FO.translation() - tubeAt(0).translation()).norm()
                 < kLengthTolerance);
+        QVERIFY((*tracker)->playedSince() == kBegin + 60 * kPeriod);
     }
 
     void saysThatThePicturesAreOfAnotherCamera()

@@ -20,6 +20,7 @@ PersonPose seen(std::uint16_t object, ParticipantId owner, ObjectKind kind)
     person.isOwn = owner == kSelf;
     person.pose.validity = Validity::Tracked;
     person.X_AO = RigidTransform::translation({double(object), 0.0, 0.0});
+    person.pose.X_FO = person.X_AO;
     return person;
 }
 
@@ -48,7 +49,6 @@ StationMoment crowdAtPlaces()
         moment.people.push_back(
             seen(std::uint16_t(20 + owner.value), owner, ObjectKind::Laryngoscope));
     for (PersonPose& person : moment.people) {
-        person.pose.X_FO = person.X_AO;
         if (person.owner != kTom) // who is at work has them in the patient
             person.X_AO = placedBy(degrees(180.0)) * person.X_AO;
     }

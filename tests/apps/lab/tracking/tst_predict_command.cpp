@@ -92,8 +92,8 @@ private Q_SLOTS:
         }
     }
 
-    /// Figures to meet, scored on the second half. The filters are fixed; which of them predicts, and
-    /// how large an error is expected, goes on being learned there, from what came before.
+    /// Figures to meet, scored on the second half. The filters are fixed; which of them predicts,
+    /// and how large an error is expected, goes on being learned there, from what came before.
     void predictsARecordedHeadAsWellAsItShould()
     {
         const auto file = test::testData("head-motion/traj1_quest2_to_tool1_cut.txt");

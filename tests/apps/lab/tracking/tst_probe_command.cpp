@@ -1,5 +1,6 @@
 #include "apps/lab/commands.h"
 #include "apps/lab/tracking/probe_solid.h"
+#include "engine/tracking/ndi/tool_definition.h"
 #include "tests/support/test_class.h"
 
 #include <QFile>
@@ -102,6 +103,58 @@ private Q_SLOTS:
         QCOMPARE(circles, 3 * 8); // in three views
     }
 
+    void writesTheAngleThatItPredictedFor()
+    {
+        const QTemporaryDir folder;
+        const QString rom = folder.filePath(QStringLiteral("head.rom"));
+        const auto designed = probeCommand().run(
+            designOf({QStringLiteral("--markers"), QStringLiteral("8"), QStringLiteral("--seen"),
+                      QStringLiteral("3"), QStringLiteral("--angle-deg"), QStringLiteral("60"),
+                      QStringLiteral("--rom"), rom}));
+        QVERIFY(designed);
+        const auto tool = romCommand().run({rom});
+        QVERIFY(tool);
+        QVERIFY(std::abs(number(*tool, "largest_angle_deg") - 60.0) < 1e-9);
+        const auto read = probeCommand().run({rom});
+        QVERIFY(read);
+        QVERIFY(std::abs(number(*read, "share_with_pose") - number(*designed, "share_with_pose"))
+                < 1e-9);
+    }
+
+    /// A pointer of which four markers are asked for, and 0.75 mm; whose is told by the file.
+    void keepsWhatADefinitionStates()
+    {
+        const QTemporaryDir folder;
+        const std::vector<ToolMarker> markers{
+            {{0, 0, 0}}, {{0, 0, 0.05}}, {{0, 0.025, 0.1}}, {{0, -0.025, 0.135}}};
+        const auto tool = NdiToolDefinition::make(
+            NdiToolDefinition::Kind::Pointer,
+            Probe{.markers = markers, .fewest = 4, .largestMisfit = millimetres(0.75)}, "NDI",
+            "8700340");
+        QVERIFY(tool);
+        const QString given = folder.filePath(QStringLiteral("given.rom"));
+        QFile file{given};
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(reinterpret_cast<const char*>(tool->bytes().data()),
+                   qint64(tool->bytes().size()));
+        file.close();
+        const QString saved = folder.filePath(QStringLiteral("saved.rom"));
+        QVERIFY(probeCommand().run({given, QStringLiteral("--rom"), saved}));
+        QCOMPARE(bytesOf(saved), bytesOf(given));
+
+        QVERIFY(probeCommand().run({given, QStringLiteral("--angle-deg"), QStringLiteral("60"),
+                                    QStringLiteral("--rom"), saved}));
+        auto due = romCommand().run({given});
+        auto is = romCommand().run({saved});
+        QVERIFY(due && is);
+        QVERIFY(std::abs(number(*is, "largest_angle_deg") - 60.0) < 1e-9);
+        for (const char* other : {"file", "largest_angle_deg"}) {
+            due->remove(QLatin1StringView{other});
+            is->remove(QLatin1StringView{other});
+        }
+        QCOMPARE(*is, *due);
+    }
+
     void readsALayoutFromATable()
     {
         const QTemporaryDir folder;
@@ -152,6 +205,12 @@ private Q_SLOTS:
         QVERIFY(!probeCommand().run({QStringLiteral("nowhere.rom")}));
         QVERIFY(!probeCommand().run(designOf({QStringLiteral("--markers"), QStringLiteral("3")})));
         QVERIFY(!probeCommand().run(designOf({QStringLiteral("--point"), QStringLiteral("1,2")})));
+        // A definition has whole degrees.
+        const QTemporaryDir folder;
+        QVERIFY(!probeCommand().run(
+            designOf({QStringLiteral("--markers"), QStringLiteral("8"), QStringLiteral("--seen"),
+                      QStringLiteral("3"), QStringLiteral("--angle-deg"), QStringLiteral("60.5"),
+                      QStringLiteral("--rom"), folder.filePath(QStringLiteral("half.rom"))})));
     }
 };
 

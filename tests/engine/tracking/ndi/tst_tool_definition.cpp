@@ -83,6 +83,99 @@ private Q_SLOTS:
         }
     }
 
+    void statesWhatAProbeAsks()
+    {
+        std::vector<ToolMarker> markers = kMarkers;
+        markers.push_back({{0.03, 0.03, 0.03}, {0.0, 0.0, 1.0}});
+        const auto makeOf = [&](Angle angle, std::size_t fewest, Length misfit) {
+            return NdiToolDefinition::make(NdiToolDefinition::Kind::Reference,
+                                           Probe{markers, angle, fewest, misfit}, "", "");
+        };
+        const auto tool = makeOf(degrees(60.0), 4, millimetres(0.75));
+        QVERIFY(tool);
+        const Probe probe = tool->probe();
+        QVERIFY(std::abs(inDegrees(probe.largestAngle) - 60.0) < 1e-9);
+        QCOMPARE(probe.fewest, std::size_t{4});
+        QCOMPARE(inMillimetres(probe.largestMisfit), 0.75);
+        QVERIFY(NdiToolDefinition::read(tool->bytes()));
+        const Length mm = millimetres(1.0);
+        QCOMPARE(errorOf(makeOf(degrees(60.5), 4, mm)), Errc::OutOfRange);
+        QCOMPARE(errorOf(makeOf(degrees(0.0), 4, mm)), Errc::OutOfRange);
+        QCOMPARE(errorOf(makeOf(degrees(181.0), 4, mm)), Errc::OutOfRange);
+        QCOMPARE(errorOf(makeOf(degrees(std::nan("")), 4, mm)), Errc::OutOfRange);
+        QCOMPARE(errorOf(makeOf(degrees(60.0), 5, mm)), Errc::OutOfRange);
+        QCOMPARE(errorOf(makeOf(degrees(60.0), 2, mm)), Errc::OutOfRange);
+        QCOMPARE(errorOf(makeOf(degrees(60.0), 4, millimetres(0.0))), Errc::OutOfRange);
+        QCOMPARE(errorOf(makeOf(degrees(60.0), 4, millimetres(std::nan("")))), Errc::OutOfRange);
+    }
+
+    void changesFactsAndKeepsTheRest()
+    {
+        // Behind the names are bytes that mean nothing, as in files of others.
+        const auto bytes = changed(580, {'U', 'N', 0, 0xD0, 0x21});
+        const auto tool = NdiToolDefinition::read(bytes);
+        QVERIFY(tool);
+        const auto same = tool->with(tool->facts());
+        QVERIFY(same);
+        QVERIFY(std::ranges::equal(same->bytes(), tool->bytes()));
+
+        NdiToolDefinition::Facts facts = tool->facts();
+        facts.kind = 1;
+        facts.partNumber = "chin";
+        facts.largestMarkerError = millimetres(0.5);
+        facts.smallestSpread = millimetres(12.0);
+        facts.largestMarkerAngle = degrees(45.0);
+        const auto other = tool->with(facts);
+        QVERIFY(other);
+        const auto read = NdiToolDefinition::read(other->bytes());
+        QVERIFY(read);
+        QCOMPARE(kindName(read->kind()), std::string{"reference"});
+        QCOMPARE(read->maker(), std::string{"UN"});
+        QCOMPARE(read->partNumber(), std::string{"chin"});
+        QCOMPARE(inMillimetres(read->largestMarkerError()), 0.5);
+        QCOMPARE(inMillimetres(read->smallestSpread()), 12.0);
+        QVERIFY(std::abs(inDegrees(read->largestMarkerAngle()) - 45.0) < 1e-9);
+        // The maker's field as a whole, and all of the markers.
+        for (const auto& [from, until] : {std::pair{72, 592}, {612, 752}})
+            for (int i = from; i < until; ++i)
+                QCOMPARE(other->bytes()[std::size_t(i)], tool->bytes()[std::size_t(i)]);
+    }
+
+    void refusesFactsThatAFileCannotState()
+    {
+        // What a file states already may stay, whatever it is: here a kind without a name.
+        const auto tool = NdiToolDefinition::read(changed(15, {7}));
+        QVERIFY(tool);
+        using Facts = NdiToolDefinition::Facts;
+        const auto errorWith = [&](auto change) {
+            Facts facts = tool->facts();
+            change(facts);
+            return errorOf(tool->with(facts));
+        };
+        QCOMPARE(errorWith([](Facts& facts) { facts.partNumber = "x"; }), Errc::Cancelled);
+        QCOMPARE(errorWith([](Facts& facts) { facts.kind = 9; }), Errc::OutOfRange);
+        QCOMPARE(errorWith([](Facts& facts) { facts.maker = "thirteen char"; }), Errc::OutOfRange);
+        QCOMPARE(errorWith([](Facts& facts) { facts.partNumber = std::string(21, 'x'); }),
+                 Errc::OutOfRange);
+        QCOMPARE(errorWith([](Facts& facts) { facts.partNumber = "a\tb"; }), Errc::OutOfRange);
+        QCOMPARE(errorWith([](Facts& facts) { facts.fewestMarkers = 2; }), Errc::OutOfRange);
+        QCOMPARE(errorWith([](Facts& facts) { facts.fewestMarkers = 4; }), Errc::OutOfRange);
+        QCOMPARE(errorWith([](Facts& facts) { facts.largestMarkerError = millimetres(101.0); }),
+                 Errc::OutOfRange);
+        QCOMPARE(errorWith([](Facts& facts) { facts.smallestSpread = millimetres(-1.0); }),
+                 Errc::OutOfRange);
+        QCOMPARE(errorWith([](Facts& facts) { facts.largestMarkerAngle = degrees(181.0); }),
+                 Errc::OutOfRange);
+    }
+
+    void namesItsKinds()
+    {
+        QCOMPARE(kindName(7), std::string{"kind 7"});
+        QVERIFY(!kindOfName("kind 7"));
+        QCOMPARE(kindOfName("C-arm"), std::optional{std::uint8_t{0xA}});
+        QVERIFY(kindNames().starts_with("reference, pointer, "));
+    }
+
     void cutsNamesThatAreTooLong()
     {
         const auto tool =

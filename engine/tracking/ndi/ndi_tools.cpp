@@ -64,11 +64,11 @@ void NdiTools::setUp()
     m_toolOf.clear();
     m_refused.clear();
     m_plugged.clear();
+    m_wireless.clear();
     m_placeOf.clear();
     m_found.clear();
     m_refusedAt.clear();
     m_tries.clear();
-    // First the wired ones: of a wireless tool that is refused the port is left.
     m_dialogue.queue(asking({"PHSR", "01"}, [this](const NdiReply& reply) { free(reply); }));
     m_dialogue.queue(asking({"PHSR", "02"}, [this](const NdiReply& reply) { findWired(reply); }));
     m_dialogue.queue(afterwards([this] { m_dialogue.queueFirst(initialisingFound()); }));
@@ -133,6 +133,7 @@ void NdiTools::forget(const std::vector<std::uint16_t>& handles)
     for (const std::uint16_t handle : handles) {
         m_toolOf.erase(handle);
         m_plugged.erase(handle);
+        m_wireless.erase(handle);
         const auto refused = m_refusedAt.find(handle);
         if (refused == m_refusedAt.end())
             continue;
@@ -155,6 +156,7 @@ void NdiTools::define(std::size_t tool)
 
 void NdiTools::load(std::size_t tool, std::uint16_t handle)
 {
+    m_wireless.insert(handle);
     std::vector<NdiStep> steps;
     const auto& bytes = m_wanted[tool].definition->bytes();
     for (std::size_t at = 0; at < kDefinitionBytes; at += kBlockBytes) {
@@ -168,7 +170,8 @@ void NdiTools::load(std::size_t tool, std::uint16_t handle)
     m_dialogue.queueFirst(std::move(steps));
 }
 
-/// Tools of which nothing is known yet are taken in ascending order of the ports.
+/// Tools of which nothing is known yet are taken in ascending order of the ports. The port of a
+/// wireless tool that was refused is left, and waits to be initialised as that of a wired one does.
 void NdiTools::findWired(const NdiReply& ports)
 {
     for (std::size_t tool = 0; tool < m_wanted.size(); ++tool)
@@ -176,6 +179,8 @@ void NdiTools::findWired(const NdiReply& ports)
             m_refused.try_emplace(tool, kUnplugged); // or is told of again
     std::vector<NdiStep> steps;
     for (const std::uint16_t handle : handlesIn(ports)) {
+        if (m_wireless.contains(handle))
+            continue;
         m_plugged.insert(handle);
         if (m_refusedAt.contains(handle))
             continue;

@@ -21,6 +21,7 @@ struct NdiWantedTool {
 /// Gives a device the tools that it is to track: ports that others left are freed, each wireless
 /// tool is defined and enabled, wired tools are initialised and enabled. A tool that the device
 /// refuses is left out; a wired one is tried again, three times in all until it is plugged in anew.
+/// The port of a wireless one that was refused is never taken for that of a wired one.
 /// A wired tool that is plugged in again at the place where it was, which the device tells, is the
 /// same tool.
 class NdiTools
@@ -76,6 +77,7 @@ private:
     std::map<std::uint16_t, std::size_t> m_toolOf; ///< by handle
     std::map<std::size_t, std::string> m_refused;  ///< tools, and why
     std::set<std::uint16_t> m_plugged;             ///< handles
+    std::set<std::uint16_t> m_wireless;            ///< handles that were asked for
     std::map<std::size_t, std::string> m_placeOf;  ///< of wired tools, as the device tells it
     std::vector<std::pair<std::size_t, std::uint16_t>>
         m_found;                                      ///< wired tools to be set up, handles

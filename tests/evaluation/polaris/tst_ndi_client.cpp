@@ -424,6 +424,39 @@ private Q_SLOTS:
         QCOMPARE(line.sent("TSTOP"), 2);
     }
 
+    void aRefusedWirelessToolIsNotTakenForAnAbsentWiredOne_data()
+    {
+        QTest::addColumn<bool>("isAlways");
+        QTest::newRow("refused whenever it is tried") << true;
+        QTest::newRow("refused once, for a command that arrived damaged") << false;
+    }
+
+    /// Its port is listed among those that wait to be initialised, as if a tool were plugged in.
+    void aRefusedWirelessToolIsNotTakenForAnAbsentWiredOne()
+    {
+        QFETCH(const bool, isAlways);
+        PolarisDevice::Settings device;
+        if (isAlways)
+            device.constants["PINIT:01"] = "ERROR13";
+        Line line{{.tools = {{"probe"}, wireless("tube"), wireless("stylus")}, .rates = {115200}},
+                  std::move(device)};
+        if (!isAlways)
+            line.damageNext("PINIT");
+        line.start();
+        static_cast<void>(line.run(8s));
+        QCOMPARE(line.client().phase(), NdiClient::Phase::Tracking);
+        const std::string trouble = line.client().trouble();
+        QVERIFY2(trouble.starts_with("probe: nothing is plugged in for it; tube: "),
+                 trouble.c_str());
+        QCOMPARE(line.client().found()->pluggedIn, std::size_t{0});
+        QCOMPARE(line.sent("TSTOP"), 0); // the others are not stopped for it
+        const auto measured = line.run(1s);
+        QVERIFY(measured.size() >= 58);
+        QCOMPARE(measured.back().tools[0]->sight, NdiSight::Unoccupied);
+        QVERIFY(!measured.back().tools[1]);
+        QVERIFY(measured.back().tools[2]->X_TO);
+    }
+
     /// The second comes back first: it must not be taken for the first.
     void toolsThatArePluggedInAgainAreToldApart()
     {

@@ -63,7 +63,8 @@ SimulatedTracker::SimulatedTracker(SimulatedTrackerSettings settings, TrueToolPo
     const auto add = [this](const char* name, ToolRole role) {
         Tool& tool = m_tracked.emplace_back();
         tool.role = role;
-        tool.probe = simulatedProbe(role);
+        const auto probe = m_settings.probes.find(role);
+        tool.probe = probe == m_settings.probes.end() ? simulatedProbe(role) : probe->second;
         tool.probe.largestMisfit =
             std::max(tool.probe.largestMisfit, kNoiseWithinFit * m_settings.noise.rms);
         m_tools.push_back({name, role, &tool.history, tool.probe, m_settings.noise});

@@ -7,6 +7,7 @@
 #include "engine/tracking/working_volume.h"
 
 #include <deque>
+#include <map>
 #include <random>
 
 namespace carina
@@ -46,6 +47,7 @@ struct SimulatedTrackerSettings {
     bool handProbe = false;    ///< also simulate a probe on the hand that holds the tube
     bool laryngoscope = false; ///< also simulate a laryngoscope
     std::uint32_t seed = 1;
+    std::map<ToolRole, Probe> probes{}; ///< of tools that have another one than simulatedProbe()
 };
 
 /// A tracker for a station without hardware. On its own thread it measures the markers of given

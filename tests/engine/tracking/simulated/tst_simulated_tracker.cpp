@@ -180,6 +180,32 @@ private Q_SLOTS:
         QCOMPARE(taken[1].X_FO.translation(), taken[0].X_FO.translation());
     }
 
+    /// A flat probe, whose markers face +z of O, is turned over after a second.
+    void measuresTheMarkersOfAnotherProbe()
+    {
+        const auto turning = [](ToolRole, SessionTime t) -> std::optional<RigidTransform> {
+            const Quat q_TO = t < at(1s) ? Quat::Identity() : Quat{0.0, 1.0, 0.0, 0.0};
+            return RigidTransform{q_TO, Vec3{0.0, 0.0, -1.0}};
+        };
+        SimulatedTrackerSettings settings = prompt();
+        settings.probes[ToolRole::Tube] = {.markers = {{{0.0, 0.0, 0.0}, Vec3::UnitZ()},
+                                                       {{0.05, 0.0, 0.0}, Vec3::UnitZ()},
+                                                       {{0.0, 0.08, 0.0}, Vec3::UnitZ()},
+                                                       {{-0.04, -0.06, 0.0}, Vec3::UnitZ()}}};
+        SimulatedTracker tracker{settings, turning, noClock};
+        for (const TrackedTool& tool : tracker.tools())
+            QCOMPARE(tool.probe->markers.size() == 4, tool.role == ToolRole::Tube);
+        tracker.advance(at(990ms));
+        tracker.advance(at(1010ms));
+        const std::vector<PoseSample> taken = tubeSamples(tracker);
+        QCOMPARE(taken.size(), std::size_t{2});
+        QCOMPARE(taken[0].validity, Validity::Tracked);
+        QVERIFY((taken[0].X_FO.translation() - Vec3{0.0, 0.0, -1.0}).norm() < 0.001);
+        QCOMPARE(taken[1].validity, Validity::Lost);
+        for (const PoseSample& sample : historyOf(tracker, ToolRole::Head).samples())
+            QCOMPARE(sample.validity, Validity::Tracked);
+    }
+
     void losesAToolThatSomethingHidesAndKnowsNoneNeverSeen()
     {
         const auto hidden = [](ToolRole role, SessionTime t) -> std::optional<RigidTransform> {

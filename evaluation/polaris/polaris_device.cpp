@@ -24,7 +24,7 @@ constexpr unsigned kInterference = 0x0002; // of the system
 PolarisDevice::PolarisDevice(Settings settings, PoseOf poseOf)
     : m_settings{std::move(settings)},
       m_poseOf{std::move(poseOf)},
-      m_ports{m_settings.wired, m_settings.serialNumber}
+      m_ports{m_settings.wired, m_settings.serialNumber, m_settings.tools}
 {
     static_cast<void>(reset(LocalTime{}));
 }

@@ -30,8 +30,9 @@ struct PolarisFaults {
 class PolarisDevice
 {
 public:
-    /// The pose of a tool at a time; nothing while it is not seen. A tool is named by its part
-    /// number, or by its number among the wired ones: "wired 1".
+    /// The pose of a tool at a time; nothing while it is not seen. A wireless tool is named as in
+    /// Settings::tools, or where there is none by its part number; a wired one by its number among
+    /// the wired ones: "wired 1".
     using PoseOf = std::function<std::optional<PolarisPose>(const std::string& tool, LocalTime t)>;
     /// The markers of no tool that are seen at a time, millimetres.
     using StraysAt = std::function<std::vector<Vec3>(LocalTime t)>;
@@ -50,6 +51,9 @@ public:
         std::map<std::string, std::string> constants{
             {"VER:4", "Simulated Polaris\nNDI S/N: P4-00000\n"}};
         StraysAt strays = [](LocalTime) { return std::vector<Vec3>{}; };
+        /// The wireless tools before it, by name. One that is loaded is told by its markers, as a
+        /// real device does; one whose markers no tool has is not seen.
+        std::map<std::string, PolarisTool> tools{};
     };
 
     /// A reply, and when its last byte is there.

@@ -12,20 +12,13 @@ namespace
 
 using polaris::error;
 using polaris::hexadecimal;
-using polaris::little;
 using polaris::written;
 
 const std::string kDone = "OKAY";
 
 constexpr std::size_t kDefinition = 752;
 constexpr std::size_t kLoaded = 1024; // by sixteen blocks
-constexpr std::size_t kTypeAt = 12;
-constexpr std::size_t kRevisionAt = 16;
-constexpr std::size_t kSerialAt = 20;
-constexpr std::size_t kMakerAt = 580;
-constexpr std::size_t kMakerBytes = 12;
-constexpr std::size_t kPartNumberAt = 592;
-constexpr std::size_t kPartNumberBytes = 20;
+constexpr std::size_t kToldPartNumber = 20;
 
 constexpr unsigned kOccupied = 0x001;
 constexpr unsigned kInitialised = 0x010;
@@ -50,38 +43,7 @@ std::string padded(std::string text, std::size_t width)
     return text;
 }
 
-/// The text in a definition, up to its first zero.
-std::string textIn(const std::string& definition, std::size_t at, std::size_t most)
-{
-    const std::string field = definition.substr(at, most);
-    return field.substr(0, field.find('\0'));
-}
-
-/// Four bytes, the most significant first.
-std::string wordIn(const std::string& definition, std::size_t at)
-{
-    std::string digits;
-    for (std::size_t i = 4; i-- > 0;)
-        digits += written("%02X", unsigned(static_cast<unsigned char>(definition[at + i])));
-    return digits;
-}
-
-std::string informationIn(const std::string& definition)
-{
-    return wordIn(definition, kTypeAt) + padded(textIn(definition, kMakerAt, kMakerBytes), 12)
-           + written("%03u", unsigned(static_cast<unsigned char>(definition[kRevisionAt])))
-           + wordIn(definition, kSerialAt);
-}
-
-std::string nameOf(std::size_t wired) { return "wired " + std::to_string(wired); }
-
-bool isWhole(const std::string& definition)
-{
-    unsigned sum = 0;
-    for (std::size_t i = 6; i < kDefinition; ++i)
-        sum += static_cast<unsigned char>(definition[i]);
-    return definition.starts_with("NDI") && little(sum & 0xFFFFU, 2) == definition.substr(4, 2);
-}
+std::string nameOfWired(std::size_t wired) { return "wired " + std::to_string(wired); }
 
 } // namespace
 
@@ -91,8 +53,16 @@ unsigned PolarisPorts::Port::status() const
            | (isEnabled ? kEnabled : 0);
 }
 
-PolarisPorts::PolarisPorts(std::vector<PluggedTool> plugged, std::string serialNumber)
-    : m_plugged{std::move(plugged)}, m_serialNumber{std::move(serialNumber)}
+PluggedTool pluggedTool(const PolarisTool& tool)
+{
+    return {.information = tool.information, .partNumber = tool.partNumber};
+}
+
+PolarisPorts::PolarisPorts(std::vector<PluggedTool> plugged, std::string serialNumber,
+                           std::map<std::string, PolarisTool> tools)
+    : m_plugged{std::move(plugged)},
+      m_serialNumber{std::move(serialNumber)},
+      m_tools{std::move(tools)}
 {
     std::ranges::sort(m_plugged, {}, &PluggedTool::port);
 }
@@ -131,7 +101,7 @@ void PolarisPorts::unplug(std::size_t wired)
     m_out.insert(wired);
     m_changes |= kBecameUnoccupied;
     for (auto& [handle, port] : m_ports)
-        if (port.tool == nameOf(wired))
+        if (port.tool == nameOfWired(wired))
             port.isOccupied = false;
 }
 
@@ -153,7 +123,7 @@ int PolarisPorts::freeHandle() const
 void PolarisPorts::findPlugged()
 {
     for (std::size_t i = 0; i < m_plugged.size(); ++i) {
-        const std::string name = nameOf(i + 1);
+        const std::string name = nameOfWired(i + 1);
         const bool isFound = std::ranges::any_of(m_ports, [&](const auto& entry) {
             return entry.second.tool == name && entry.second.isOccupied;
         });
@@ -209,16 +179,28 @@ std::string PolarisPorts::load(const std::string& arguments)
     return kDone;
 }
 
-/// A wireless tool has to have a whole definition; its part number is its name here.
+/// A wireless tool has to have a whole definition.
 std::string PolarisPorts::initialise(Port& port) const
 {
     if (!port.plugged) {
-        if (!isWhole(port.definition))
+        const auto loaded = polarisTool(port.definition.substr(0, kDefinition));
+        if (!loaded)
             return error(0x13);
-        port.tool = textIn(port.definition, kPartNumberAt, kPartNumberBytes);
+        port.loaded = *loaded;
+        port.tool = nameOf(*loaded);
     }
     port.isInitialised = true;
     return port.plugged && port.plugged->warns ? "WARNING" : kDone;
+}
+
+/// That of the tool which has these markers; none fits where no tool does.
+std::string PolarisPorts::nameOf(const PolarisTool& loaded) const
+{
+    if (m_tools.empty())
+        return loaded.partNumber;
+    const auto same = std::ranges::find_if(
+        m_tools, [&](const auto& named) { return haveSameMarkers(named.second, loaded); });
+    return same == m_tools.end() ? std::string{} : same->first;
 }
 
 /// What is not known before a tool is initialised is blank or zero.
@@ -230,17 +212,17 @@ std::string PolarisPorts::information(const Port& port, unsigned options) const
     PluggedTool told = unknown;
     if (port.isInitialised && port.plugged)
         told = *port.plugged;
-    else if (port.isInitialised)
-        told = {.information = informationIn(port.definition),
-                .partNumber = textIn(port.definition, kPartNumberAt, kPartNumberBytes),
-                .accessories = kAccessoriesOfWireless};
+    else if (port.isInitialised && port.loaded) {
+        told = pluggedTool(*port.loaded);
+        told.accessories = kAccessoriesOfWireless;
+    }
     std::string text;
     if ((options & kTellsInformation) != 0)
         text += told.information + written("%02X", port.status() & 0xFFU);
     if ((options & kTellsElectricalTest) != 0)
         text += told.electricalTest;
     if ((options & kTellsPartNumber) != 0)
-        text += padded(told.partNumber, kPartNumberBytes);
+        text += padded(told.partNumber, kToldPartNumber);
     if ((options & kTellsAccessories) != 0)
         text += told.accessories;
     if ((options & kTellsMarkers) != 0)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "evaluation/polaris/polaris_tool.h"
+
 #include <map>
 #include <optional>
 #include <set>
@@ -20,13 +22,17 @@ struct PluggedTool {
     bool warns = false; ///< is initialised with a warning
 };
 
+/// A plugged tool in whose memory this is.
+[[nodiscard]] PluggedTool pluggedTool(const PolarisTool& tool);
+
 /// The port handles of a Polaris: which tools it has, and what it tells of them.
 class PolarisPorts
 {
 public:
     struct Port {
-        std::string tool{};       ///< its name, once it is initialised
-        std::string definition{}; ///< of a wireless tool, as loaded
+        std::string tool{};                  ///< its name, once it is initialised
+        std::string definition{};            ///< of a wireless tool, as it is loaded
+        std::optional<PolarisTool> loaded{}; ///< the same, once it is initialised
         std::optional<PluggedTool> plugged{};
         bool isOccupied = true; ///< else its tool was unplugged
         bool isInitialised = false;
@@ -35,7 +41,10 @@ public:
         [[nodiscard]] unsigned status() const;
     };
 
-    PolarisPorts(std::vector<PluggedTool> plugged, std::string serialNumber);
+    /// @param tools wireless ones, by name, which are told by their markers. Without any, each that
+    ///        is loaded is named by its part number
+    PolarisPorts(std::vector<PluggedTool> plugged, std::string serialNumber,
+                 std::map<std::string, PolarisTool> tools);
 
     /// Forgets all handles. Those of plugged tools are given when ports are asked for.
     void clear() { m_ports.clear(); }
@@ -59,6 +68,7 @@ private:
     [[nodiscard]] std::string request();
     [[nodiscard]] std::string load(const std::string& arguments);
     [[nodiscard]] std::string initialise(Port& port) const;
+    [[nodiscard]] std::string nameOf(const PolarisTool& loaded) const;
     [[nodiscard]] std::string information(const Port& port, unsigned options) const;
     [[nodiscard]] std::string location(const Port& port) const;
 
@@ -66,6 +76,7 @@ private:
     std::set<std::size_t> m_out;        ///< those that are not, now
     unsigned m_changes = 0;
     std::string m_serialNumber;
+    std::map<std::string, PolarisTool> m_tools;
     std::map<int, Port> m_ports; ///< by handle
 };
 

@@ -190,8 +190,11 @@ PolarisExposure::Tool PolarisDevice::toolAt(int handle, const PolarisPorts::Port
     PolarisExposure::Tool tool{.handle = handle, .status = port.status()};
     tool.isPlugged = port.isOccupied;
     const auto lost = m_faults.losses.find(port.tool);
+    const auto place = m_faults.places.find(port.tool);
     if (!port.isOccupied)
         return tool;
+    if (place != m_faults.places.end())
+        tool.place = place->second;
     if (lost != m_faults.losses.end())
         tool.loss = lost->second;
     else if (m_faults.hasInterference)

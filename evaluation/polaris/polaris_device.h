@@ -21,7 +21,8 @@ struct PolarisFaults {
     bool cutsNext = false;        ///< the second half of the next reply is missing
     Duration clockSetBy{};        ///< its clock, which BX2 tells, was set by so much
     bool hasInterference = false; ///< too much other infrared light: no tool has a pose
-    std::map<std::string, PolarisLoss> losses{}; ///< tools without a pose, and why
+    std::map<std::string, PolarisLoss> losses{};  ///< tools without a pose, and why
+    std::map<std::string, PolarisPlace> places{}; ///< tools that are not inside the volume
 };
 
 /// A Polaris without hardware: answers commands as the table of NDI's commands says, and paces the

@@ -17,7 +17,7 @@ using polaris::written;
 constexpr unsigned kAsksPoses = 0x0001;
 constexpr unsigned kAsksMarkers = 0x0002;
 constexpr unsigned kAsksSingleStray = 0x0004;
-constexpr unsigned kAsksOutOfVolume = 0x0800; // nothing is out of it here
+constexpr unsigned kAsksOutOfVolume = 0x0800;
 constexpr unsigned kAsksStrays = 0x1000;
 constexpr unsigned kAsksKnown =
     kAsksPoses | kAsksMarkers | kAsksSingleStray | kAsksOutOfVolume | kAsksStrays;
@@ -29,9 +29,28 @@ constexpr int kMarkers = 20;
 constexpr unsigned kWrongPlace = 2; // of a marker
 constexpr unsigned kUsed = 3;
 
+// Of a port in TX and BX.
+constexpr unsigned kIsOutside = 0x40;
+constexpr unsigned kIsPartlyOut = 0x80;
+
 // Of BX2.
 constexpr unsigned kNoPose = 0x0100;
+constexpr unsigned kPosedPartlyOut = 3;
+constexpr unsigned kOutOfVolume = 9;
 constexpr unsigned kUnplugged = 33;
+
+unsigned portStatus(const PolarisExposure::Tool& tool)
+{
+    return tool.status | (tool.place == PolarisPlace::Outside ? kIsOutside : 0)
+           | (tool.place == PolarisPlace::PartlyOut ? kIsPartlyOut : 0);
+}
+
+/// Of TX and BX with these options; nothing for one that is not stated.
+std::optional<PolarisPose> statedPose(const PolarisExposure::Tool& tool, unsigned asked)
+{
+    const bool isStated = tool.place != PolarisPlace::Outside || (asked & kAsksOutOfVolume) != 0;
+    return isStated ? tool.pose : std::nullopt;
+}
 
 unsigned toolBits(const PolarisExposure::Tool& tool)
 {
@@ -56,7 +75,11 @@ unsigned generalStatus(const PolarisExposure::Tool& tool)
                                                         {PolarisLoss::Interference, 14}};
     if (!tool.isPlugged)
         return kNoPose | kUnplugged;
-    return tool.pose ? 0 : kNoPose | kCodes.at(tool.loss);
+    if (tool.place == PolarisPlace::Outside)
+        return kOutOfVolume | (tool.pose ? 0 : kNoPose);
+    if (tool.pose)
+        return tool.place == PolarisPlace::PartlyOut ? kPosedPartlyOut : 0;
+    return kNoPose | kCodes.at(tool.loss);
 }
 
 /// Of TX and BX; nothing where they are not known.
@@ -96,9 +119,10 @@ std::string textTool(const PolarisExposure::Tool& tool, unsigned asked, std::uin
     std::string out = written("%02X", unsigned(tool.handle));
     if (!tool.isPlugged)
         return out + "UNOCCUPIED\n";
+    const auto pose = statedPose(tool, asked);
     if ((asked & kAsksPoses) != 0)
-        out += (tool.pose ? textPose(*tool.pose) : "MISSING")
-               + written("%08X%08X", tool.status, unsigned(frame));
+        out += (pose ? textPose(*pose) : "MISSING")
+               + written("%08X%08X", portStatus(tool), unsigned(frame));
     if ((asked & kAsksMarkers) != 0)
         out += written("%02X", toolBits(tool)) + std::string(kMarkers - 2, '0')
                + written("%02X", lastMarkers(tool));
@@ -122,9 +146,10 @@ std::string binaryTool(const PolarisExposure::Tool& tool, unsigned asked, std::u
     const std::string handle = little(std::uint64_t(tool.handle), 1);
     if (!tool.isPlugged)
         return handle + little(4, 1); // disabled
-    std::string out = handle + little(tool.pose ? 1 : 2, 1);
+    const auto pose = statedPose(tool, asked);
+    std::string out = handle + little(pose ? 1 : 2, 1);
     if ((asked & kAsksPoses) != 0)
-        out += (tool.pose ? realPose(*tool.pose) : std::string{}) + little(tool.status, 4)
+        out += (pose ? realPose(*pose) : std::string{}) + little(portStatus(tool), 4)
                + little(frame, 4);
     if ((asked & kAsksMarkers) != 0)
         out += little(toolBits(tool), 1) + std::string(kMarkers / 2 - 1, '\0')

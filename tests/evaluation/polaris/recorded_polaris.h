@@ -33,13 +33,21 @@ inline unsigned digitsOf(const std::string& text)
 
 /// What a recorded reply to TX or BX has apart from its poses.
 struct PoseShape {
-    std::vector<bool> isSeen; ///< of each tool
+    std::vector<bool> isSeen;         ///< of each tool
+    std::vector<PolarisPlace> places; ///< likewise
     std::size_t strays = 0;
     std::string text; ///< all but poses, frame numbers, states of markers and checksums
 };
 
-/// The reply to TX with options. A port's status is told without "out of the volume", which is of
-/// the pose.
+/// By the status of its port: 40 outside, 80 partly.
+inline PolarisPlace placeOf(unsigned status)
+{
+    if ((status & 0x40U) != 0)
+        return PolarisPlace::Outside;
+    return (status & 0x80U) != 0 ? PolarisPlace::PartlyOut : PolarisPlace::Inside;
+}
+
+/// The reply to TX with options.
 inline PoseShape shapeOfText(unsigned options, const std::string& reply)
 {
     PoseShape shape;
@@ -61,7 +69,7 @@ inline PoseShape shapeOfText(unsigned options, const std::string& reply)
             take(isSeen ? 51 : 7);
             shape.isSeen.push_back(isSeen);
             shape.text += isSeen ? "pose " : "missing ";
-            shape.text += std::to_string(digitsOf(take(8)) & ~0xC0U) + ' ';
+            shape.places.push_back(placeOf(digitsOf(keep(8))));
             take(8); // frame
         }
         take((options & 0x0002U) != 0 ? 22 : 0);
@@ -106,8 +114,7 @@ inline PoseShape shapeOfBinary(unsigned options, const std::string& reply)
         shape.isSeen.push_back(state == 1);
         if ((options & 0x0001U) != 0) {
             take(state == 1 ? 32 : 0);
-            const std::string status = take(4);
-            shape.text += std::to_string(static_cast<unsigned char>(status[0]) & ~0xC0U) + ' ';
+            shape.places.push_back(placeOf(keep(4)));
             take(4); // frame
         }
         take((options & 0x0002U) != 0 ? 11 : 0);

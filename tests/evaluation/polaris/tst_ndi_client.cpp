@@ -482,17 +482,24 @@ private Q_SLOTS:
     {
         QTest::addColumn<int>("poses");
         QTest::addColumn<int>("loss");
+        QTest::addColumn<int>("place");
         QTest::addColumn<int>("sight");
         const std::vector<std::pair<const char*, NdiPoseReply>> replies{
             {"TX", NdiPoseReply::Tx}, {"BX", NdiPoseReply::Bx}, {"BX2", NdiPoseReply::Bx2}};
         for (const auto& [name, poses] : replies) {
             const auto row = [&, name = name, poses = poses](const char* what, PolarisLoss loss,
-                                                             NdiSight sight) {
-                QTest::addRow("%s, %s", name, what) << int(poses) << int(loss) << int(sight);
+                                                             PolarisPlace place, NdiSight sight) {
+                QTest::addRow("%s, %s", name, what)
+                    << int(poses) << int(loss) << int(place) << int(sight);
             };
-            row("hidden", PolarisLoss::Hidden, NdiSight::Missing);
-            row("few markers", PolarisLoss::FewMarkers, NdiSight::TooFewMarkers);
-            row("bad fit", PolarisLoss::BadFit, NdiSight::BadFit);
+            const auto inside = PolarisPlace::Inside;
+            row("hidden", PolarisLoss::Hidden, inside, NdiSight::Missing);
+            row("few markers", PolarisLoss::FewMarkers, inside, NdiSight::TooFewMarkers);
+            row("bad fit", PolarisLoss::BadFit, inside, NdiSight::BadFit);
+            row("out of the volume", PolarisLoss::Hidden, PolarisPlace::Outside,
+                NdiSight::OutOfVolume);
+            row("hidden, partly out of the volume", PolarisLoss::Hidden, PolarisPlace::PartlyOut,
+                NdiSight::Missing);
         }
     }
 
@@ -500,17 +507,54 @@ private Q_SLOTS:
     {
         QFETCH(const int, poses);
         QFETCH(const int, loss);
+        QFETCH(const int, place);
         QFETCH(const int, sight);
         Line line{threeTools(NdiPoseReply(poses), 115200), {}};
         line.start();
         static_cast<void>(line.run(5s));
         line.device().faults().losses["tube"] = PolarisLoss(loss);
+        line.device().faults().places["tube"] = PolarisPlace(place);
         const auto measured = line.run(1s);
         QVERIFY(measured.size() > 35);
         QCOMPARE(int(measured.back().tools[1]->sight), sight);
         QVERIFY(!measured.back().tools[1]->X_TO);
         QVERIFY(measured.back().tools[0]->X_TO);
-        line.device().faults().losses.clear();
+        line.device().faults() = {};
+        QCOMPARE(line.run(1s).back().tools[1]->sight, NdiSight::Tracked);
+    }
+
+    void aPoseOutOfTheVolumeIsTakenWithCare_data()
+    {
+        QTest::addColumn<int>("poses");
+        QTest::addColumn<int>("place");
+        QTest::addColumn<int>("sight");
+        const std::vector<std::pair<const char*, NdiPoseReply>> replies{
+            {"TX", NdiPoseReply::Tx}, {"BX", NdiPoseReply::Bx}, {"BX2", NdiPoseReply::Bx2}};
+        for (const auto& [name, poses] : replies) {
+            QTest::addRow("%s, out of it", name)
+                << int(poses) << int(PolarisPlace::Outside) << int(NdiSight::OutOfVolume);
+            QTest::addRow("%s, partly", name)
+                << int(poses) << int(PolarisPlace::PartlyOut) << int(NdiSight::PartlyOutOfVolume);
+        }
+    }
+
+    void aPoseOutOfTheVolumeIsTakenWithCare()
+    {
+        QFETCH(const int, poses);
+        QFETCH(const int, place);
+        QFETCH(const int, sight);
+        Line line{threeTools(NdiPoseReply(poses), 115200), {}};
+        line.start();
+        static_cast<void>(line.run(5s));
+        line.device().faults().places["tube"] = PolarisPlace(place);
+        const auto measured = line.run(1s);
+        QVERIFY(measured.size() > 35);
+        const auto& tube = measured.back().tools[1];
+        QCOMPARE(int(tube->sight), sight);
+        QVERIFY(tube->X_TO);
+        QCOMPARE(validityOf(*tube), Validity::PartlyOccluded);
+        QCOMPARE(measured.back().tools[0]->sight, NdiSight::Tracked);
+        line.device().faults().places.clear();
         QCOMPARE(line.run(1s).back().tools[1]->sight, NdiSight::Tracked);
     }
 

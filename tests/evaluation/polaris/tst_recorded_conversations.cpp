@@ -26,6 +26,7 @@ public:
         m_now += 100ms;
         m_seen = seen;
         m_asked = 0;
+        putTools();
         const std::string bytes = command + '\r';
         const auto replies = m_device.take(std::as_bytes(std::span{bytes}), m_device.rate(), m_now);
         return replies.size() == 1 ? replies[0].bytes : std::string{};
@@ -39,6 +40,14 @@ private:
             return std::vector<Vec3>(m_seen.strays, Vec3::Zero());
         };
         return settings;
+    }
+    /// Where the recorded one said that they are.
+    void putTools()
+    {
+        auto place = m_seen.places.begin();
+        for (const auto& [handle, port] : m_device.ports().all())
+            if (port.isEnabled && place != m_seen.places.end())
+                m_device.faults().places[port.tool] = *place++;
     }
     /// It is asked for in the order of the handles.
     [[nodiscard]] std::optional<PolarisPose> poseOfNext()

@@ -1,20 +1,15 @@
 #include "apps/lab/command/patient_options.h"
 #include "apps/lab/commands.h"
-#include "apps/lab/tracking/simulated_tools.h"
-#include "engine/anatomy/patient/builtin_patient.h"
+#include "apps/lab/tracking/polaris_sight.h"
 #include "engine/core/monotonic_clock.h"
 #include "engine/io/files/whole_file.h"
 #include "engine/net/devices/any_recording.h"
-#include "engine/session/simulated_station.h"
-#include "engine/tracking/record/recorded_tracker.h"
 #include "evaluation/polaris/polaris_line.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <functional>
-#include <memory>
 #include <random>
 #include <utility>
 
@@ -32,6 +27,8 @@ enum class Fault : std::uint8_t {
     Interference,
     BadFit,
     FewMarkers,
+    OutOfVolume,
+    PartlyOutOfVolume,
     Unplug,
     WrongRate
 };
@@ -40,39 +37,36 @@ struct NamedFault {
     std::string_view name;
     Fault fault;
 };
-constexpr std::array kFaults{
-    NamedFault{"none", Fault::None},      NamedFault{"corrupt", Fault::Corrupt},
-    NamedFault{"cut", Fault::Cut},        NamedFault{"silence", Fault::Silence},
-    NamedFault{"reset", Fault::Reset},    NamedFault{"interference", Fault::Interference},
-    NamedFault{"bad-fit", Fault::BadFit}, NamedFault{"few-markers", Fault::FewMarkers},
-    NamedFault{"unplug", Fault::Unplug},  NamedFault{"wrong-rate", Fault::WrongRate}};
+constexpr std::array kFaults{NamedFault{"none", Fault::None},
+                             NamedFault{"corrupt", Fault::Corrupt},
+                             NamedFault{"cut", Fault::Cut},
+                             NamedFault{"silence", Fault::Silence},
+                             NamedFault{"reset", Fault::Reset},
+                             NamedFault{"interference", Fault::Interference},
+                             NamedFault{"bad-fit", Fault::BadFit},
+                             NamedFault{"few-markers", Fault::FewMarkers},
+                             NamedFault{"out-of-volume", Fault::OutOfVolume},
+                             NamedFault{"partly-out-of-volume", Fault::PartlyOutOfVolume},
+                             NamedFault{"unplug", Fault::Unplug},
+                             NamedFault{"wrong-rate", Fault::WrongRate}};
 constexpr Duration kFaultEvery = std::chrono::seconds{5};
 constexpr Duration kFaultLasts = std::chrono::seconds{1}; // one that is not of one reply
-const std::string kWiredTool = "wired 1";                 // the device's name of the only one
-constexpr std::size_t kMostTools = 9;
-constexpr std::size_t kLongestName = 20;                    // of a part number
-constexpr Duration kStale = std::chrono::milliseconds{200}; // a recorded pose; then none is stated
-
-using NamedTool = std::pair<std::string, ToolRole>;
-const std::vector<NamedTool> kScriptedTools{{"head", ToolRole::Head},
-                                            {"jaw", ToolRole::Jaw},
-                                            {"tube", ToolRole::Tube},
-                                            {"stylus", ToolRole::Stylus}};
-
-/// The pose of a tool of a list; nothing while it is not seen.
-using SeenPose = std::function<std::optional<PolarisPose>(std::size_t tool, LocalTime t)>;
 
 namespace polaris_option
 {
 constexpr Option kTcp{"tcp", "PORT", "at this port of the loopback address instead of a terminal"};
 constexpr Option kSeconds{"seconds", "N", "how long it serves, 1 to 86400 (60)"};
 constexpr Option kNoise{"noise-mm", "MM",
-                        "standard deviation of a position along each axis, 0 to "
-                        "10 (0)"};
+                        "that is added to each position: its standard deviation along each axis, "
+                        "0 to 10 (0)"};
 constexpr Option kRecording{"recording", "FILE",
                             "of a tracker, in any form that --tracker recorded:FILE plays: its "
                             "tools, at most nine, are seen in place of scripted hands, again and "
                             "again"};
+constexpr Option kTool{"tool", "TOOL=FILE",
+                       "one of the tools has the markers of this .rom file, and what else the "
+                       "file says of it; several, separated by commas. A tool of scripted hands "
+                       "is seen while as many of its markers face the device as the file asks"};
 constexpr Option kHide{"hide", "TOOL",
                        "head, jaw, tube or stylus, or one of the recording: is not seen"};
 constexpr Option kWired{"wired", "TOOL",
@@ -82,8 +76,9 @@ constexpr Option kOld{"old", "",
 constexpr Option kFault{"fault", "KIND",
                         "every 5 s: corrupt a bit of a reply, cut a reply, silence for 1 s, "
                         "reset as after the power was cycled, interference by other infrared "
-                        "light for 1 s, bad-fit or few-markers of the tube, or of the first tool "
-                        "of a recording without one, for 1 s, unplug of the wired tool for 1 s, "
+                        "light for 1 s, bad-fit, few-markers, out-of-volume or "
+                        "partly-out-of-volume of the tube, or of the first tool of a recording "
+                        "without one, for 1 s, unplug of the wired tool for 1 s, "
                         "wrong-rate of its line, which is 9600 again; none unless given"};
 } // namespace polaris_option
 
@@ -100,7 +95,7 @@ constexpr Key kSchema{"schema", "carina.polaris/1"};
 
 /// What is wanted of the device.
 struct SimulationOrder {
-    std::vector<NamedTool> tools;
+    PolarisTools tools;
     std::int64_t seconds = 0;
     std::optional<std::uint16_t> port{}; ///< of TCP; else a terminal
     double noise_mm = 0.0;
@@ -112,8 +107,9 @@ struct SimulationOrder {
     /// The tool of which poses are faulty, as the device names it: the tube, or the first tool.
     [[nodiscard]] std::string faulty() const
     {
-        const auto tube = std::ranges::find(tools, ToolRole::Tube, &NamedTool::second);
-        const std::string& name = (tube == tools.end() ? tools.front() : *tube).first;
+        const auto& all = tools.described;
+        const auto tube = std::ranges::find(all, ToolRole::Tube, &DescribedTool::role);
+        const std::string& name = (tube == all.end() ? all.front() : *tube).name;
         return name == wired ? kWiredTool : name;
     }
 };
@@ -123,15 +119,12 @@ struct SimulationOrder {
 Result<void> writeDescription(const std::filesystem::path& folder, const std::string& address,
                               const SimulationOrder& order)
 {
-    auto tools = simulatedTools(order.tools);
-    if (!tools)
-        return tl::unexpected(tools.error());
-    for (DescribedTool& tool : *tools)
+    std::vector<DescribedTool> tools = order.tools.described;
+    for (DescribedTool& tool : tools)
         if (tool.name == order.wired)
             tool.definition.reset();
-    return writeTrackerFile(
-        folder / "tracker.json",
-        {.address = address, .fastestRate = 115200, .tools = *std::move(tools)});
+    return writeTrackerFile(folder / "tracker.json",
+                            {.address = address, .fastestRate = 115200, .tools = std::move(tools)});
 }
 
 /// What the device states of what it sees.
@@ -140,10 +133,11 @@ PolarisDevice::PoseOf statedPoses(const SimulationOrder& order, SeenPose poseOf)
     return [order, poseOf = std::move(poseOf), random = std::mt19937{7}](
                const std::string& handle, LocalTime t) mutable -> std::optional<PolarisPose> {
         const std::string& name = handle == kWiredTool ? order.wired : handle;
-        const auto tool = std::ranges::find(order.tools, name, &NamedTool::first);
-        if (tool == order.tools.end() || name == order.hidden)
+        const auto& tools = order.tools.described;
+        const auto tool = std::ranges::find(tools, name, &DescribedTool::name);
+        if (tool == tools.end() || name == order.hidden)
             return std::nullopt;
-        auto pose = poseOf(std::size_t(tool - order.tools.begin()), t);
+        auto pose = poseOf(std::size_t(tool - tools.begin()), t);
         if (!pose)
             return std::nullopt;
         std::normal_distribution<double> noise;
@@ -189,6 +183,10 @@ public:
             faults.losses[m_faultyTool] = PolarisLoss::BadFit;
         if (m_fault == Fault::FewMarkers)
             faults.losses[m_faultyTool] = PolarisLoss::FewMarkers;
+        if (m_fault == Fault::OutOfVolume)
+            faults.places[m_faultyTool] = PolarisPlace::Outside;
+        if (m_fault == Fault::PartlyOutOfVolume)
+            faults.places[m_faultyTool] = PolarisPlace::PartlyOut;
         if (m_fault == Fault::Unplug)
             m_device.ports().unplug(1);
         if (m_fault != Fault::Corrupt && m_fault != Fault::Cut)
@@ -208,25 +206,25 @@ private:
 
 /// A tool's name, as an option has it; empty where it is not given.
 Result<std::string> toolOption(const Words& words, const Option& option,
-                               const std::vector<NamedTool>& tools)
+                               const std::vector<DescribedTool>& tools)
 {
     const std::string name = words.text(option).toStdString();
-    if (name.empty() || std::ranges::count(tools, name, &NamedTool::first) != 0)
+    if (name.empty() || std::ranges::count(tools, name, &DescribedTool::name) != 0)
         return name;
     QStringList names;
-    for (const NamedTool& tool : tools)
-        names << QString::fromStdString(tool.first);
+    for (const DescribedTool& tool : tools)
+        names << QString::fromStdString(tool.name);
     return words.unknownWord(option, names);
 }
 
-Result<SimulationOrder> orderOf(const Words& words, std::vector<NamedTool> tools)
+Result<SimulationOrder> orderOf(const Words& words, PolarisTools tools)
 {
     const auto seconds = words.whole(polaris_option::kSeconds, 1, 86400, 60);
     const auto port = words.whole(polaris_option::kTcp, 1, 65535, 0);
     const auto noise = words.number(polaris_option::kNoise, 0.0, 10.0, 0.0);
     const auto fault = words.word(polaris_option::kFault, kFaults, &NamedFault::fault);
-    const auto hidden = toolOption(words, polaris_option::kHide, tools);
-    const auto wired = toolOption(words, polaris_option::kWired, tools);
+    const auto hidden = toolOption(words, polaris_option::kHide, tools.described);
+    const auto wired = toolOption(words, polaris_option::kWired, tools.described);
     if (!seconds || !port || !noise)
         return tl::unexpected(!seconds ? seconds.error() : !port ? port.error() : noise.error());
     if (!fault || !hidden || !wired)
@@ -249,76 +247,16 @@ Result<SimulationOrder> orderOf(const Words& words, std::vector<NamedTool> tools
     return order;
 }
 
-/// Scripted hands at a patient's manikin see kScriptedTools.
-Result<SeenPose> scriptedHands(const Words& words)
+/// What the device has, and what is before it.
+PolarisDevice::Settings settingsOf(const SimulationOrder& order)
 {
-    const auto parameters = patientOption(words, BuiltinPatient::TwelveYears);
-    if (!parameters)
-        return tl::unexpected(parameters.error());
-    const auto dimensions = dimensionsFor(*parameters);
-    if (!dimensions)
-        return tl::unexpected(dimensions.error());
-    const auto patient = patientFor(*parameters);
-    if (!patient)
-        return tl::unexpected(patient.error());
-    const AirwayLandmarks& airway = patient->landmarks;
-    const auto tube = makeTube(dimensions->tubeInnerDiameter, airway.path_A, airway.p_A_incisors);
-    if (!tube)
-        return tl::unexpected(tube.error());
-    auto station = simulatedStation(airway, *tube, [] { return std::optional<SessionTime>{}; });
-    if (!station)
-        return tl::unexpected(station.error());
-    return [truth = std::move(station->truth)](std::size_t tool,
-                                               LocalTime t) -> std::optional<PolarisPose> {
-        const auto X_TO = truth(kScriptedTools[tool].second, SessionTime{t.time_since_epoch()});
-        if (!X_TO)
-            return std::nullopt;
-        return PolarisPose{X_TO->rotation(), 1e3 * X_TO->translation()};
-    };
-}
-
-/// kWiredTool would be taken for the wired one.
-bool canBePartNumber(const std::string& name)
-{
-    return !name.empty() && name != kWiredTool && name.size() <= kLongestName
-           && std::ranges::all_of(name, [](char each) { return each >= ' ' && each <= '~'; });
-}
-
-/// The tools of a recording as a device can have them: no role twice.
-Result<std::vector<NamedTool>> toolsOf(const Words& words, const TrackerSequence& sequence)
-{
-    if (sequence.tools.empty() || sequence.tools.size() > kMostTools)
-        return words.refuse(QStringLiteral("sees one to nine tools, and the recording has %1.")
-                                .arg(sequence.tools.size()));
-    std::vector<NamedTool> tools;
-    for (const RecordedTool& tool : sequence.tools) {
-        if (!canBePartNumber(tool.name)
-            || std::ranges::count(tools, tool.name, &NamedTool::first) != 0)
-            return words.refuse(QStringLiteral("needs a name of its own for each tool, of at most "
-                                               "20 plain characters, not '%1'.")
-                                    .arg(QString::fromStdString(tool.name)));
-        const bool isTaken = std::ranges::count(tools, tool.role, &NamedTool::second) != 0;
-        tools.emplace_back(tool.name, isTaken ? ToolRole::Other : tool.role);
+    PolarisDevice::Settings settings{
+        .hasRate = !order.port, .hasBinary = !order.isOld, .tools = order.tools.known};
+    if (const auto wired = settings.tools.find(order.wired); wired != settings.tools.end()) {
+        settings.wired = {pluggedTool(wired->second)};
+        settings.tools.erase(wired);
     }
-    return tools;
-}
-
-/// A recording that is played again and again.
-SeenPose recordedPoses(const TrackerSequence& sequence)
-{
-    // Shared by the copies of the function, however many are made.
-    const auto played = std::make_shared<RecordedTracker>(
-        sequence, [] { return std::optional<SessionTime>{}; }, Playing::Looped);
-    return [played, tools = played->tools()](std::size_t tool,
-                                             LocalTime t) -> std::optional<PolarisPose> {
-        const SessionTime now{t.time_since_epoch()};
-        static_cast<void>(played->advance(now));
-        const auto newest = tools[tool].history->newest();
-        if (!newest || newest->validity == Validity::Lost || now - newest->time > kStale)
-            return std::nullopt;
-        return PolarisPose{newest->X_FO.rotation(), 1e3 * newest->X_FO.translation(),
-                           1e3 * newest->error};
-    };
+    return settings;
 }
 
 Result<QJsonObject> serve(const std::filesystem::path& folder, const SimulationOrder& order,
@@ -332,10 +270,7 @@ Result<QJsonObject> serve(const std::filesystem::path& folder, const SimulationO
         order.port ? "127.0.0.1:" + std::to_string(*order.port) : link.string();
     if (const auto wrote = writeDescription(folder, address, order); !wrote)
         return tl::unexpected(wrote.error());
-    PolarisDevice device{{.wired = std::vector<PluggedTool>(order.wired.empty() ? 0 : 1),
-                          .hasRate = !order.port,
-                          .hasBinary = !order.isOld},
-                         statedPoses(order, std::move(poseOf))};
+    PolarisDevice device{settingsOf(order), statedPoses(order, std::move(poseOf))};
     const LocalTime begin = monotonicNow();
     FaultMaker faults{device, order.fault, order.faulty(), begin};
     const LocalTime end = begin + std::chrono::seconds{order.seconds};
@@ -365,16 +300,20 @@ Result<QJsonObject> simulate(const Words& words)
                    : Result<TrackerSequence>{};
     if (!recording)
         return tl::unexpected(recording.error());
-    const auto tools =
-        isRecorded ? toolsOf(words, *recording) : Result<std::vector<NamedTool>>{kScriptedTools};
+    const auto named =
+        isRecorded ? toolsOf(words, *recording) : Result<std::vector<NamedTool>>{scriptedTools()};
+    if (!named)
+        return tl::unexpected(named.error());
+    auto tools = polarisTools(words, *named, words.text(polaris_option::kTool));
     if (!tools)
         return tl::unexpected(tools.error());
-    const auto order = orderOf(words, *tools);
+    const auto order = orderOf(words, *std::move(tools));
     if (!order)
         return tl::unexpected(order.error());
     if (const auto opened = openFolder(folder); !opened)
         return tl::unexpected(opened.error());
-    auto poseOf = isRecorded ? Result<SeenPose>{recordedPoses(*recording)} : scriptedHands(words);
+    auto poseOf = isRecorded ? Result<SeenPose>{recordedSight(*recording)}
+                             : scriptedSight(words, order->tools);
     if (!poseOf)
         return tl::unexpected(poseOf.error());
     return serve(folder, *order, *std::move(poseOf));
@@ -390,16 +329,18 @@ Command polarisCommand()
         .summary = "serves a Polaris without hardware",
         .uses = {{.lines = {"DIR [--patient WHO | --recording FILE]",
                             "DIR [--tcp PORT] [--seconds N] [--noise-mm MM]",
-                            "DIR [--hide TOOL] [--wired TOOL] [--old]", "DIR [--fault KIND]"},
-                  .text = "Serves a simulated Polaris that sees scripted hands at the "
-                          "patient's manikin, or the tools of a recording, at a pseudo-terminal "
-                          "whose rate paces its replies, or at a TCP port. DIR/tracker.json, "
+                            "DIR [--tool TOOL=FILE] [--hide TOOL] [--wired TOOL] [--old]",
+                            "DIR [--fault KIND]"},
+                  .text = "Serves a simulated Polaris that states what the simulated tracker "
+                          "measures of scripted hands at the patient's manikin, or the tools of a "
+                          "recording, at a pseudo-terminal whose rate paces its replies, or at a "
+                          "TCP port. DIR/tracker.json, "
                           "which is written with the definitions of its tools, is for --tracker "
                           "of carina-trainee and carina-registration.",
                   .options = {kPatient, polaris_option::kRecording, polaris_option::kTcp,
                               polaris_option::kSeconds, polaris_option::kNoise,
-                              polaris_option::kHide, polaris_option::kWired, polaris_option::kOld,
-                              polaris_option::kFault},
+                              polaris_option::kTool, polaris_option::kHide, polaris_option::kWired,
+                              polaris_option::kOld, polaris_option::kFault},
                   .schema = polaris_key::kSchema,
                   .keys = {polaris_key::kFolder, polaris_key::kServed, polaris_key::kReceived,
                            polaris_key::kReplies, polaris_key::kSent, polaris_key::kFaultsMade}}},

@@ -89,6 +89,35 @@ private Q_SLOTS:
         QCOMPARE((*tracker)->trouble(), std::string{});
     }
 
+    /// The fault comes after five seconds.
+    void aToolIsOutOfTheVolumeForAWhile()
+    {
+        const Served served{{QStringLiteral("--seconds"), QStringLiteral("8"),
+                             QStringLiteral("--fault"), QStringLiteral("out-of-volume")}};
+        QVERIFY(test::soon([&] { return std::filesystem::exists(served.description()); }, 60s));
+        const auto description = readTrackerFile(served.description());
+        QVERIFY2(description, description ? "" : description.error().detail.c_str());
+        const auto tracker = DeviceTracker::make(*description, [] {
+            return std::optional{SessionTime{monotonicNow().time_since_epoch()}};
+        });
+        QVERIFY(tracker && (*tracker)->start());
+        const auto tools = (*tracker)->tools();
+        const auto tube = std::size_t(
+            std::ranges::find(tools, std::string{"tube"}, &TrackedTool::name) - tools.begin());
+        const auto isSeen = [&](Validity validity) {
+            const auto newest = tools[tube].history->newest();
+            return newest && newest->validity == validity;
+        };
+        QVERIFY(test::soon([&] { return isSeen(Validity::Tracked); }, 20s));
+        QVERIFY(test::soon(
+            [&] {
+                return (*tracker)->sightOf(tube) == ToolSight::OutOfVolume
+                       && isSeen(Validity::PartlyOccluded);
+            },
+            20s));
+        QVERIFY(test::soon([&] { return isSeen(Validity::Tracked); }, 20s));
+    }
+
     void showsTheToolsOfARecording()
     {
         const Vec3 p_TE{0.1, -0.2, -1.5};
@@ -137,6 +166,7 @@ private Q_SLOTS:
              {QStringList{},
               {folder.path(), QStringLiteral("--wired"), QStringLiteral("bougie")},
               {folder.path(), QStringLiteral("--hide"), QStringLiteral("bougie")},
+              {folder.path(), QStringLiteral("--tool"), QStringLiteral("bougie=bougie.rom")},
               {folder.path(), QStringLiteral("--fault"), QStringLiteral("unplug")},
               {folder.path(), QStringLiteral("--fault"), QStringLiteral("wrong-rate"),
                QStringLiteral("--tcp"), QStringLiteral("1")},

@@ -170,6 +170,17 @@ class Layers(Tree):
     def test_refuses_a_folder_without_a_row(self):
         self.one_fault("widgets/x.h", "#include <vector>\n", "no row")
 
+    def test_the_simulated_polaris_shares_no_code_with_the_client(self):
+        """By the table of the project itself."""
+        project = pathlib.Path(layers.__file__).resolve().parents[2]
+        rows = layers.rows_of((project / layers.TABLE).read_text(encoding="utf-8"))
+        row = layers.row_of("evaluation/polaris/polaris_device.cpp", rows)
+        self.assertEqual(row.folders, {"engine/core", "engine/geometry"})
+        client = "engine/tracking/ndi/ndi_client.h"
+        self.write(client, "")
+        fault = layers.fault_of_include(self.root, row, '"', client, rows, {})
+        self.assertIn("is in engine/tracking", fault)
+
     def test_refuses_a_missing_table(self):
         self.one_fault("docs/architecture.md", "# Architecture\n", "no table")
 

@@ -16,9 +16,10 @@ class Words;
 /// An option of a command, declared once: the parser, the help and the code that asks for its value
 /// all take this.
 struct Option {
-    const char* name;  ///< without its dashes: "fle"
-    const char* value; ///< what the help calls its value, with the unit: "MM"; "" for a switch
-    const char* help;  ///< what it is for, its bounds, and what holds where it is not given
+    const char* name;     ///< without its dashes: "fle"
+    const char* value;    ///< what the help calls its value, with the unit: "MM"; "" for a switch
+    const char* help;     ///< what it is for, its bounds, and what holds where it is not given
+    bool repeats = false; ///< it may be given several times
 };
 
 /// A key of the object that a command prints, declared once: it stands in the help, and where the

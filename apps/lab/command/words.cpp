@@ -13,6 +13,15 @@ QString asTyped(const QString& option)
     return (option.size() == 1 ? QStringLiteral("-") : QStringLiteral("--")) + option;
 }
 
+bool mayRepeat(const Command& command, const QString& name)
+{
+    for (const Use& use : command.uses)
+        for (const Option& option : use.options)
+            if (nameOf(option) == name)
+                return option.repeats;
+    return false;
+}
+
 } // namespace
 
 Words::Words(const Command& command)
@@ -41,12 +50,14 @@ Result<Words> Words::read(const Command& command, const QStringList& arguments)
             (words.m_command + QStringLiteral(": ") + words.m_parser->errorText()).toStdString());
     const QStringList given = words.m_parser->optionNames();
     for (const QString& option : given) {
-        if (given.count(option) > 1)
+        if (given.count(option) > 1 && !mayRepeat(command, option))
             return words.refuse(QStringLiteral("has %1 twice.").arg(asTyped(option)));
         // The parser takes whatever comes next; a value may begin with one dash, as -5 does.
-        if (words.m_parser->value(option).startsWith(QStringLiteral("--")))
-            return words.refuse(QStringLiteral("needs a value for %1, not %2.")
-                                    .arg(asTyped(option), words.m_parser->value(option)));
+        const QStringList values = words.m_parser->values(option);
+        for (const QString& value : values)
+            if (value.startsWith(QStringLiteral("--")))
+                return words.refuse(
+                    QStringLiteral("needs a value for %1, not %2.").arg(asTyped(option), value));
     }
     if (words.files().size() > command.mostFiles)
         return words.refuse(
@@ -57,6 +68,8 @@ Result<Words> Words::read(const Command& command, const QStringList& arguments)
 bool Words::has(const Option& option) const { return m_parser->isSet(nameOf(option)); }
 
 QString Words::text(const Option& option) const { return m_parser->value(nameOf(option)); }
+
+QStringList Words::texts(const Option& option) const { return m_parser->values(nameOf(option)); }
 
 QStringList Words::files() const { return m_parser->positionalArguments(); }
 

@@ -17,14 +17,16 @@ namespace carina::lab
 class Words
 {
 public:
-    /// @returns WrongOption for an option that is not declared or given twice, a value that is
-    ///          missing or one too many, or more files than the command takes; the sentence names
-    ///          it.
+    /// @returns WrongOption for an option that is not declared, or given twice where it does not
+    ///          repeat, a value that is missing or one too many, or more files than the command
+    ///          takes; the sentence names it.
     [[nodiscard]] static Result<Words> read(const Command& command, const QStringList& arguments);
 
     [[nodiscard]] bool has(const Option& option) const;
     /// What was given for an option; empty where nothing was.
     [[nodiscard]] QString text(const Option& option) const;
+    /// What was given for an option that repeats, in that order.
+    [[nodiscard]] QStringList texts(const Option& option) const;
     /// The words that are neither options nor their values.
     [[nodiscard]] QStringList files() const;
 

@@ -17,6 +17,7 @@ int runs = 0;
 
 constexpr Option kLimit{"limit", "MM", "how far at most, in mm (3)"};
 constexpr Option kRaw{"raw", "", "leaves everything as it is"};
+constexpr Option kEach{"each", "WORD", "given several times", true};
 constexpr Key kSchema{"schema", "carina.warn/1"};
 constexpr Key kCount{"count", "how many"};
 
@@ -42,6 +43,12 @@ Result<QJsonObject> count(const Words& words)
     return QJsonObject{{kCount, *limit}, {kSchema, qint64(*whole)}};
 }
 
+/// Prints the words in the order in which they were given.
+Result<QJsonObject> list(const Words& words)
+{
+    return QJsonObject{{kCount, QJsonArray::fromStringList(words.texts(kEach))}};
+}
+
 const std::array kCommands{
     Command{.name = "warn",
             .theme = "words",
@@ -60,7 +67,12 @@ const std::array kCommands{
             .uses = {{.lines = {"[FILE]"}, .text = "", .options = {kLimit, kRaw}}},
             .mostFiles = 1,
             .reminder = "Look at the help.",
-            .experiment = count}};
+            .experiment = count},
+    Command{.name = "list",
+            .theme = "",
+            .summary = "",
+            .uses = {{.lines = {"--each WORD"}, .text = "", .options = {kRaw, kEach}}},
+            .experiment = list}};
 
 int status(const QStringList& words)
 {
@@ -145,6 +157,18 @@ private Q_SLOTS:
                  QStringLiteral("count has --limit twice. Look at the help."));
         QCOMPARE(refusalOf({limit, QStringLiteral("--raw")}),
                  QStringLiteral("count needs a value for --limit, not --raw. Look at the help."));
+    }
+
+    void readsAnOptionThatRepeatsAsOftenAsItIsGiven()
+    {
+        const QString each = QStringLiteral("--each");
+        const auto listed = kCommands[3].run(
+            {each, QStringLiteral("b"), QStringLiteral("--raw"), each, QStringLiteral("-a")});
+        QVERIFY(listed);
+        QCOMPARE(listed->value(kCount).toArray(),
+                 (QJsonArray{QStringLiteral("b"), QStringLiteral("-a")}));
+        QVERIFY(!kCommands[3].run({each, QStringLiteral("b"), each, QStringLiteral("--raw")}));
+        QVERIFY(!kCommands[3].run({QStringLiteral("--raw"), QStringLiteral("--raw")}));
     }
 
     void readsNumbersWithinTheirBounds()

@@ -1,9 +1,11 @@
 // Any bytes in the place of a Polaris' replies, or of a recorded conversation with one: refused
-// with a reason, or read as poses that are proper, however they are cut.
+// with a reason, or read as poses that are proper, however they are cut. The first byte chooses
+// what reads them, the next two are the options of TX and BX.
 
 #include "engine/core/expects.h"
 #include "engine/tracking/ndi/ndi_conversation.h"
 #include "engine/tracking/ndi/ndi_reply.h"
+#include "tests/engine/tracking/ndi/ndi_samples.h"
 
 #include <cmath>
 #include <sstream>
@@ -12,6 +14,7 @@ namespace
 {
 
 using namespace carina;
+using Reader = test::NdiSample::Reader;
 
 void verify(const Result<NdiFrame>& frame, std::size_t bytes)
 {
@@ -51,21 +54,21 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         return 0;
     const auto options = static_cast<std::uint16_t>(data[1] | (data[2] << 8U));
     const std::string_view rest{reinterpret_cast<const char*>(data) + 3, size - 3};
-    switch (data[0] % 5) {
-    case 0:
+    switch (static_cast<Reader>(data[0] % 5)) {
+    case Reader::Tx:
         verify(decodeTx(rest, options), size);
         break;
-    case 1:
+    case Reader::Bx:
         verify(decodeBx(std::as_bytes(std::span{rest}), options), size);
         break;
-    case 2:
+    case Reader::Bx2:
         verify(decodeBx2(std::as_bytes(std::span{rest})), size);
         break;
-    case 3:
+    case Reader::Stream:
         CARINA_EXPECTS(rest.size() > kLongestNdiReply
                        || repliesIn(rest, rest.size()) == repliesIn(rest, 1 + options % 7U));
         break;
-    default:
+    case Reader::Recording:
         std::istringstream input{std::string{rest}};
         if (const auto recording = readNdiRecording(input, "fuzz"))
             for (const RecordedNdiFrame& recorded : decode(*recording).frames)

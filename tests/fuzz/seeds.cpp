@@ -18,6 +18,7 @@
 #include "tests/engine/net/anatomy_transfer/frame_samples.h"
 #include "tests/engine/sync/wire/datagram_samples.h"
 #include "tests/engine/tracking/igtl/igtl_samples.h"
+#include "tests/engine/tracking/ndi/ndi_samples.h"
 #include "tests/fuzz/set_under_seal.h"
 
 #include <QJsonDocument>
@@ -292,6 +293,18 @@ std::vector<std::string> igtl()
     return all;
 }
 
+/// In front of each three bytes, which say what reads it and with which options.
+std::vector<std::string> ndiReplies()
+{
+    std::vector<std::string> all;
+    for (const test::NdiSample& sample : test::ndiSamples())
+        all.push_back(std::string{static_cast<char>(sample.reader),
+                                  static_cast<char>(sample.options),
+                                  static_cast<char>(sample.options >> 8U)}
+                      + sample.bytes);
+    return all;
+}
+
 std::vector<std::string> sequences()
 {
     return {"ObjectType = Image\nNDims = 3\nDimSize = 0 0 2\n"
@@ -343,7 +356,7 @@ int main(int argc, char** argv)
         && areWritten(folder / "tracker", trackers()) && areWritten(folder / "camera", cameras())
         && areWritten(folder / "site", sites()) && areWritten(folder / "manikin", manikins())
         && areWritten(folder / "tum", trajectories()) && areWritten(folder / "plus", deviceSets())
-        && areWritten(folder / "record", poseRecords())
+        && areWritten(folder / "record", poseRecords()) && areWritten(folder / "ndi", ndiReplies())
         && areWritten(folder / "sequence", sequences())
         && areWritten(folder / "surfaces", surfaceAnswers())
         && areWritten(folder / "conversation", conversations());

@@ -7,6 +7,7 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 import format as format_lint
+import fuzzers
 import layers
 import links
 import number_boxes
@@ -130,6 +131,39 @@ class NumberBoxes(Tree):
 
     def test_refuses_a_box_of_designer(self):
         self.one_fault("ui/panel.ui", "carina::Checked", "Q")
+
+
+class Fuzzers(Tree):
+    def setUp(self):
+        super().setUp()
+        self.write("tests/fuzz/fuzz_ndi.cpp", "")
+        self.write("tests/fuzz/seeds.cpp", 'areWritten(folder / "ndi", ndi())')
+        self.line = "    build/fuzz/tests/fuzz/fuzz_ndi -runs=10000000 -max_len=9 build/fuzz/seeds/ndi\n"
+        self.write("CONTRIBUTING.md", "Give each 10,000,000 inputs:\n\n" + self.line)
+
+    def one_fault(self, path, text, words_of_it):
+        self.write(path, text)
+        faults = fuzzers.faults_of(self.root)
+        self.assertEqual(len(faults), 1, faults)
+        self.assertIn(words_of_it, faults[0])
+
+    def test_a_right_tree_has_no_fault(self):
+        self.assertEqual(fuzzers.faults_of(self.root), [])
+
+    def test_refuses_a_fuzzer_that_is_not_named(self):
+        self.one_fault("tests/fuzz/fuzz_tum.cpp", "", "fuzz_tum has no command")
+
+    def test_refuses_a_command_of_no_fuzzer(self):
+        self.one_fault("CONTRIBUTING.md", self.line + self.line.replace("ndi", "tum"), "no fuzz_tum")
+
+    def test_refuses_another_number_of_inputs(self):
+        self.one_fault("CONTRIBUTING.md", self.line.replace("10000000", "2000000"), "2000000")
+
+    def test_refuses_a_command_without_seeds(self):
+        self.one_fault("CONTRIBUTING.md", self.line.replace(" build/fuzz/seeds/ndi", ""), "seeds")
+
+    def test_refuses_seeds_that_nothing_writes(self):
+        self.one_fault("tests/fuzz/seeds.cpp", "", "seeds.cpp")
 
 
 class Layers(Tree):

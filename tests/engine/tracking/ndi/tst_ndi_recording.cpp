@@ -1,5 +1,7 @@
 #include "engine/tracking/ndi/ndi_conversation.h"
 
+#include "engine/tracking/ndi/ndi_reply.h"
+#include "tests/engine/tracking/ndi/ndi_samples.h"
 #include "tests/support/test_class.h"
 #include "tests/support/test_data.h"
 
@@ -51,6 +53,40 @@ std::vector<WrittenPose> posesWrittenIn(const QString& path)
     return poses;
 }
 
+/// Whether a recording is read, without a fault in it.
+bool isWhole(const std::string& recorded)
+{
+    const auto recording = read(recorded);
+    return recording && decode(*recording).replies > 0 && decode(*recording).refused.empty();
+}
+
+bool isWhole(const test::NdiSample& sample)
+{
+    using Reader = test::NdiSample::Reader;
+    const auto bytes = std::as_bytes(std::span{sample.bytes});
+    const auto tells = [](const Result<NdiFrame>& frame) {
+        return frame && !frame->refusedPose && frame->tools.size() + frame->p_TStrays.size() > 0;
+    };
+    switch (sample.reader) {
+    case Reader::Tx:
+        return tells(decodeTx(sample.bytes, sample.options));
+    case Reader::Bx:
+        return tells(decodeBx(bytes, sample.options));
+    case Reader::Bx2:
+        return tells(decodeBx2(bytes));
+    case Reader::Recording:
+        return isWhole(sample.bytes);
+    case Reader::Stream:
+        break;
+    }
+    NdiReplyReader reader;
+    reader.take(sample.bytes);
+    int replies = 0;
+    for (auto reply = reader.next(); reply && *reply; reply = reader.next())
+        ++replies;
+    return replies == 3 && reader.isEmpty();
+}
+
 } // namespace
 
 class NdiRecordingTest : public QObject
@@ -58,6 +94,14 @@ class NdiRecordingTest : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    /// What a fuzzer begins with is read to its end.
+    void theSamplesHaveNoFault()
+    {
+        const auto samples = test::ndiSamples();
+        for (std::size_t i = 0; i < samples.size(); ++i)
+            QVERIFY2(isWhole(samples[i]), qPrintable(QString::number(i)));
+    }
+
     void readsNumberedLines()
     {
         const auto recording = read("recv:0001 = RESETBE6F\n"

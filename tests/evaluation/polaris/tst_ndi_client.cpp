@@ -451,7 +451,7 @@ private Q_SLOTS:
         QCOMPARE(line.client().found()->pluggedIn, std::size_t{0});
         QCOMPARE(line.sent("TSTOP"), 0); // the others are not stopped for it
         const auto measured = line.run(1s);
-        QVERIFY(measured.size() >= 58);
+        QVERIFY(measured.size() >= 55);
         QCOMPARE(measured.back().tools[0]->sight, NdiSight::Unoccupied);
         QVERIFY(!measured.back().tools[1]);
         QVERIFY(measured.back().tools[2]->X_TO);

@@ -15,20 +15,46 @@ namespace
 /// Blade and jaw in one step. The incisors are 98 mm from the hinge: 20 degrees open them by 34 mm,
 /// within the mouth openings of adults (32 to 77 mm); the jaw comes forward as in a jaw thrust.
 struct StepFigures {
-    const char* name;
     Angle opening;
     Length forward;
-    double lift; ///< of the whole
+    double lift = 0.0; ///< of the whole
 };
-constexpr std::array kSteps{StepFigures{"teeth", degrees(16.0), millimetres(0.0), 0.0},
-                            StepFigures{"uvula", degrees(18.0), millimetres(0.0), 0.0},
-                            StepFigures{"epiglottis", degrees(20.0), millimetres(0.0), 0.0},
-                            StepFigures{"partial_view", degrees(20.0), millimetres(5.5), 0.7},
-                            StepFigures{"full_view", degrees(20.0), millimetres(8.0), 1.0}};
+struct NamedStep {
+    const char* name;
+    StepFigures figures;
+};
+constexpr std::array kSteps{NamedStep{"teeth", {degrees(16.0), millimetres(0.0), 0.0}},
+                            NamedStep{"uvula", {degrees(18.0), millimetres(0.0), 0.0}},
+                            NamedStep{"epiglottis", {degrees(20.0), millimetres(0.0), 0.0}},
+                            NamedStep{"partial_view", {degrees(20.0), millimetres(5.5), 0.7}},
+                            NamedStep{"full_view", {degrees(20.0), millimetres(8.0), 1.0}}};
 
-const StepFigures& stepFigures(LaryngoscopyStep step)
+const NamedStep& namedStep(LaryngoscopyStep step)
 {
     return kSteps.at(static_cast<std::size_t>(step));
+}
+
+/// Where a progress is: from one step a share of the way to another.
+struct BetweenSteps {
+    LaryngoscopyStep from;
+    LaryngoscopyStep to;
+    double share;
+};
+
+BetweenSteps betweenSteps(double progress)
+{
+    const double within = std::clamp(progress, 0.0, double(kSteps.size() - 1));
+    const double from = std::floor(within);
+    return {static_cast<LaryngoscopyStep>(from), static_cast<LaryngoscopyStep>(std::ceil(within)),
+            within - from};
+}
+
+StepFigures figuresAt(const BetweenSteps& at)
+{
+    const StepFigures& a = namedStep(at.from).figures;
+    const StepFigures& b = namedStep(at.to).figures;
+    return {a.opening + at.share * (b.opening - a.opening),
+            a.forward + at.share * (b.forward - a.forward), std::lerp(a.lift, b.lift, at.share)};
 }
 
 /// Midway between the condyles of the reference man, behind and above the edge of his upper
@@ -223,7 +249,7 @@ double liftedBy(const UpperAirway& moved, const Vec3& p_A_tip, const LarynxHinge
 
 } // namespace
 
-const char* stepName(LaryngoscopyStep step) { return stepFigures(step).name; }
+const char* stepName(LaryngoscopyStep step) { return namedStep(step).name; }
 
 BladeField bladeInTissue(const UpperAirway& moved, const Blade& blade, const RigidTransform& X_AL)
 {
@@ -237,14 +263,25 @@ BladeField bladeInTissue(const UpperAirway& moved, const Blade& blade, const Rig
 }
 
 LaryngoscopyPose laryngoscopyPose(const UpperAirway& airway, const ThroatField& throat,
-                                  const Blade& blade, LaryngoscopyStep step, Length lift)
+                                  const Blade& blade, LaryngoscopyStep step, Length lift,
+                                  const RigidTransform& held)
 {
-    const StepFigures& figures = stepFigures(step);
+    return laryngoscopyPose(airway, throat, blade, double(step), lift, held);
+}
+
+LaryngoscopyPose laryngoscopyPose(const UpperAirway& airway, const ThroatField& throat,
+                                  const Blade& blade, double progress, Length lift,
+                                  const RigidTransform& held)
+{
+    const BetweenSteps at = betweenSteps(progress);
+    const StepFigures figures = figuresAt(at);
     LaryngoscopyPose pose;
     pose.X_AJ = jawIn(airway, figures);
     pose.lift = figures.lift * lift;
-    const UpperAirway moved = followed(airway, {throat, pose.X_AJ});
-    const Vec3 p_A_tip = tipIn(step, moved, blade, lift) + pose.lift.si * liftDirection(moved);
+    const UpperAirway moved = followed(airway, {throat, pose.X_AJ * held.inverse()});
+    const Vec3 p_A_from = tipIn(at.from, moved, blade, lift);
+    const Vec3 p_A_placed = p_A_from + at.share * (tipIn(at.to, moved, blade, lift) - p_A_from);
+    const Vec3 p_A_tip = p_A_placed + pose.lift.si * liftDirection(moved);
     pose.X_AL = pastTeeth(blade.form, p_A_tip, airway.p_A_incisors);
     pose.field = bladeInTissue(moved, blade, pose.X_AL);
     return pose;

@@ -38,12 +38,21 @@ struct LaryngoscopyPose {
 /// opens as the blade goes in, and comes forward with the lift, which is to the front and to the
 /// feet alike, as a handle at 45 degrees is pulled.
 ///
-/// @param throat by which the patient's tissue follows the jaw, with the mouth closed in the
-///               surfaces
+/// @param held X_AJ of the mandible in the surfaces, where the places of the airway were found
+/// @param throat by which the patient's tissue follows the jaw from there
 /// @param lift   of LaryngoscopyStep::Full; 0.7 of it is that of Partial
 [[nodiscard]] LaryngoscopyPose laryngoscopyPose(const UpperAirway& airway,
                                                 const ThroatField& throat, const Blade& blade,
-                                                LaryngoscopyStep step, Length lift);
+                                                LaryngoscopyStep step, Length lift,
+                                                const RigidTransform& held = {});
+
+/// The same between two steps: jaw, lift and the place of the tip are interpolated linearly, and
+/// the blade is turned for these.
+/// @param progress by the numbers of the steps, 0 to 4; what is beyond counts as the nearest
+[[nodiscard]] LaryngoscopyPose laryngoscopyPose(const UpperAirway& airway,
+                                                const ThroatField& throat, const Blade& blade,
+                                                double progress, Length lift,
+                                                const RigidTransform& held = {});
 
 /// The lift of a good view: of ours, for the geometry of an adult with the head in neutral
 /// position.

@@ -74,6 +74,8 @@ private Q_SLOTS:
     void saysWhatIsMissing();
     void goesInStepByStep_data() { blades(); }
     void goesInStepByStep();
+    void goesOnBetweenTheSteps_data() { blades(); }
+    void goesOnBetweenTheSteps();
     void keepsClearOfTheTeeth_data() { blades(); }
     void keepsClearOfTheTeeth();
     void liftsTheEpiglottisOnlyInTheEnd_data() { blades(); }
@@ -157,6 +159,31 @@ void TestLaryngoscopyPath::goesInStepByStep()
         QVERIFY2(toGlottis < left, stepName(step));
         left = toGlottis;
     }
+}
+
+// Through each step, and from one to the next without a jump: from teeth to vallecula a tip moves
+// some 100 mm, of which a hundredth of a step has a small part.
+void TestLaryngoscopyPath::goesOnBetweenTheSteps()
+{
+    constexpr double kSame = 1e-12;
+    constexpr double kMostMove_m = 2e-3;
+    constexpr int kPerStep = 100;
+    QFETCH(const BladeKind, kind);
+    const Blade& blade = bladeOf(kind);
+    const Person person = personOf(BuiltinPatient::Adult);
+    const auto poseAt = [&](auto where) {
+        return laryngoscopyPose(person.airway, person.throat, blade, where, kUsualLift);
+    };
+    for (const LaryngoscopyStep step : kLaryngoscopySteps)
+        QVERIFY((poseAt(double(step)).X_AL.matrix() - poseAt(step).X_AL.matrix()).norm() < kSame);
+    Vec3 last = tipOf(blade, poseAt(0.0));
+    for (int i = 1; i <= kPerStep * int(LaryngoscopyStep::Full); ++i) {
+        const LaryngoscopyPose pose = poseAt(double(i) / kPerStep);
+        const Vec3 tip = tipOf(blade, pose);
+        QVERIFY2((tip - last).norm() < kMostMove_m, qPrintable(QString::number(i)));
+        last = tip;
+    }
+    QCOMPARE(poseAt(7.0).lift, kUsualLift);
 }
 
 void TestLaryngoscopyPath::keepsClearOfTheTeeth()

@@ -132,10 +132,11 @@ demo() {
         simulated) ;;
         simulated:*) # as readSimulatedOptions takes it, whose programs are not built yet
             local tool='(head|jaw|tube|stylus|manikin|chest|hand|laryngoscope)' number='[0-9]+([.][0-9]+)?'
-            local option="(rate=$number|hidden=$tool|partly=$tool|dropouts=$number)"
+            local option="(rate=$number|hidden=$tool|partly=$tool|dropouts=$number|with=laryngoscope)"
             [[ ${tracker#simulated:} =~ ^$option(,$option)*$ ]] ||
-                refuse "--tracker simulated takes rate=HZ (1 to 1000), hidden=TOOL, partly=TOOL and" \
-                    "dropouts=PERCENT (0 to 90), with commas between, not ${tracker#simulated:};" \
+                refuse "--tracker simulated takes rate=HZ (1 to 1000), hidden=TOOL, partly=TOOL," \
+                    "dropouts=PERCENT (0 to 90) and with=laryngoscope, with commas between, not" \
+                    "${tracker#simulated:};" \
                     "TOOL is head, jaw, tube, stylus, manikin, chest, hand or laryngoscope" ;;
         site) [ -n "$site" ] || refuse "--tracker site needs --site, which names the devices" ;;
         recorded:* | looped:*) tracker=${tracker%%:*}:$(realpath -e "${tracker#*:}" 2> /dev/null) ||

@@ -34,9 +34,10 @@ void addTrackerOption(QCommandLineParser& parser, const QString& without)
         "TrackerOption",
         "Track with the device that this file describes, a Polaris, a server of "
         "OpenIGTLink or a camera with its tools (docs/tracking.md), or a device set of PLUS "
-        "(.xml); with a simulated tracker, of which rate=HZ, hidden=TOOL, partly=TOOL and "
-        "dropouts=PERCENT can be chosen (simulated:rate=30,hidden=tube); with a "
-        "recording (of Carina, Plus, 3D Slicer or a device), played once or looped; or with the "
+        "(.xml); with a simulated tracker, of which rate=HZ, hidden=TOOL, partly=TOOL, "
+        "dropouts=PERCENT and with=laryngoscope can be chosen (simulated:rate=30,hidden=tube); "
+        "with a recording (of Carina, Plus, 3D Slicer or a device), played once or looped; or with "
+        "the "
         "devices that the site names.");
     parser.addOption({kTracker, meaning + QLatin1Char{' '} + without,
                       QStringLiteral("FILE|simulated[:OPTIONS]|recorded:FILE|looped:FILE|site")});

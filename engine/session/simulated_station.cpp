@@ -72,14 +72,35 @@ TrueToolPose withManikin(TrueToolPose hands, const RigidTransform& X_TA, Frequen
     };
 }
 
-/// The markers of the tube instead of its connector.
-TrueToolPose withTubeMarkers(TrueToolPose hands, const RigidTransform& X_EN)
+/// The markers of a tool instead of its frame O.
+TrueToolPose withMarkers(TrueToolPose hands, ToolRole marked, const RigidTransform& X_ON)
 {
-    return [hands = std::move(hands), X_EN](ToolRole tool, SessionTime t) {
+    return [hands = std::move(hands), marked, X_ON](ToolRole tool, SessionTime t) {
         auto X_TO = hands(tool, t);
-        if (X_TO && tool == ToolRole::Tube)
-            X_TO = *X_TO * X_EN;
+        if (X_TO && tool == marked)
+            X_TO = *X_TO * X_ON;
         return X_TO;
+    };
+}
+
+/// The hands, which bring the tube in later, and a laryngoscope, which moves the jaw.
+TrueToolPose withLaryngoscopy(TrueToolPose hands, LaryngoscopyScript script,
+                              const RigidTransform& X_TA, const RigidTransform& X_AJ_closed)
+{
+    const Duration later = fromSeconds(kTubeAfterBlade * toSeconds(script.period));
+    return [=, hands = std::move(hands), script = std::move(script)](
+               ToolRole tool, SessionTime t) -> std::optional<RigidTransform> {
+        switch (tool) {
+        case ToolRole::Laryngoscope:
+            return X_TA * scriptedLaryngoscopy(script, t).X_AL;
+        case ToolRole::Jaw:
+            return X_TA * scriptedLaryngoscopy(script, t).X_AJ * X_AJ_closed;
+        case ToolRole::Tube:
+        case ToolRole::Hand:
+            return hands(tool, t - later);
+        default:
+            return hands(tool, t);
+        }
     };
 }
 
@@ -91,7 +112,8 @@ Result<SimulatedStation> simulatedStation(const AirwayLandmarks& airway, const T
                                           ReadSessionClock clock,
                                           const std::optional<StationRegistration>& registration,
                                           Frequency manikinBreathes, SimulatedPerson person,
-                                          SimulatedTrackerSettings device)
+                                          SimulatedTrackerSettings device,
+                                          const std::optional<LaryngoscopyScript>& laryngoscopy)
 {
     const RigidTransform X_TA = patientBeforeTracker(airway.p_A_incisors);
     const HandScript script{.X_TA = X_TA,
@@ -104,9 +126,16 @@ Result<SimulatedStation> simulatedStation(const AirwayLandmarks& airway, const T
         return tl::unexpected(hands.error());
     const StationRegistration exactly{.X_AT = X_TA.inverse(), .X_JA = hands->closedJaw().inverse()};
     device.handProbe = static_cast<bool>(person);
-    TrueToolPose truth = withManikin(of(std::move(person), *hands, script), X_TA, manikinBreathes);
+    TrueToolPose done = *hands;
+    if (device.laryngoscope && laryngoscopy)
+        done = withLaryngoscopy(std::move(done), *laryngoscopy, X_TA, hands->closedJaw());
+    TrueToolPose truth =
+        withManikin(of(std::move(person), std::move(done), script), X_TA, manikinBreathes);
+    const SimulatedTools marked = simulatedTools(tube);
     if (registration && registration->X_NE)
-        truth = withTubeMarkers(std::move(truth), simulatedTools(tube).X_NE.inverse());
+        truth = withMarkers(std::move(truth), ToolRole::Tube, marked.X_NE.inverse());
+    if (registration && registration->X_NL)
+        truth = withMarkers(std::move(truth), ToolRole::Laryngoscope, marked.X_NL.inverse());
     device.chestMarker = manikinBreathes.si > 0.0;
     device.bodyProbe = registration && registration->X_BA;
     auto tracker = std::make_unique<SimulatedTracker>(device, truth, std::move(clock));

@@ -2,6 +2,7 @@
 
 #include "engine/anatomy/anatomy.h"
 #include "engine/anatomy/shapes/tube.h"
+#include "engine/session/scripted_laryngoscopy.h"
 #include "engine/session/station_tracking.h"
 #include "engine/tracking/simulated/simulated_tracker.h"
 
@@ -12,7 +13,8 @@ namespace carina
 
 /// A station without hardware. The simulated tracker observes scripted hands that repeatedly insert
 /// the tube into this patient, a marker on the chest where the manikin breathes, and the body probe
-/// where the registration has one.
+/// where the registration has one. With a laryngoscope (SimulatedTrackerSettings::laryngoscope) the
+/// larynx is shown first, by which the jaw is moved, and the tube comes while the blade is lifted.
 struct SimulatedStation {
     std::unique_ptr<StationTracking> tracking;
     RigidTransform X_TA;         ///< the true pose of the anatomy
@@ -27,16 +29,20 @@ using SimulatedPerson = std::function<unsigned()>;
 
 /// @param registration of the manikin; without one the error-free registration is used. If it has
 ///        X_BA, the manikin wears a body probe, whose true pose is simulatedBodyProbe(); if it has
-///        X_NE, the markers of the tube are where those of simulatedTools() are
+///        X_NE or X_NL, the markers of tube or laryngoscope are where those of simulatedTools() are
 /// @param manikinBreathes breathing rate at which the chest rises by kManikinRise; 0: no breathing
 ///        and no marker
-/// @param device its tracker; which probes there are follows from the other arguments
+/// @param device its tracker; which probes there are follows from the other arguments, but for the
+///        laryngoscope
+/// @param laryngoscopy what is done with a laryngoscope; without it, as in a patient whose larynx
+///        is not known, a laryngoscope is never seen
 /// @returns the errors of ScriptedHands::make for this airway.
 [[nodiscard]] Result<SimulatedStation>
 simulatedStation(const AirwayLandmarks& airway, const TubeShape& tube, ReadSessionClock clock,
                  const std::optional<StationRegistration>& registration = {},
                  Frequency manikinBreathes = {}, SimulatedPerson person = {},
-                 SimulatedTrackerSettings device = {});
+                 SimulatedTrackerSettings device = {},
+                 const std::optional<LaryngoscopyScript>& laryngoscopy = {});
 
 inline constexpr Length kManikinRise = millimetres(12.0);
 

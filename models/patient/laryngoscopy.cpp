@@ -1,5 +1,8 @@
 #include "models/patient/laryngoscopy.h"
 
+#include <algorithm>
+#include <cctype>
+
 namespace carina
 {
 namespace
@@ -7,6 +10,7 @@ namespace
 
 /// Of who looks into a mouth from kReadingDistance: 70 mm high.
 constexpr Angle kDirectFieldOfView = degrees(13.3);
+constexpr double kCameraFromTip = 0.31; ///< of the length, as on a Macintosh 3
 
 bool isOfThroat(PartRole role)
 {
@@ -30,13 +34,37 @@ std::vector<AnatomyPart> partsOfThroat(const PatientModel& patient)
 
 } // namespace
 
-Result<Laryngoscopy> Laryngoscopy::of(const PatientModel& patient, BladeKind kind)
+Blade touchedBlade(const BladeShape& shape)
+{
+    const double reach = -shape.p_L_tip.z();
+    return {.name = "as touched",
+            .form = {.reach = reach,
+                     .rise = shape.p_L_tip.y(),
+                     .sag = shape.sag().si,
+                     .width = shape.heelWidth.si},
+            .lift = shape.isCurved() ? EpiglottisLift::Ligament : EpiglottisLift::Direct,
+            .cameraToTip = metres(kCameraFromTip * reach)};
+}
+
+std::optional<BladeKind> bladeOfTool(std::string_view name)
+{
+    std::string words{name};
+    std::ranges::transform(words, words.begin(), [](unsigned char c) {
+        return std::isalnum(c) != 0 ? static_cast<char>(std::tolower(c)) : '-';
+    });
+    const auto* found = std::ranges::find_if(kBladeKinds, [&words](BladeKind kind) {
+        return words.find(bladeOf(kind).name) != std::string::npos;
+    });
+    return found == kBladeKinds.end() ? std::nullopt : std::optional{*found};
+}
+
+Result<Laryngoscopy> Laryngoscopy::of(const PatientModel& patient, const Blade& blade)
 {
     return upperAirwayOf(partsOfThroat(patient), patient.landmarks())
         .map([&](UpperAirway&& airway) {
             Laryngoscopy made;
             made.m_patient = &patient;
-            made.m_blade = &bladeOf(kind);
+            made.m_blade = blade;
             made.m_airway = std::move(airway);
             return made;
         });
@@ -44,31 +72,49 @@ Result<Laryngoscopy> Laryngoscopy::of(const PatientModel& patient, BladeKind kin
 
 LaryngoscopyPose Laryngoscopy::pose(LaryngoscopyStep step, Length lift) const
 {
-    return laryngoscopyPose(m_airway, m_patient->throat(RigidTransform{}).field, *m_blade, step,
-                            lift);
+    const LaryngoscopyScript all = script();
+    return laryngoscopyPose(all.airway, all.throat, m_blade, step, lift, all.held);
 }
 
-BladeField Laryngoscopy::tissueAt(const RigidTransform& X_AL, const RigidTransform& X_AJ) const
+/// What the mandible is moved by when the mouth shuts is the inverse of how it is held.
+LaryngoscopyScript Laryngoscopy::script() const
 {
-    return bladeInTissue(followed(m_airway, m_patient->throat(X_AJ)), *m_blade, X_AL);
+    const FollowingThroat shut = m_patient->throat(RigidTransform{});
+    return {
+        .airway = m_airway, .throat = shut.field, .held = shut.X_AJ.inverse(), .blade = m_blade};
+}
+
+BladeField Laryngoscopy::tissueAt(const RigidTransform& X_AL, const FollowingThroat& throat) const
+{
+    return bladeInTissue(followed(m_airway, throat), m_blade, X_AL);
+}
+
+GlotticLine Laryngoscopy::glottisAt(const FollowingThroat& throat, const BladeField& tissue) const
+{
+    const UpperAirway moved = followed(m_airway, throat);
+    const auto drawn = [&tissue](const Vec3& p_A) {
+        return Vec3{p_A + larynxTilt<double>(tissue.frame(), p_A).d};
+    };
+    return {drawn(moved.p_A_commissure), drawn(moved.p_A_notch)};
 }
 
 GlotticLine Laryngoscopy::glottisAt(const LaryngoscopyPose& pose) const
 {
-    const UpperAirway moved = followed(m_airway, m_patient->throat(pose.X_AJ));
-    const auto drawn = [&pose](const Vec3& p_A) {
-        return Vec3{p_A + larynxTilt<double>(pose.field.frame(), p_A).d};
-    };
-    return {drawn(moved.p_A_commissure), drawn(moved.p_A_notch)};
+    return glottisAt(m_patient->throat(pose.X_AJ), pose.field);
 }
 
 RigidTransform Laryngoscopy::eyeAt(const LaryngoscopyPose& pose, ScopeEye eye) const
 {
     if (eye == ScopeEye::Video)
-        return pose.X_AL * cameraOnBlade(*m_blade);
+        return cameraAt(pose.X_AL);
     const GlotticLine glottis = glottisAt(pose);
-    return eyePastBlade(*m_blade, pose.X_AL, m_airway.p_A_incisors,
+    return eyePastBlade(m_blade, pose.X_AL, m_airway.p_A_incisors,
                         0.5 * (glottis.p_A_commissure + glottis.p_A_notch));
+}
+
+RigidTransform Laryngoscopy::cameraAt(const RigidTransform& X_AL) const
+{
+    return X_AL * cameraOnBlade(m_blade);
 }
 
 Angle Laryngoscopy::fieldOfView(ScopeEye eye)

@@ -2,7 +2,12 @@
 
 #include "engine/anatomy/laryngoscopy/glottic_view.h"
 #include "engine/anatomy/laryngoscopy/laryngoscopy_path.h"
+#include "engine/registration/calibration/blade_calibration.h"
+#include "engine/session/scripted_laryngoscopy.h"
 #include "models/patient/patient_model.h"
+
+#include <optional>
+#include <string_view>
 
 namespace carina
 {
@@ -13,30 +18,51 @@ enum class ScopeEye : std::uint8_t {
     Direct ///< that of who looks past the blade
 };
 
-/// A patient, with the mouth shut in its surfaces, and a blade.
+/// A blade as it was touched: a curved one lifts the epiglottis by the ligament, a straight one
+/// itself, and its camera is where those of known blades are, a third of the way from the tip.
+[[nodiscard]] Blade touchedBlade(const BladeShape& shape);
+
+/// The blade that a tool's name tells, as "Macintosh 4" or "blade miller-2"; nothing where it tells
+/// none.
+[[nodiscard]] std::optional<BladeKind> bladeOfTool(std::string_view name);
+
+/// The blade of a laryngoscope of which none is known.
+inline constexpr BladeKind kUsualBlade = BladeKind::Macintosh3;
+
+/// A patient and a blade.
 class Laryngoscopy
 {
 public:
     /// @returns NoAirway with what is missing of the patient's upper airway
     /// @pre the patient outlives this
-    [[nodiscard]] static Result<Laryngoscopy> of(const PatientModel& patient, BladeKind kind);
+    [[nodiscard]] static Result<Laryngoscopy> of(const PatientModel& patient, const Blade& blade);
 
-    [[nodiscard]] const Blade& blade() const { return *m_blade; }
+    [[nodiscard]] const Blade& blade() const { return m_blade; }
+    /// The same patient and another blade from now on.
+    void takeBlade(const Blade& blade) { m_blade = blade; }
     /// Blade, jaw and tissue in one step; see laryngoscopyPose.
     [[nodiscard]] LaryngoscopyPose pose(LaryngoscopyStep step, Length lift) const;
+    /// The whole of it, for a simulated tracker.
+    [[nodiscard]] LaryngoscopyScript script() const;
     /// The tissue that is pushed by the blade at another pose, as a tracker has it.
-    [[nodiscard]] BladeField tissueAt(const RigidTransform& X_AL, const RigidTransform& X_AJ) const;
+    /// @param throat of this patient, with the jaw as it is drawn
+    [[nodiscard]] BladeField tissueAt(const RigidTransform& X_AL,
+                                      const FollowingThroat& throat) const;
     /// The glottis, as it is drawn there.
+    [[nodiscard]] GlotticLine glottisAt(const FollowingThroat& throat,
+                                        const BladeField& tissue) const;
     [[nodiscard]] GlotticLine glottisAt(const LaryngoscopyPose& pose) const;
     /// X_AD and vertical field of view of an eye.
     [[nodiscard]] RigidTransform eyeAt(const LaryngoscopyPose& pose, ScopeEye eye) const;
+    /// X_AD of the camera on the blade.
+    [[nodiscard]] RigidTransform cameraAt(const RigidTransform& X_AL) const;
     [[nodiscard]] static Angle fieldOfView(ScopeEye eye);
 
 private:
     Laryngoscopy() = default;
 
     const PatientModel* m_patient = nullptr;
-    const Blade* m_blade = nullptr;
+    Blade m_blade;
     UpperAirway m_airway;
 };
 

@@ -5,6 +5,7 @@
 #include "engine/session/simulated_station.h"
 #include "engine/tracking/reframed.h"
 #include "models/errors/error_text.h"
+#include "models/patient/laryngoscopy.h"
 #include "models/station/object_tool.h"
 
 #include <utility>
@@ -38,6 +39,17 @@ unsigned simulatedPerson(const SessionNode& node)
     if (self == kNobody)
         return 0;
     return self.value == 0 ? kPersonOfHost : self.value - 1U;
+}
+
+/// What a simulated tracker with a laryngoscope does with it; nothing without, and where the
+/// patient's larynx is not known.
+std::optional<LaryngoscopyScript> laryngoscopyOf(const PatientModel& patient,
+                                                 const SimulatedTrackerSettings& device)
+{
+    if (!device.laryngoscope)
+        return std::nullopt;
+    const auto laryngoscopy = Laryngoscopy::of(patient, bladeOf(kUsualBlade));
+    return laryngoscopy ? std::optional{laryngoscopy->script()} : std::nullopt;
 }
 
 bool hasDevice(const TrackerChoice& tracker)
@@ -228,10 +240,11 @@ Result<void> SharedTools::connect(Laid& laid, std::optional<MadeTracker>& made) 
 
 Result<void> SharedTools::simulate(Laid& laid) const
 {
+    const auto& device = std::get<SimulatedDevice>(m_hardware.tracker->device).settings;
     auto simulated = simulatedStation(
         laid.patient->landmarks(), laid.patient->tube(), clock(), registrationIn(laid.place),
-        m_hardware.manikinBreathes, [node = &m_node] { return simulatedPerson(*node); },
-        std::get<SimulatedDevice>(m_hardware.tracker->device).settings);
+        m_hardware.manikinBreathes, [node = &m_node] { return simulatedPerson(*node); }, device,
+        laryngoscopyOf(*laid.patient, device));
     if (!simulated)
         return tl::unexpected(simulated.error());
     laid.truth = [truth = simulated->truth,
@@ -389,14 +402,18 @@ void SharedTools::share(ObjectKind kind, ToolRole tool, const char* name)
     m_node.publish(kind, name, source(tool));
 }
 
-/// Few trackers have one: it is shared from the first on that does.
+/// Few trackers have one: it is shared from the first on that does, under the name that it has
+/// there, which can tell its blade.
 void SharedTools::shareLaryngoscope()
 {
-    if (m_sharesLaryngoscope || !m_laid->tracking
-        || m_laid->tracking->toolName(ToolRole::Laryngoscope).empty())
+    const std::string name =
+        m_laid->tracking ? m_laid->tracking->toolName(ToolRole::Laryngoscope) : std::string{};
+    if (m_sharesLaryngoscope || name.empty())
         return;
     m_sharesLaryngoscope = true;
-    share(ObjectKind::Laryngoscope, ToolRole::Laryngoscope, "Laryngoscope");
+    const auto told = bladeOfTool(name);
+    const std::string blade = told ? " " + std::string{bladeOf(*told).name} : std::string{};
+    share(ObjectKind::Laryngoscope, ToolRole::Laryngoscope, ("Laryngoscope" + blade).c_str());
 }
 
 } // namespace carina

@@ -13,8 +13,7 @@ namespace
 {
 
 /// Colours in the light of a laryngoscope, by SeenStructure: mucosa in pinks, cords like pearl.
-/// There is no mucosa on the jaw, and the end of the trachea is closed in its surface: they are
-/// drawn like gums, and dark like the lumen.
+/// The jaw is drawn like gums, the trachea dark like its lumen.
 constexpr std::array<QColor, kSeenStructures> kColors{{{0, 0, 0},
                                                        {238, 231, 212},
                                                        {188, 104, 106},
@@ -33,6 +32,10 @@ constexpr std::array<QColor, kSeenStructures> kColors{{{0, 0, 0},
                                                        {188, 194, 200}}};
 constexpr QColor kSteel = kColors[std::size_t(SeenStructure::Blade)];
 constexpr QColor kHandleSteel{120, 126, 134};
+
+constexpr QColor kDarkness{6, 3, 3};
+constexpr Length kHalfLight = millimetres(55.0); ///< from a lamp on the blade
+constexpr Length kHalfLightDirect = millimetres(400.0);
 
 ScenePart scopePart(const char* name, FigureShapes::Mesh mesh, const QColor& color)
 {
@@ -55,6 +58,8 @@ ScopeScene scopeScene(const PatientModel& patient, const Blade& blade)
         ScenePart& part = scene.parts[i];
         const SeenStructure structure = structureOf(patient.surfaces()[i].description);
         scene.structures[part.id] = structure;
+        if (part.body == kTubeBody)
+            continue; // hides nothing: it is brought in by what is seen
         part.color = kColors[std::size_t(structure)];
         scene.looks[part.id].style =
             structure == SeenStructure::Nothing ? PartStyle::Hidden : PartStyle::Solid;
@@ -67,6 +72,14 @@ ScopeScene scopeScene(const PatientModel& patient, const Blade& blade)
         scene.structures.push_back(SeenStructure::Blade);
     }
     return scene;
+}
+
+void showScope(SceneView& view, const ScopeScene& scene, ScopeEye eye)
+{
+    view.setParts(scene.parts);
+    view.setLooks(scene.looks);
+    view.setBackground(kDarkness);
+    view.setSpotlight(eye == ScopeEye::Direct ? kHalfLightDirect : kHalfLight);
 }
 
 EyePicture scopePicture(const RigidTransform& X_AD, Angle fieldOfView, double widthOverHeight)

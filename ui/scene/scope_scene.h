@@ -15,12 +15,15 @@ inline constexpr const char* kScopeBody = "laryngoscope";
 
 /// The parts of a scene that a laryngoscope shows, and what each of them is to a person.
 struct ScopeScene {
-    std::vector<ScenePart> parts; ///< of the patient, and blade and handle
-    PartLooks looks;              ///< opaque; hidden what is not to be seen in there
+    std::vector<ScenePart> parts; ///< of the patient, with the tube, and blade and handle
+    PartLooks looks; ///< opaque, but the tube as usual; hidden what is not to be seen in there
     /// By the id of the part.
     std::vector<SeenStructure> structures;
 };
 [[nodiscard]] ScopeScene scopeScene(const PatientModel& patient, const Blade& blade);
+
+/// Has a view draw such a scene and nothing else, in the light of the eye that sees it.
+void showScope(SceneView& view, const ScopeScene& scene, ScopeEye eye);
 
 /// Eye and frustum of a picture with these sides, from an eye with this vertical field of view.
 [[nodiscard]] EyePicture scopePicture(const RigidTransform& X_AD, Angle fieldOfView,

@@ -5,6 +5,7 @@
 #include "widgets/checked_spin_box.h"
 #include "widgets/plain_label.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
 #include <QGridLayout>
@@ -24,11 +25,13 @@ SimulatedFields::SimulatedFields(QWidget* parent)
     : QWidget{parent},
       m_rate{new CheckedDoubleSpinBox},
       m_dropouts{new CheckedDoubleSpinBox},
+      m_laryngoscope{new QCheckBox{tr("There is a &laryngoscope, which shows the larynx")}},
       m_words{new PlainLabel}
 {
     layOut();
     connect(m_rate, &QDoubleSpinBox::valueChanged, this, &SimulatedFields::edited);
     connect(m_dropouts, &QDoubleSpinBox::valueChanged, this, &SimulatedFields::edited);
+    connect(m_laryngoscope, &QCheckBox::toggled, this, &SimulatedFields::edited);
     for (const QComboBox* sight : m_sights)
         connect(sight, &QComboBox::currentIndexChanged, this, &SimulatedFields::edited);
     fill({});
@@ -46,6 +49,7 @@ void SimulatedFields::layOut()
     m_dropouts->setDecimals(1);
     m_dropouts->setRange(0.0, SimulatedOptions::kMostDropouts_percent);
     m_dropouts->setSuffix(tr(" %"));
+    m_laryngoscope->setObjectName(QStringLiteral("simulatedLaryngoscope"));
     m_words->setObjectName(QStringLiteral("simulatedWords"));
     m_words->setAccessibleName(tr("Option of a start that chooses the same"));
     m_words->setWordWrap(true);
@@ -56,6 +60,7 @@ void SimulatedFields::layOut()
     form->addRow(tr("E&xposures a second"), m_rate);
     form->addRow(tr("&Not delivered"), m_dropouts);
     form->addRow(refused);
+    form->addRow(m_laryngoscope);
     form->addRow(tr("Tools"), toolFields());
     form->addRow(m_words);
 }
@@ -91,6 +96,7 @@ void SimulatedFields::fill(const TrackerForm& form)
     };
     m_rate->setValue(options.rate_Hz);
     m_dropouts->setValue(options.dropouts_percent);
+    m_laryngoscope->setChecked(options.laryngoscope);
     for (std::size_t i = 0; i < m_sights.size(); ++i) {
         const ToolRole role = simulatedRoles()[i];
         const Sight sight = has(options.hidden, role)   ? Sight::Hidden
@@ -104,6 +110,7 @@ void SimulatedFields::fill(const TrackerForm& form)
 void SimulatedFields::read(TrackerForm& form) const
 {
     form.simulated = {.rate_Hz = m_rate->value(), .dropouts_percent = m_dropouts->value()};
+    form.simulated.laryngoscope = m_laryngoscope->isChecked();
     for (std::size_t i = 0; i < m_sights.size(); ++i) {
         const auto sight = Sight(m_sights[i]->currentData().toInt());
         if (sight == Sight::Hidden)

@@ -4,6 +4,7 @@
 
 #include <QWidget>
 
+class QCheckBox;
 class QComboBox;
 class QLabel;
 
@@ -12,9 +13,9 @@ namespace carina
 
 class CheckedDoubleSpinBox;
 
-/// The fields for the simulated tracker: its rate, how many exposures are not delivered, and which
-/// tools are hidden for a part of the time, wholly or by half; and the option of a start that
-/// chooses the same.
+/// The fields for the simulated tracker: its rate, how many exposures are not delivered, whether
+/// there is a laryngoscope, and which tools are hidden for a part of the time, wholly or by half;
+/// and the option of a start that chooses the same.
 class SimulatedFields : public QWidget
 {
     Q_OBJECT
@@ -40,6 +41,7 @@ private:
 
     CheckedDoubleSpinBox* m_rate;
     CheckedDoubleSpinBox* m_dropouts;
+    QCheckBox* m_laryngoscope;
     std::vector<QComboBox*> m_sights; ///< of simulatedRoles()
     QLabel* m_words;
 };

@@ -13,10 +13,6 @@ namespace carina::lab
 namespace
 {
 
-constexpr QColor kDarkness{6, 3, 3};
-constexpr Length kHalfLight = millimetres(55.0); ///< from a lamp on the blade
-constexpr Length kHalfLightDirect = millimetres(400.0);
-
 QString asText(std::string_view words)
 {
     return QString::fromUtf8(words.data(), qsizetype(words.size()));
@@ -52,11 +48,8 @@ public:
 private:
     void prepare(SceneView& view) const
     {
-        view.setParts(m_scene.parts);
-        view.setLooks(m_scene.looks);
+        showScope(view, m_scene, m_eye);
         view.setFixedLevel(0);
-        view.setBackground(kDarkness);
-        view.setSpotlight(m_order.isDirect ? kHalfLightDirect : kHalfLight);
     }
 
     [[nodiscard]] LaryngoscopyPose poseOf(std::size_t i) const
@@ -135,7 +128,7 @@ Result<QJsonObject> drawLaryngoscopy(Anatomy anatomy, const LaryngoscopyOrder& o
     const auto patient = patientOf(std::move(anatomy));
     if (!patient)
         return tl::unexpected(patient.error());
-    auto laryngoscopy = Laryngoscopy::of(**patient, order.blade);
+    auto laryngoscopy = Laryngoscopy::of(**patient, bladeOf(order.blade));
     if (!laryngoscopy)
         return tl::unexpected(laryngoscopy.error());
     ScopeSeries series{**patient, std::move(*laryngoscopy), order};

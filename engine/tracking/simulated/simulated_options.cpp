@@ -21,8 +21,8 @@ tl::unexpected<Error> noSuchOption(std::string_view option)
             tools += (tools.empty() ? "" : ", ") + std::string{word};
     return fail(Errc::WrongOption,
                 "simulated: \"" + std::string{option}
-                    + "\" is not among rate=HZ (1 to 1000), hidden=TOOL, partly=TOOL and "
-                      "dropouts=PERCENT (0 to 90), where TOOL is one of "
+                    + "\" is not among rate=HZ (1 to 1000), hidden=TOOL, partly=TOOL, "
+                      "dropouts=PERCENT (0 to 90) and with=laryngoscope, where TOOL is one of "
                     + tools);
 }
 
@@ -54,9 +54,13 @@ bool take(std::string_view name, std::string_view value, SimulatedOptions& optio
             (isRate ? options.rate_Hz : options.dropouts_percent) = *number;
         return number.has_value();
     }
+    const auto tool = toolRoleOfWord(value);
+    if (name == "with") {
+        options.laryngoscope = tool == ToolRole::Laryngoscope;
+        return options.laryngoscope;
+    }
     if (name != "hidden" && name != "partly")
         return false;
-    const auto tool = toolRoleOfWord(value);
     if (!tool || *tool == ToolRole::Other)
         return false;
     (name == "hidden" ? options.hidden : options.partly).push_back(*tool);
@@ -68,6 +72,7 @@ SimulatedTrackerSettings simulatedSettings(const SimulatedOptions& options)
     SimulatedTrackerSettings settings;
     settings.rate = hertz(options.rate_Hz);
     settings.dropouts = options.dropouts_percent / 100.0;
+    settings.laryngoscope = options.laryngoscope;
     for (const ToolRole tool : options.hidden)
         settings.occlusions.push_back(hidden(tool, 1.0));
     for (const ToolRole tool : options.partly)
@@ -116,6 +121,8 @@ std::string simulatedWords(const SimulatedOptions& options)
         say("partly", toolRoleWord(tool));
     if (options.dropouts_percent != unsaid.dropouts_percent)
         say("dropouts", numberText(options.dropouts_percent));
+    if (options.laryngoscope)
+        say("with", toolRoleWord(ToolRole::Laryngoscope));
     return words;
 }
 

@@ -19,6 +19,7 @@ struct SimulatedOptions {
     double dropouts_percent = 0.0;  ///< of the exposures, that are not delivered
     std::vector<ToolRole> hidden{}; ///< tools that are hidden for two seconds of every ten
     std::vector<ToolRole> partly{}; ///< tools of which half of the markers are, likewise
+    bool laryngoscope = false;      ///< there is one, too
 
     friend bool operator==(const SimulatedOptions&, const SimulatedOptions&) = default;
 };
@@ -29,6 +30,7 @@ struct SimulatedOptions {
 ///     hidden=TOOL       this tool is hidden for two seconds of every ten
 ///     partly=TOOL       half of its markers are, likewise
 ///     dropouts=PERCENT  of the exposures, 0 to 90, are not delivered
+///     with=laryngoscope there is a laryngoscope, too, by which the larynx is shown
 ///
 /// such as "rate=30,hidden=tube,dropouts=5". TOOL is the word of a role (toolRoleWord); hidden and
 /// partly may be there for several tools.

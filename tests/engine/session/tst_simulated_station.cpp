@@ -80,6 +80,28 @@ std::map<std::string, double> deepest(const Anatomy& patient, const TubeShape& t
     return deepest;
 }
 
+/// A station of the adult whose tracker has a laryngoscope.
+struct WithLaryngoscope {
+    Anatomy patient = builtinPatient(BuiltinPatient::Adult).value();
+    TubeShape tube = makeTube(dimensionsOf(BuiltinPatient::Adult).tubeInnerDiameter,
+                              patient.landmarks.path_A, patient.landmarks.p_A_incisors)
+                         .value();
+    LaryngoscopyScript script{.airway = upperAirwayOf(patient.parts, patient.landmarks).value(),
+                              .throat = {patient.landmarks.p_A_carina,
+                                         patient.landmarks.p_A_glottis,
+                                         patient.landmarks.p_A_incisors},
+                              .held = heldJaw(patient.contentHash)};
+
+    [[nodiscard]] SimulatedStation made(const std::optional<StationRegistration>& place = {}) const
+    {
+        SimulatedTrackerSettings device;
+        device.laryngoscope = true;
+        const auto noClock = [] { return std::optional<SessionTime>{}; };
+        return simulatedStation(patient.landmarks, tube, noClock, place, {}, {}, device, script)
+            .value();
+    }
+};
+
 } // namespace
 
 class TestSimulatedStation : public QObject
@@ -133,6 +155,83 @@ private Q_SLOTS:
             const RigidTransform X_TE = plain->truth(ToolRole::Tube, t).value();
             QVERIFY(((X_TN * *registration.X_NE).matrix() - X_TE.matrix()).norm() < kExact);
             QVERIFY((X_TN.translation() - X_TE.translation()).norm() > 0.02);
+        }
+    }
+
+    /// The tip of the blade goes from the teeth to the vallecula and back within a period, without
+    /// a jump: at 60 exposures a second less than 3 mm, or 18 cm/s, from one to the next.
+    void showsTheLarynxInEachPeriod()
+    {
+        constexpr double kMostMove_m = 3e-3;
+        constexpr double kMostTurn = 0.1; // of the matrix: 4 degrees
+        const WithLaryngoscope station;
+        const SimulatedStation made = station.made();
+        const Vec3 p_L_tip = middleOfBlade(station.script.blade.form, 1.0);
+        const auto at = [&](Duration t) {
+            return made.X_TA.inverse() * made.truth(ToolRole::Laryngoscope, SessionTime{t}).value();
+        };
+        const auto toVallecula = [&](Duration t) {
+            return (at(t) * p_L_tip - station.script.airway.p_A_vallecula).norm();
+        };
+        QVERIFY(toVallecula(0s) > 0.05);
+        QVERIFY(toVallecula(10s) < 0.04); // lifted, as the jaw is
+        QVERIFY((at(3s).matrix() - at(3s + kPeriod).matrix()).norm() < 1e-9);
+        for (Duration t = 0s; t < 2 * kPeriod; t += kStep / 6) {
+            const RigidTransform now = at(t);
+            const RigidTransform next = at(t + kStep / 6);
+            QVERIFY((now * p_L_tip - next * p_L_tip).norm() < kMostMove_m);
+            QVERIFY((now.rotation().toRotationMatrix() - next.rotation().toRotationMatrix()).norm()
+                    < kMostTurn);
+            const Vec3 p_T = made.truth(ToolRole::Laryngoscope, SessionTime{t})->translation();
+            QVERIFY(WorkingVolume{}.contains(p_T));
+        }
+    }
+
+    /// The mouth is open while the blade is in it, and the tube is brought in once it is lifted.
+    void opensTheMouthForTheBlade()
+    {
+        const WithLaryngoscope station;
+        const SimulatedStation made = station.made();
+        const auto plain = simulatedStation(station.patient.landmarks, station.tube,
+                                            [] { return std::optional<SessionTime>{}; });
+        for (Duration t = 0s; t < kPeriod; t += kStep) {
+            const RigidTransform X_AJ = made.X_TA.inverse()
+                                        * made.truth(ToolRole::Jaw, SessionTime{t}).value()
+                                        * made.exactly.X_JA.value();
+            const double opened = Eigen::AngleAxisd{X_AJ.rotation().toRotationMatrix()}.angle();
+            QVERIFY(opened > degrees(15.0).si && opened < degrees(21.0).si);
+            const Duration later = std::chrono::round<Duration>(kTubeAfterBlade * kPeriod);
+            const auto tube = made.truth(ToolRole::Tube, SessionTime{t + later});
+            QVERIFY(
+                (tube->translation() - plain->truth(ToolRole::Tube, SessionTime{t})->translation())
+                    .norm()
+                < 1e-9);
+        }
+    }
+
+    void hasNoLaryngoscopeUnlessAskedFor()
+    {
+        const WithLaryngoscope station;
+        const auto plain = simulatedStation(station.patient.landmarks, station.tube,
+                                            [] { return std::optional<SessionTime>{}; });
+        QVERIFY(!plain->truth(ToolRole::Laryngoscope, SessionTime{1s}));
+        QVERIFY(plain->tracking->toolName(ToolRole::Laryngoscope).empty());
+        QVERIFY(!station.made().tracking->toolName(ToolRole::Laryngoscope).empty());
+    }
+
+    void holdsTheLaryngoscopeByItsMarkersWhereItIsCalibrated()
+    {
+        constexpr double kExact = 1e-12;
+        const WithLaryngoscope station;
+        const SimulatedStation plain = station.made();
+        StationRegistration registration = plain.exactly;
+        registration.X_NL = simulatedTools(station.tube).X_NL;
+        const SimulatedStation marked = station.made(registration);
+        for (const SessionTime t : {SessionTime{1s}, SessionTime{7s}}) {
+            const RigidTransform X_TN = marked.truth(ToolRole::Laryngoscope, t).value();
+            const RigidTransform X_TL = plain.truth(ToolRole::Laryngoscope, t).value();
+            QVERIFY(((X_TN * *registration.X_NL).matrix() - X_TL.matrix()).norm() < kExact);
+            QVERIFY(WorkingVolume{}.contains(X_TN.translation()));
         }
     }
 

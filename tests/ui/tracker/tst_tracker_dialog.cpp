@@ -7,6 +7,7 @@
 
 #include <QAbstractButton>
 #include <QAbstractSpinBox>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFile>
@@ -120,14 +121,17 @@ private Q_SLOTS:
         auto& tube =
             *dialog.findChild<QComboBox*>(QStringLiteral("sight%1").arg(int(ToolRole::Tube)));
         tube.setCurrentIndex(2); // half of its markers
+        find<QCheckBox>(dialog, "simulatedLaryngoscope").click();
         QCOMPARE(dialog.form().simulated, (SimulatedOptions{.rate_Hz = 30.0,
                                                             .dropouts_percent = 5.0,
                                                             .hidden = {ToolRole::Jaw},
-                                                            .partly = {ToolRole::Tube}}));
+                                                            .partly = {ToolRole::Tube},
+                                                            .laryngoscope = true}));
         QVERIFY(find<QLabel>(dialog, "simulatedWords")
                     .text()
                     .endsWith(QStringLiteral(
-                        "--tracker simulated:rate=30,hidden=jaw,partly=tube,dropouts=5")));
+                        "--tracker simulated:rate=30,hidden=jaw,partly=tube,dropouts=5,"
+                        "with=laryngoscope")));
         find<QAbstractButton>(dialog, "use").click();
         QTRY_COMPARE(dialog.result(), int(QDialog::Accepted));
         const auto& device = std::get<SimulatedDevice>(dialog.choice().device);

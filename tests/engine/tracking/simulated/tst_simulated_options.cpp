@@ -88,11 +88,19 @@ private Q_SLOTS:
                  tracked.samplesOf(ToolRole::Head).size()); // the exposure is lost, not a tool
     }
 
+    void hasALaryngoscopeWhereAskedFor()
+    {
+        QVERIFY(readSimulatedOptions("with=laryngoscope").value().laryngoscope);
+        QVERIFY(!readSimulatedOptions("rate=30").value().laryngoscope);
+        QVERIFY(!Tracked{"with=laryngoscope"}.samplesOf(ToolRole::Laryngoscope).empty());
+    }
+
     void saysInWordsWhatItRead_data()
     {
         QTest::addColumn<std::string>("words");
-        for (const char* words : {"rate=30", "dropouts=2.5", "hidden=tube,hidden=jaw,partly=head",
-                                  "rate=12.5,hidden=tube,partly=jaw,dropouts=5"})
+        for (const char* words :
+             {"rate=30", "dropouts=2.5", "hidden=tube,hidden=jaw,partly=head",
+              "rate=12.5,hidden=tube,partly=jaw,dropouts=5", "dropouts=5,with=laryngoscope"})
             QTest::newRow(words) << std::string{words};
     }
 
@@ -113,8 +121,9 @@ private Q_SLOTS:
     void refusesOthersAndSaysWhatThereIs_data()
     {
         QTest::addColumn<std::string>("words");
-        for (const char* words : {"", "rate", "rate=0", "rate=2000", "rate=fast", "hidden=other",
-                                  "hidden=tubes", "dropouts=95", "speed=3", "rate=30,", "rate=nan"})
+        for (const char* words :
+             {"", "rate", "rate=0", "rate=2000", "rate=fast", "hidden=other", "hidden=tubes",
+              "dropouts=95", "speed=3", "rate=30,", "rate=nan", "with=tube", "with="})
             QTest::addRow("\"%s\"", words) << std::string{words};
     }
 

@@ -91,6 +91,7 @@ SceneRenderer::SceneRenderer(QWindow* window)
 
 SceneRenderer::~SceneRenderer()
 {
+    m_idReply.reset();
     m_figures.clear();
     m_surfaces.clear();
     m_engine->setRootEntity({});
@@ -189,6 +190,28 @@ QImage SceneRenderer::opaqueIds()
     const std::vector<QImage> layers = captured({m_frameGraph.idCaptures().front()});
     m_frameGraph.setIdsDrawn(false, {1, 1});
     return layers.empty() ? QImage() : layers.front();
+}
+
+void SceneRenderer::askForIds()
+{
+    if (m_idReply)
+        return;
+    m_frameGraph.setIdsDrawn(true, windowPixels());
+    m_idReply.reset(m_frameGraph.idCaptures().front()->requestCapture());
+    m_idFrames = 0;
+}
+
+std::optional<QImage> SceneRenderer::takeIds()
+{
+    if (!m_idReply || (!m_idReply->isComplete() && ++m_idFrames <= kMostCaptureFrames))
+        return std::nullopt;
+    const std::unique_ptr<Qt3DRender::QRenderCaptureReply> reply = std::move(m_idReply);
+    m_frameGraph.setIdsDrawn(false, {1, 1});
+    if (!reply->isComplete())
+        return std::nullopt;
+    QImage image = reply->image();
+    image.reinterpretAsFormat(QImage::Format_RGB32); // alpha means nothing here
+    return image;
 }
 
 QSize SceneRenderer::windowPixels() const

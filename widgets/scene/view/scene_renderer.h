@@ -24,6 +24,7 @@ class QEntity;
 namespace Qt3DRender
 {
 class QRenderCapture;
+class QRenderCaptureReply;
 } // namespace Qt3DRender
 
 namespace carina
@@ -79,6 +80,13 @@ public:
     /// null image if the window cannot be drawn into.
     [[nodiscard]] QImage opaqueIds();
 
+    /// Has the next draw() read the same, without waiting: takeIds() has it some frames later.
+    /// Without effect while that is under way.
+    void askForIds();
+    [[nodiscard]] bool isReadingIds() const { return m_idReply != nullptr; }
+    /// What was read, once; nothing while it is not there. A read that does not come is given up.
+    [[nodiscard]] std::optional<QImage> takeIds();
+
 private:
     [[nodiscard]] QSize windowPixels() const;
     [[nodiscard]] std::vector<QImage>
@@ -99,6 +107,8 @@ private:
     Surfaces m_surfaces;
     Surfaces m_figures;
     std::vector<int> m_figureLevels; ///< of each part of the figures: the finest
+    std::unique_ptr<Qt3DRender::QRenderCaptureReply> m_idReply; ///< while ids are read
+    int m_idFrames = 0;                                         ///< that were drawn since
 };
 
 } // namespace carina

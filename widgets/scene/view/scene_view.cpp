@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace carina
 {
@@ -19,7 +20,6 @@ namespace carina
 namespace
 {
 
-constexpr std::chrono::milliseconds kTick{16};
 constexpr Duration kDrawingBudget = std::chrono::milliseconds{25}; ///< of one frame
 constexpr QColor kNight{18, 25, 31};
 
@@ -44,6 +44,17 @@ std::vector<DetailEye> eyesOf(std::span<const SceneCamera> cameras)
         eyes.push_back({camera.pose.p_A_eye,
                         camera.pixels.height / (camera.frustum.top - camera.frustum.bottom)});
     return eyes;
+}
+
+IdPicture idPictureOf(const QImage& image)
+{
+    IdPicture picture{.width = image.width(), .height = image.height()};
+    for (int y = 0; y < image.height(); ++y) {
+        const auto* row = reinterpret_cast<const QRgb*>(image.constScanLine(y));
+        for (int x = 0; x < image.width(); ++x)
+            picture.ids.push_back(idInPixel(row[x]));
+    }
+    return picture;
 }
 
 } // namespace
@@ -72,7 +83,7 @@ SceneView::SceneView(QWidget* parent)
     connect(&m_tick, &QTimer::timeout, this, &SceneView::drawFrame);
     m_tick.setTimerType(Qt::PreciseTimer);
     m_tick.setSingleShot(true);
-    m_tick.start(kTick);
+    m_tick.start(m_interval);
 }
 
 SceneView::~SceneView() = default;
@@ -90,6 +101,7 @@ void SceneView::setParts(std::span<const ScenePart> parts, const Box& alsoFramed
     m_window->camera().setAspect(m_window->widthOverHeight());
     m_detail = DetailChoice{{}, kDrawingBudget};
     m_eyes.clear();
+    m_readIsOld = m_renderer->isReadingIds();
     m_instead.reset();
     applySection();
     setLooks({});
@@ -198,14 +210,25 @@ IdPicture SceneView::opaqueIds()
 {
     if (!m_window->isExposed())
         return {};
-    const QImage image = m_renderer->opaqueIds();
-    IdPicture picture{.width = image.width(), .height = image.height()};
-    for (int y = 0; y < image.height(); ++y) {
-        const auto* row = reinterpret_cast<const QRgb*>(image.constScanLine(y));
-        for (int x = 0; x < image.width(); ++x)
-            picture.ids.push_back(idInPixel(row[x]));
-    }
-    return picture;
+    return idPictureOf(m_renderer->opaqueIds());
+}
+
+/// Before the frame is drawn whose ids are wanted.
+void SceneView::beginToRead(const SceneFrame& frame)
+{
+    if (!std::exchange(m_asksForIds, false) || m_renderer->isReadingIds())
+        return;
+    m_readFrame = frame;
+    m_renderer->askForIds();
+}
+
+void SceneView::tellIds()
+{
+    const auto ids = m_renderer->takeIds();
+    if (!ids || std::exchange(m_readIsOld, false))
+        return;
+    if (!ids->isNull() && m_idListener)
+        m_idListener(idPictureOf(*ids), m_readFrame);
 }
 
 /// The frame's eyes, or the desktop's camera over the whole window.
@@ -264,7 +287,8 @@ void SceneView::drawFrame()
     const LocalTime began = monotonicNow();
     if (m_window->isExposed())
         drawExposed(began);
-    const auto left = kTick - std::chrono::ceil<std::chrono::milliseconds>(monotonicNow() - began);
+    const auto left =
+        m_interval - std::chrono::ceil<std::chrono::milliseconds>(monotonicNow() - began);
     m_tick.start(std::max(left, std::chrono::milliseconds{0}));
 }
 
@@ -318,6 +342,7 @@ void SceneView::drawExposed(LocalTime asked)
     m_eyes = eyesOf(cameras);
     m_renderer->setCameras(cameras);
     m_renderer->apply(drawn.frame, m_detail.levels());
+    beginToRead(drawn.frame);
     m_renderer->draw();
     drawn.swapped = monotonicNow();
     placeLabels(drawn.frame, cameras);
@@ -330,6 +355,7 @@ void SceneView::drawExposed(LocalTime asked)
     m_detail.frameTook(drawn.swapped - drawn.asked);
     if (m_listener)
         m_listener(drawn);
+    tellIds();
 }
 
 } // namespace carina

@@ -20,6 +20,7 @@
 #include <QTimer>
 #include <QWidget>
 
+#include <chrono>
 #include <functional>
 #include <map>
 #include <memory>
@@ -62,6 +63,7 @@ public:
     /// of detail in which the parts that share theirs will be drawn.
     using FrameSource = std::function<SceneFrame(int level, LocalTime lit)>;
     using FrameListener = std::function<void(const DrawnFrame&)>;
+    using IdListener = std::function<void(const IdPicture&, const SceneFrame&)>;
 
     /// @pre prepareGraphics() was called, and graphicsDriver() has a value.
     explicit SceneView(QWidget* parent = nullptr);
@@ -108,6 +110,9 @@ public:
     {
         return m_figureNames.placed();
     }
+
+    /// Draws so often at most; usually every 16 ms.
+    void drawEvery(std::chrono::milliseconds interval) { m_interval = interval; }
 
     void showFrom(ViewPreset preset);
     /// Shows what a camera in this pose sees. @pre that of OrbitCamera::look
@@ -157,6 +162,11 @@ public:
     /// top; translucent parts hide nothing. Empty while the view is not visible.
     [[nodiscard]] IdPicture opaqueIds();
 
+    /// The same of the next frame, without waiting for it: the listener has it, with that frame,
+    /// one or two frames later. Without effect while one is under way.
+    void askForIds() { m_asksForIds = true; }
+    void onIdsRead(IdListener listener) { m_idListener = std::move(listener); }
+
 Q_SIGNALS:
     /// A point in the picture was clicked: the ray through it from the eye that sees it there, in
     /// A, with a unit direction.
@@ -165,6 +175,8 @@ Q_SIGNALS:
 private:
     void drawFrame();
     void drawExposed(LocalTime asked);
+    void beginToRead(const SceneFrame& frame);
+    void tellIds();
     void takeFrom(const SceneView& other);
     void placeLabels(const SceneFrame& frame, const std::vector<SceneCamera>& cameras);
     void sendRay(const QPointF& position);
@@ -192,6 +204,11 @@ private:
     const SceneView* m_followed = nullptr;
     FrameSource m_source;
     FrameListener m_listener;
+    IdListener m_idListener;
+    bool m_asksForIds = false;
+    bool m_readIsOld = false; ///< of parts that are not there any more
+    SceneFrame m_readFrame;   ///< whose ids are read
+    std::chrono::milliseconds m_interval{16};
     DetailChoice m_detail;
     FrameTimes m_times;
     TimeOfLight m_timeOfLight;

@@ -42,6 +42,7 @@ public:
 private Q_SLOTS:
     void init();
     void tellsTheNearestOpaquePartInEachPixel();
+    void tellsTheSameWithoutWaiting();
     void tellsNothingWhileNotShown();
     void lightsLessWithTheDistance();
 };
@@ -67,6 +68,34 @@ void TestScopePicture::tellsTheNearestOpaquePartInEachPixel()
     const double focal = 0.5 * kHeight / std::tan(0.5 * OrbitCamera::kVerticalFieldOfView);
     QVERIFY(idAt(picture, kWidth / 2, kHeight / 2 - int(0.2 / 2.5 * focal)) == std::uint16_t{300});
     QVERIFY(!idAt(picture, 2, 2));
+}
+
+// Of the frame that was drawn next, while others are drawn.
+void TestScopePicture::tellsTheSameWithoutWaiting()
+{
+    const std::vector parts{spherePart(7, MaterialGroup::Bone, Vec3::Zero(), 0.1)};
+    int asked = 0;
+    const auto view = shownView(parts, [&asked](int, LocalTime) {
+        SceneFrame frame = frontFrame();
+        frame.time = SessionTime{std::chrono::seconds{++asked}};
+        return frame;
+    });
+    QVERIFY(draws(*view, 3));
+    std::optional<IdPicture> told;
+    SessionTime of{};
+    view->onIdsRead([&](const IdPicture& ids, const SceneFrame& frame) {
+        told = ids;
+        of = frame.time;
+    });
+    view->askForIds();
+    const SessionTime next{std::chrono::seconds{asked + 1}};
+    QVERIFY(draws(*view, kSwitchFrames));
+    QVERIFY(told.has_value());
+    QCOMPARE(of, next);
+    QVERIFY(told->ids == view->opaqueIds().ids);
+    told.reset();
+    QVERIFY(draws(*view, kSwitchFrames));
+    QVERIFY(!told); // once
 }
 
 void TestScopePicture::tellsNothingWhileNotShown()

@@ -30,6 +30,7 @@ struct PersonPose {
     ObjectId object;
     ParticipantId owner;
     std::string ownerName;
+    std::string name{}; ///< as it was shared: of a laryngoscope it can tell the blade
     ObjectKind kind = ObjectKind::Head;
     bool isOwn = false;    ///< of this program's participant
     bool isAtWork = false; ///< the tube or the jaw of who is at work

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "engine/anatomy/laryngoscopy/glottic_view.h"
+#include "models/patient/laryngoscopy.h"
+#include "models/station/station_view.h"
+
+#include <QString>
+
+#include <optional>
+
+namespace carina
+{
+
+/// What there is of a laryngoscope at a station.
+enum class LaryngoscopeState : std::uint8_t {
+    None,     ///< nobody there has one that was ever seen
+    Lost,     ///< it is out of its tracker's view, or nothing is heard of it
+    Away,     ///< the virtual patient is not where the manikin is
+    NoLarynx, ///< the patient lacks what it is to show
+    Live,     ///< it is seen
+};
+
+/// A laryngoscope of a station at a moment, and how the tissue gives way to it. All but the state
+/// is for Live only.
+struct LaryngoscopeSight {
+    LaryngoscopeState state = LaryngoscopeState::None;
+    RigidTransform X_AL{};
+    FollowingThroat throat{};
+    BladeField tissue{};
+    Blade blade{};
+};
+
+/// The laryngoscope with which somebody works at a station: that of who is at work, else the first
+/// that was shared; nullptr without one.
+[[nodiscard]] const PersonPose* laryngoscopeOf(const StationMoment& moment);
+
+/// The laryngoscope of a station in its patient. The places by which a blade moves tissue are
+/// looked for when there first is one.
+class StationLaryngoscope
+{
+public:
+    /// @pre the patient outlives this
+    explicit StationLaryngoscope(const PatientModel& patient) : m_patient{&patient} {}
+
+    /// Another patient lies there from now on. @pre as before
+    void lieIn(const PatientModel& patient)
+    {
+        m_patient = &patient;
+        m_laryngoscopy.reset();
+    }
+    /// The blade of this program's laryngoscope, as it was touched; std::nullopt: as its name says.
+    void takeOwnBlade(const std::optional<Blade>& blade) { m_ownBlade = blade; }
+    /// The blade of somebody's laryngoscope: as touched, as its name says, or the usual one.
+    [[nodiscard]] Blade bladeOf(const PersonPose& laryngoscope) const;
+
+    /// @param throat of the patient, as it is drawn at that moment
+    [[nodiscard]] LaryngoscopeSight at(const StationMoment& moment, const FollowingThroat& throat);
+
+    /// The glottis, as it is drawn there. @pre there was a Live one
+    [[nodiscard]] GlotticLine glottisAt(const FollowingThroat& throat,
+                                        const BladeField& tissue) const;
+
+private:
+    const PatientModel* m_patient;
+    std::optional<Blade> m_ownBlade;
+    std::optional<Result<Laryngoscopy>> m_laryngoscopy;
+};
+
+/// What keeps the view of a laryngoscope from being shown, and what to do, as a sentence; empty
+/// while it is Live.
+[[nodiscard]] QString laryngoscopeText(LaryngoscopeState state);
+
+/// "Grade 2a · 43 % of the glottis".
+[[nodiscard]] QString glotticViewText(const GlotticView& view);
+
+} // namespace carina

@@ -1,0 +1,218 @@
+#include "models/station/laryngoscope_sight.h"
+
+#include "engine/anatomy/patient/builtin_patient.h"
+#include "models/patient/patient_source.h"
+#include "tests/models/fake_session_node.h"
+#include "tests/support/test_class.h"
+
+#include <array>
+#include <set>
+
+namespace carina::laryngoscope_sight_test
+{
+namespace
+{
+
+using test::FakeSessionNode;
+using namespace std::chrono_literals;
+
+constexpr SessionTime kNow{1000s};
+constexpr ParticipantId kTom = FakeSessionNode::kTrainee; ///< at work
+constexpr ParticipantId kTess{4};
+constexpr ObjectId kFirst{2}; ///< of the laryngoscopes
+constexpr ObjectId kSecond{3};
+constexpr double kFloat_m = 1e-6;
+
+const PatientModel& patient()
+{
+    static const SharedPatientModel made =
+        patientOf(builtinPatient(BuiltinPatient::TwelveYears).value()).value();
+    return *made;
+}
+
+LaryngoscopyPose poseIn(LaryngoscopyStep step)
+{
+    return Laryngoscopy::of(patient(), bladeOf(BladeKind::Macintosh3))->pose(step, kUsualLift);
+}
+
+/// Tom is at work; he or both have a laryngoscope under this name.
+struct Station {
+    explicit Station(const char* name = "Laryngoscope", ParticipantId owner = kTom)
+    {
+        node.decide(fact::ParticipantJoined{{}, Role::Trainee, "Tess"});
+        node.decide(fact::ObjectShared{{}, owner, ObjectKind::Laryngoscope, name});
+    }
+    FakeSessionNode node;
+    StationView view{node, FakeSessionNode::kStation, patient().lungs()};
+    StationLaryngoscope laryngoscope{patient()};
+
+    LaryngoscopeSight at(SessionTime t, const RigidTransform& X_AJ = {})
+    {
+        return laryngoscope.at(view.at(t, 0), patient().throat(X_AJ));
+    }
+};
+
+/// How far forward the tip of the epiglottis is tilted.
+double tilt_mm(const LaryngoscopeSight& sight)
+{
+    const auto airway = Laryngoscopy::of(patient(), sight.blade)->script().airway;
+    const UpperAirway moved = followed(airway, sight.throat);
+    const Vec3 d = larynxTilt<double>(sight.tissue.frame(), moved.p_A_epiglottisTip).d;
+    return 1e3 * d.dot(moved.forward_A());
+}
+
+} // namespace
+
+class TestLaryngoscopeSight : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void hasTheBladeWhereItIsTracked()
+    {
+        Station station;
+        const LaryngoscopyPose lifted = poseIn(LaryngoscopyStep::Full);
+        station.node.sees(kFirst, lifted.X_AL, kNow);
+        const LaryngoscopeSight sight = station.at(kNow, lifted.X_AJ);
+        QCOMPARE(sight.state, LaryngoscopeState::Live);
+        QVERIFY((sight.X_AL.translation() - lifted.X_AL.translation()).norm() < kFloat_m);
+        QVERIFY(sight.tissue.isThere());
+        QVERIFY(tilt_mm(sight) > 5.0);
+    }
+
+    void movesNothingFromFarAway()
+    {
+        Station station;
+        station.node.sees(kFirst, RigidTransform::translation({0.0, -0.5, 0.5}), kNow);
+        const LaryngoscopeSight sight = station.at(kNow);
+        QCOMPARE(sight.state, LaryngoscopeState::Live);
+        QVERIFY(tilt_mm(sight) < 1e-3);
+        const Vec3 tongue =
+            0.5 * (patient().landmarks().p_A_incisors + patient().landmarks().p_A_glottis);
+        QVERIFY(bladePush<double>(sight.tissue.frame(), tongue).d.norm() < 1e-4);
+    }
+
+    void saysThatThereIsNone()
+    {
+        Station station;
+        QCOMPARE(station.at(kNow).state, LaryngoscopeState::None); // it was never seen
+        QVERIFY(!station.at(kNow).tissue.isThere());
+    }
+
+    /// No sample for longer than can be predicted.
+    void doesNotTakeAStalePoseForALiveOne()
+    {
+        Station station;
+        station.node.sees(kFirst, poseIn(LaryngoscopyStep::Full).X_AL, kNow);
+        QCOMPARE(station.at(kNow + 100ms).state, LaryngoscopeState::Live);
+        const LaryngoscopeSight stale = station.at(kNow + 1s);
+        QCOMPARE(stale.state, LaryngoscopeState::Lost);
+        QVERIFY(!stale.tissue.isThere());
+    }
+
+    void needsThePatientInItsPlace()
+    {
+        Station station;
+        station.node.sees(kFirst, poseIn(LaryngoscopyStep::Full).X_AL, kNow);
+        StationMoment moment = station.view.at(kNow, 0);
+        moment.patient.emplace().acted = {RigidTransform::translation({0.2, 0.0, 0.0}), 1.0};
+        const auto sight = station.laryngoscope.at(moment, patient().throat(std::nullopt));
+        QCOMPARE(sight.state, LaryngoscopeState::Away);
+        QVERIFY(!sight.tissue.isThere());
+    }
+
+    void needsALarynx()
+    {
+        Anatomy anatomy = builtinPatient(BuiltinPatient::TwelveYears).value();
+        std::erase_if(anatomy.parts,
+                      [](const AnatomyPart& part) { return part.role == PartRole::Epiglottis; });
+        const SharedPatientModel without = patientOf(std::move(anatomy)).value();
+        Station station;
+        station.node.sees(kFirst, poseIn(LaryngoscopyStep::Full).X_AL, kNow);
+        station.laryngoscope.lieIn(*without);
+        QCOMPARE(station.at(kNow).state, LaryngoscopeState::NoLarynx);
+        station.laryngoscope.lieIn(patient());
+        QCOMPARE(station.at(kNow).state, LaryngoscopeState::Live);
+    }
+
+    void takesThatOfWhoIsAtWork()
+    {
+        Station station{"Laryngoscope", kTess};
+        station.node.decide(fact::ObjectShared{{}, kTom, ObjectKind::Laryngoscope, "Laryngoscope"});
+        const RigidTransform X_AL_tess = RigidTransform::translation({0.1, 0.0, 0.2});
+        const RigidTransform X_AL_tom = RigidTransform::translation({-0.1, 0.0, 0.2});
+        station.node.sees(kFirst, X_AL_tess, kNow);
+        QVERIFY(station.at(kNow).X_AL.translation().x() > 0.0); // he has not shown his yet
+        station.node.sees(kSecond, X_AL_tom, kNow);
+        QVERIFY(station.at(kNow).X_AL.translation().x() < 0.0);
+    }
+
+    void hasTheBladeOfItsName_data()
+    {
+        QTest::addColumn<std::string>("name");
+        QTest::addColumn<std::string>("blade");
+        QTest::newRow("as this program names it")
+            << std::string{"Laryngoscope macintosh-4"} << std::string{"macintosh-4"};
+        QTest::newRow("as a person does")
+            << std::string{"Blade Miller 2"} << std::string{"miller-2"};
+        QTest::newRow("one of a kind")
+            << std::string{"hyperangulated"} << std::string{"hyperangulated"};
+        QTest::newRow("none") << std::string{"Laryngoscope"} << std::string{"macintosh-3"};
+    }
+    void hasTheBladeOfItsName()
+    {
+        QFETCH(const std::string, name);
+        QFETCH(const std::string, blade);
+        Station station{name.c_str()};
+        station.node.sees(kFirst, {}, kNow);
+        QCOMPARE(std::string{station.at(kNow).blade.name}, blade);
+    }
+
+    /// A straight one, 155 mm long: it lifts the epiglottis itself.
+    void hasTheOwnBladeAsItWasTouched()
+    {
+        const Blade touched = touchedBlade({.heelWidth = millimetres(13.0),
+                                            .handle = millimetres(150.0),
+                                            .p_L_tip = {0.0, 0.004, -0.155},
+                                            .p_L_half = {0.0, 0.0, -0.0775}});
+        QCOMPARE(touched.lift, EpiglottisLift::Direct);
+        QCOMPARE(touched.form.reach, 0.155);
+        QVERIFY(std::abs(touched.form.sag - 0.002) < 1e-9);
+        Station station;
+        station.node.sees(kFirst, {}, kNow);
+        station.laryngoscope.takeOwnBlade(touched);
+        QCOMPARE(station.at(kNow).blade.form.reach, bladeOf(kUsualBlade).form.reach); // of another
+        PersonPose own;
+        own.kind = ObjectKind::Laryngoscope;
+        own.isOwn = true;
+        QCOMPARE(station.laryngoscope.bladeOf(own).form, touched.form);
+    }
+
+    void saysInOneSentenceWhatToDo()
+    {
+        std::set<QString> told;
+        for (const LaryngoscopeState state :
+             {LaryngoscopeState::None, LaryngoscopeState::Lost, LaryngoscopeState::Away,
+              LaryngoscopeState::NoLarynx}) {
+            const QString text = laryngoscopeText(state);
+            QVERIFY(text.endsWith(QLatin1Char{'.'}));
+            QCOMPARE(text.count(QLatin1Char{'.'}), 1);
+            told.insert(text);
+        }
+        QCOMPARE(told.size(), 4U);
+        QVERIFY(laryngoscopeText(LaryngoscopeState::Live).isEmpty());
+    }
+
+    void saysGradeAndPercentage()
+    {
+        QCOMPARE(glotticViewText({.opening = 0.43, .grade = CormackLehane::Grade2a}),
+                 QStringLiteral("Grade 2a · 43 % of the glottis"));
+        QCOMPARE(glotticViewText({}), QStringLiteral("Grade 4 · 0 % of the glottis"));
+    }
+};
+
+CARINA_TEST(TestLaryngoscopeSight)
+
+} // namespace carina::laryngoscope_sight_test
+
+#include "tst_laryngoscope_sight.moc"

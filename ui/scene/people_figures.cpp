@@ -2,8 +2,10 @@
 
 #include "models/station/people_words.h"
 #include "ui/scene/scene_parts.h"
+#include "widgets/scene/figures/figure_shapes.h"
 
 #include <array>
+#include <memory>
 #include <utility>
 
 namespace carina
@@ -63,10 +65,7 @@ const RigidTransform& poseInView(const PersonPose& person,
 class FigureMaker
 {
 public:
-    FigureMaker(const PatientModel& patient, FigureShapes::Mesh ownBlade)
-        : m_patient{patient}, m_ownBlade{std::move(ownBlade)}
-    {
-    }
+    explicit FigureMaker(const PatientModel& patient) : m_patient{patient} {}
 
     SceneFigure figureOf(const DrawnPerson& person)
     {
@@ -93,7 +92,7 @@ public:
             add("Pointer", shapes.stylus, kPointerColor);
             break;
         case ObjectKind::Laryngoscope:
-            add("Laryngoscope", person.isOwn && m_ownBlade ? m_ownBlade : shapes.blade,
+            add("Laryngoscope", std::make_shared<const TriangleMesh>(bladeMesh(person.blade)),
                 kBladeColor);
             add("Handle", shapes.handle, color);
             break;
@@ -131,32 +130,35 @@ private:
     }
 
     const PatientModel& m_patient;
-    FigureShapes::Mesh m_ownBlade;
     SceneFigure m_figure;
     std::uint16_t m_nextId = kFirstId;
 };
 
 } // namespace
 
-std::vector<DrawnPerson> drawnPeople(const StationMoment& moment)
+std::vector<DrawnPerson> drawnPeople(const StationMoment& moment, const StationLaryngoscope* blades)
 {
+    const auto bladeIn = [blades](const PersonPose& person) {
+        return blades != nullptr ? blades->bladeOf(person).form : bladeOf(kUsualBlade).form;
+    };
     std::vector<DrawnPerson> people;
     for (const PersonPose& person : moment.people)
         if (isDrawn(person, moment))
-            people.push_back({.object = person.object,
-                              .owner = person.owner,
-                              .kind = person.kind,
-                              .name = nameBeside(person, moment.worker),
-                              .isAtWork = person.isAtWork,
-                              .isOwn = person.isOwn});
+            people.push_back(
+                {.object = person.object,
+                 .owner = person.owner,
+                 .kind = person.kind,
+                 .name = nameBeside(person, moment.worker),
+                 .isAtWork = person.isAtWork,
+                 .isOwn = person.isOwn,
+                 .blade = person.kind == ObjectKind::Laryngoscope ? bladeIn(person) : BladeForm{}});
     return people;
 }
 
 std::vector<SceneFigure> peopleFigures(const std::vector<DrawnPerson>& people,
-                                       const PatientModel& patient,
-                                       const FigureShapes::Mesh& ownBlade)
+                                       const PatientModel& patient)
 {
-    FigureMaker maker{patient, ownBlade};
+    FigureMaker maker{patient};
     std::vector<SceneFigure> figures;
     for (const DrawnPerson& person : people)
         figures.push_back(maker.figureOf(person));

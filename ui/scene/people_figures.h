@@ -1,8 +1,8 @@
 #pragma once
 
 #include "models/patient/patient_model.h"
+#include "models/station/laryngoscope_sight.h"
 #include "models/station/station_view.h"
-#include "widgets/scene/figures/figure_shapes.h"
 #include "widgets/scene/figures/scene_figure.h"
 #include "widgets/scene/view/scene_frame.h"
 
@@ -20,6 +20,7 @@ struct DrawnPerson {
     QString name;          ///< written beside it
     bool isAtWork = false; ///< the tube that is drawn with the patient: named only
     bool isOwn = false;    ///< of this program's participant
+    BladeForm blade{};     ///< of a laryngoscope
 
     friend bool operator==(const DrawnPerson&, const DrawnPerson&) = default;
 };
@@ -27,13 +28,13 @@ struct DrawnPerson {
 /// What is drawn of the people at a moment: heads, hands and styluses of others, and all tubes and
 /// laryngoscopes. The own head is never drawn; own hands and the own stylus are for who looks at a
 /// screen (StationMoment::ownHandsAreDrawn).
-[[nodiscard]] std::vector<DrawnPerson> drawnPeople(const StationMoment& moment);
+/// @param blades which says what blades laryngoscopes have; nullptr: all have the usual one
+[[nodiscard]] std::vector<DrawnPerson> drawnPeople(const StationMoment& moment,
+                                                   const StationLaryngoscope* blades = nullptr);
 
 /// Their figures; tubes are that of the patient.
-/// @param ownBlade of the own laryngoscope, as it was touched; null: as all others
 [[nodiscard]] std::vector<SceneFigure> peopleFigures(const std::vector<DrawnPerson>& people,
-                                                     const PatientModel& patient,
-                                                     const FigureShapes::Mesh& ownBlade = {});
+                                                     const PatientModel& patient);
 
 /// An object of a person in a frame.
 struct ObjectInFrame {

@@ -32,7 +32,11 @@ Lie lieOf(BodyPosition position)
 } // namespace
 
 StationScene::StationScene(SceneView& scene, const PatientModel& patient, const StationView& view)
-    : m_scene{scene}, m_patient{&patient}, m_view{&view}, m_standardHeadset{HeadsetView::standard()}
+    : m_scene{scene},
+      m_patient{&patient},
+      m_view{&view},
+      m_laryngoscope{patient},
+      m_standardHeadset{HeadsetView::standard()}
 {
     m_scene.setParts(sceneParts(patient), patient.reach());
     m_scene.nameSides(kPatientBody);
@@ -45,12 +49,13 @@ StationScene::StationScene(SceneView& scene, const PatientModel& patient, const 
 
 SceneFrame StationScene::frameOf(int level, LocalTime lit)
 {
-    m_moment = m_view->litAt(lit, static_cast<std::size_t>(level));
+    m_moment = momentAt(lit, level);
     m_moment.ownHandsAreDrawn = drawsOwnHands(m_moment, m_output);
     showFigures();
     m_scene.setLie(lieOf(m_moment.position));
-    SceneFrame frame =
-        sceneFrame(m_moment, m_patient->lungs().field(), throatAt(m_moment, *m_patient));
+    const FollowingThroat throat = throatAt(m_moment, *m_patient);
+    SceneFrame frame = sceneFrame(m_moment, m_patient->lungs().field(), throat);
+    frame.blade = m_laryngoscope.at(m_moment, throat).tissue;
     addLifted(frame, m_moment, *m_patient);
     findViewpoint();
     frame.viewpoint = m_viewpoint;
@@ -80,13 +85,13 @@ void StationScene::findViewpoint()
 
 void StationScene::showFigures()
 {
-    std::vector<DrawnPerson> people = drawnPeople(m_moment);
+    std::vector<DrawnPerson> people = drawnPeople(m_moment, &m_laryngoscope);
     std::vector<DrawnLift> lifts = drawnLifts(m_moment, *m_patient);
     if (people == m_people && lifts == m_lifts)
         return;
     m_people = std::move(people);
     m_lifts = std::move(lifts);
-    std::vector<SceneFigure> figures = peopleFigures(m_people, *m_patient, m_ownBlade);
+    std::vector<SceneFigure> figures = peopleFigures(m_people, *m_patient);
     std::ranges::move(liftedFigures(m_lifts, *m_patient), std::back_inserter(figures));
     m_scene.setFigures(figures);
 }
@@ -95,16 +100,11 @@ void StationScene::show(const PatientModel& patient, const StationView& view)
 {
     m_patient = &patient;
     m_view = &view;
+    m_laryngoscope.lieIn(patient);
     m_scene.setParts(sceneParts(patient), patient.reach());
     m_people.clear(); // whose tubes are those of the patient before
     m_lifts.clear();
     m_scene.setFigures({});
-}
-
-void StationScene::showBlade(FigureShapes::Mesh blade)
-{
-    m_ownBlade = std::move(blade);
-    m_people.clear(); // whose figures are made anew
 }
 
 void StationScene::showTo(const HeadsetView& headset, ViewOutput output)

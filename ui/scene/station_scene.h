@@ -2,6 +2,7 @@
 
 #include "models/patient/patient_model.h"
 #include "models/station/headset_view.h"
+#include "models/station/laryngoscope_sight.h"
 #include "models/station/station_view.h"
 #include "ui/scene/lifted_figures.h"
 #include "ui/scene/people_figures.h"
@@ -29,8 +30,9 @@ public:
     /// Draws another patient from now on. @pre both outlive this, or live until the next show().
     void show(const PatientModel& patient, const StationView& view);
 
-    /// Draws the blade of the own laryngoscope so from now on; null: as that of others.
-    void showBlade(FigureShapes::Mesh blade);
+    /// The own laryngoscope has this blade from now on; std::nullopt: that which its name says, as
+    /// those of others.
+    void showBlade(const std::optional<Blade>& blade) { m_laryngoscope.takeOwnBlade(blade); }
 
     /// Selects the output: the eyes of a headset, or a screen.
     void showTo(const HeadsetView& headset, ViewOutput output);
@@ -53,6 +55,13 @@ public:
     [[nodiscard]] const PatientModel& patient() const { return *m_patient; }
     /// The moment of the latest frame.
     [[nodiscard]] const StationMoment& moment() const { return m_moment; }
+    /// The same station at another time, for a second picture of it; see StationView::litAt.
+    [[nodiscard]] StationMoment momentAt(LocalTime lit, int level) const
+    {
+        return m_view->litAt(lit, static_cast<std::size_t>(level));
+    }
+    /// What gives way to a laryngoscope, in this patient.
+    [[nodiscard]] StationLaryngoscope& laryngoscope() { return m_laryngoscope; }
 
     /// Adds a listener.
     void onFrameDrawn(Listener listener);
@@ -76,7 +85,7 @@ private:
     const StationView* m_view;
     std::vector<DrawnPerson> m_people; ///< whose figures the scene has
     std::vector<DrawnLift> m_lifts;    ///< likewise
-    FigureShapes::Mesh m_ownBlade;
+    StationLaryngoscope m_laryngoscope;
     std::vector<Listener> m_listeners;
     HeadsetView m_standardHeadset; ///< for views through the eyes of others
     std::optional<ParticipantId> m_throughEyesOf;

@@ -87,6 +87,7 @@ void InstructorWindow::fillPanels(const ProgramTracker& tracker)
     m_ui->breathing->setModel(m_models.breathing);
     m_ui->condition->setModel(m_models.respiration);
     m_ui->waveforms->setTrace(m_models.trace);
+    m_ui->laryngoscope->setStation(stationScene());
     m_ui->participants->setModel(m_models.participants, m_models.conduct, m_models.stations,
                                  m_models.people);
     m_ui->participants->setOwnHead([this] { return stationScene().moment().head; });
@@ -166,7 +167,7 @@ void InstructorWindow::layPanels()
         *this,
         QList<Group>{Group{m_ui->breathingDock, m_ui->conditionDock, m_ui->actionsDock,
                            m_ui->partsDock, m_ui->trackerDock},
-                     Group{m_ui->waveformDock},
+                     Group{m_ui->waveformDock, m_ui->laryngoscopeDock},
                      Group{m_ui->participantsDock, m_ui->invitationDock, m_ui->networkDock}});
     offerPanels();
     m_docks->offerAll();
@@ -193,6 +194,9 @@ void InstructorWindow::offerPanels()
           tr("Tools of the instructor's own tracker as it sees them, and to connect one"));
     offer(m_ui->waveformDock, "showWaveforms", tr("Wa&veforms"), QStringLiteral("Ctrl+W"),
           tr("Flow, airway pressure and volume"));
+    offer(
+        m_ui->laryngoscopeDock, "showLaryngoscope", tr("&Laryngoscope"), QStringLiteral("Ctrl+L"),
+        tr("What the camera of the laryngoscope shows, with grade and percentage of the glottis"));
     offer(m_ui->participantsDock, "showParticipants", tr("&Participants"), QStringLiteral("Ctrl+U"),
           tr("Who takes part, and what is decided about them"));
     offer(m_ui->invitationDock, "showInvitation", tr("&Invite"), QStringLiteral("Ctrl+I"),

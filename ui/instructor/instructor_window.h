@@ -59,8 +59,8 @@ struct ConsoleModels {
 
 /// The instructor's console: session control, what needs attention, and a 3-D view of the patient
 /// of the station that is shown, which has most of the window; beside it panels with the patient's
-/// breathing and disease, waveforms, shared objects, participants and network, and the tools of the
-/// console's own tracker.
+/// breathing and disease, waveforms, the view of the laryngoscope, shared objects, participants and
+/// network, and the tools of the console's own tracker.
 class InstructorWindow : public QMainWindow
 {
     Q_OBJECT

@@ -5,6 +5,7 @@
 #include "models/station/people_words.h"
 #include "models/station/station_notice.h"
 #include "ui/panels/actions_panel.h"
+#include "ui/panels/laryngoscope_panel.h"
 #include "ui/panels/parts_panel.h"
 #include "ui/panels/people_menus.h"
 #include "ui/panels/section_panel.h"
@@ -40,6 +41,7 @@ TraineeWindow::TraineeWindow(const SessionNode& node, SessionPatient& patient,
       m_actions{new QDockWidget{tr("Actions"), this}},
       m_parts{new QDockWidget{tr("Parts"), this}},
       m_tracker{new QDockWidget{tr("Tracker"), this}},
+      m_laryngoscope{new QDockWidget{tr("Laryngoscope"), this}},
       m_partsPanel{new PartsPanel},
       m_section{new SectionPanel},
       m_notices{new PlainLabel{this}, new PlainLabel{this}},
@@ -60,6 +62,7 @@ TraineeWindow::TraineeWindow(const SessionNode& node, SessionPatient& patient,
     makeActions(actions);
     makeParts();
     makeTracker(tracker);
+    makeLaryngoscope();
     for (QLabel* notice : m_notices) {
         notice->setAttribute(Qt::WA_NativeWindow); // else the scene's own window would cover it
         notice->setAlignment(Qt::AlignCenter);
@@ -125,6 +128,14 @@ void TraineeWindow::makeTracker(const ProgramTracker& tracker)
     tabifyDockWidget(m_parts, m_tracker);
 }
 
+void TraineeWindow::makeLaryngoscope()
+{
+    auto* panel = new LaryngoscopePanel;
+    panel->setStation(m_stationScene);
+    addPanel(m_laryngoscope, panel, tr("&View of the laryngoscope"));
+    tabifyDockWidget(m_tracker, m_laryngoscope);
+}
+
 void TraineeWindow::addPanel(QDockWidget* dock, QWidget* panel, const QString& menuText)
 {
     dock->setWidget(panel);
@@ -157,6 +168,7 @@ void TraineeWindow::makeMenu()
     m_menu.addAction(m_actions->toggleViewAction());
     m_menu.addAction(m_parts->toggleViewAction());
     m_menu.addAction(m_tracker->toggleViewAction());
+    m_menu.addAction(m_laryngoscope->toggleViewAction());
     m_menu.addSeparator();
     addFetching();
     addMotion();
@@ -320,7 +332,7 @@ void TraineeWindow::showTo(ViewOutput output)
 {
     m_stationScene.showTo(m_headset, output);
     // A headset's picture keeps all of the window.
-    for (QDockWidget* dock : {m_actions, m_parts, m_tracker}) {
+    for (QDockWidget* dock : {m_actions, m_parts, m_tracker, m_laryngoscope}) {
         dock->setFloating(output != ViewOutput::Screen);
         dock->setAllowedAreas(output == ViewOutput::Screen ? Qt::AllDockWidgetAreas
                                                            : Qt::NoDockWidgetArea);

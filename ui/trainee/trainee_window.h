@@ -28,8 +28,8 @@ class SectionPanel;
 /// The trainee's window: only the anatomy on black, on a screen or in a headset. Notices appear
 /// over the lower edge, once per eye if each has its own picture, and disappear automatically; the
 /// picture does not move. Esc opens a menu, from which panels for the actions on shared objects,
-/// for the parts of the patient and for the tools of the tracker open: beside the picture on a
-/// screen, in a separate window with a headset.
+/// the parts of the patient, the tools of the tracker and the view of the laryngoscope open: beside
+/// the picture on a screen, in a separate window with a headset.
 class TraineeWindow : public QMainWindow
 {
     Q_OBJECT
@@ -72,6 +72,7 @@ private:
     void makeActions(ObjectActionModel& actions);
     void makeParts();
     void makeTracker(const ProgramTracker& tracker);
+    void makeLaryngoscope();
     void addPanel(QDockWidget* dock, QWidget* panel, const QString& menuText);
     void makeMenu();
     /// Says at which station this is, where there are several.
@@ -100,6 +101,7 @@ private:
     QDockWidget* m_actions;
     QDockWidget* m_parts;
     QDockWidget* m_tracker;
+    QDockWidget* m_laryngoscope;
     PartsPanel* m_partsPanel;
     SectionPanel* m_section;
     std::array<QLabel*, 2> m_notices; ///< for the whole window or its left half; for its right half

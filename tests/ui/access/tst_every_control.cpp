@@ -28,6 +28,7 @@ using test::verifyControls;
 constexpr std::array kChange{"breathingDock", "conditionDock", "actionsDock", "partsDock",
                              "trackerDock"};
 constexpr std::array kPeople{"waveformDock", "participantsDock", "invitationDock", "networkDock"};
+constexpr const char* kWithoutControl = "laryngoscopeDock"; ///< only looked at
 
 /// While a patient is ventilated that can be moved.
 void runSession(ConsoleDesk& desk)
@@ -125,6 +126,8 @@ private Q_SLOTS:
             for (const char* people : kPeople)
                 QTest::addRow("%s and %s", change, people)
                     << QByteArray{change} << QByteArray{people};
+        QTest::addRow("%s", kWithoutControl)
+            << QByteArray{kChange[0]} << QByteArray{kWithoutControl};
     }
     void ofTheConsole()
     {

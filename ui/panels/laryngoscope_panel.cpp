@@ -1,0 +1,93 @@
+#include "ui/panels/laryngoscope_panel.h"
+
+#include "widgets/plain_label.h"
+
+#include <algorithm>
+
+namespace carina
+{
+namespace
+{
+
+constexpr int kRefresh_ms = 200;
+constexpr int kGap = 6;            // pixels between picture and words
+constexpr int kLeastWidth = 240;   // of the picture
+constexpr int kUsualWidth = 400;   // likewise
+constexpr int kLargestWidth = 640; // likewise
+constexpr int kLines = 3;          // of the words
+
+/// The largest size of 4:3, in whole pixels, of at most this width and height.
+QSize fourToThree(int width, int height)
+{
+    const int quarter = std::max(1, std::min({width, kLargestWidth, height * 4 / 3}) / 4);
+    return {4 * quarter, 3 * quarter};
+}
+
+} // namespace
+
+LaryngoscopePanel::LaryngoscopePanel(QWidget* parent)
+    : QWidget{parent}, m_picture{new SceneView{this}}, m_text{new PlainLabel{this}}
+{
+    m_picture->setObjectName(QStringLiteral("laryngoscopePicture"));
+    m_picture->setAccessibleName(tr("What the camera of the laryngoscope shows"));
+    m_picture->setBackground(Qt::black);
+    m_text->setObjectName(QStringLiteral("laryngoscopeText"));
+    m_text->setAccessibleName(tr("View of the larynx"));
+    m_text->setWordWrap(true);
+    m_text->setAlignment(Qt::AlignHCenter | Qt::AlignTop);
+    setFocusProxy(m_picture);
+    m_looking.callOnTimeout(this, &LaryngoscopePanel::refresh);
+    m_looking.start(kRefresh_ms);
+    refresh();
+}
+
+void LaryngoscopePanel::setStation(StationScene& station)
+{
+    m_scope = std::make_unique<LiveScope>(*m_picture, station);
+    refresh();
+}
+
+QString LaryngoscopePanel::text() const
+{
+    const LaryngoscopeState state = m_scope ? m_scope->state() : LaryngoscopeState::None;
+    if (state != LaryngoscopeState::Live)
+        return laryngoscopeText(state);
+    return m_scope->seen() ? glotticViewText(*m_scope->seen()) : QString{};
+}
+
+void LaryngoscopePanel::refresh()
+{
+    const QString told = text();
+    if (told != m_text->text())
+        m_text->setText(told);
+}
+
+int LaryngoscopePanel::heightForWidth(int width) const
+{
+    const QSize picture = fourToThree(width, kLargestWidth);
+    return picture.height() + kGap + kLines * fontMetrics().lineSpacing();
+}
+
+QSize LaryngoscopePanel::sizeHint() const { return {kUsualWidth, heightForWidth(kUsualWidth)}; }
+
+QSize LaryngoscopePanel::minimumSizeHint() const
+{
+    return {kLeastWidth, heightForWidth(kLeastWidth)};
+}
+
+void LaryngoscopePanel::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    layOut();
+}
+
+/// The words keep their place beneath the picture, whatever they are.
+void LaryngoscopePanel::layOut()
+{
+    const int words = kLines * fontMetrics().lineSpacing();
+    const QSize size = fourToThree(width(), std::max(1, height() - kGap - words));
+    m_picture->setGeometry({{(width() - size.width()) / 2, 0}, size});
+    m_text->setGeometry(0, size.height() + kGap, width(), words);
+}
+
+} // namespace carina

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "ui/scene/live_scope.h"
+
+#include <QTimer>
+#include <QWidget>
+
+#include <memory>
+
+class QLabel;
+
+namespace carina
+{
+
+/// What the camera on a station's laryngoscope shows, in a picture of 4:3, and beneath it grade and
+/// percentage of glottic opening; or why there is nothing to be seen, and what to do.
+class LaryngoscopePanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit LaryngoscopePanel(QWidget* parent = nullptr);
+
+    /// Shows the laryngoscope of this station from now on. To be called once.
+    /// @pre it outlives the panel.
+    void setStation(StationScene& station);
+
+    /// As it is written beneath the picture.
+    [[nodiscard]] QString text() const;
+
+    [[nodiscard]] bool hasHeightForWidth() const override { return true; }
+    [[nodiscard]] int heightForWidth(int width) const override;
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void refresh();
+    void layOut();
+
+    SceneView* m_picture;
+    QLabel* m_text;
+    std::unique_ptr<LiveScope> m_scope;
+    QTimer m_looking;
+};
+
+} // namespace carina

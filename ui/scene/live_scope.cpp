@@ -1,0 +1,84 @@
+#include "ui/scene/live_scope.h"
+
+#include "ui/scene/scene_parts.h"
+#include "ui/scene/station_scene.h"
+
+namespace carina
+{
+namespace
+{
+
+constexpr double kWidthOverHeight = 4.0 / 3.0;
+
+} // namespace
+
+LiveScope::LiveScope(SceneView& view, StationScene& station) : m_view{view}, m_station{station}
+{
+    m_view.drawEvery(kDrawn);
+    m_view.setFrameSource([this](int level, LocalTime lit) { return frameOf(level, lit); });
+    m_view.onFrameDrawn([this](const DrawnFrame& drawn) {
+        prepare();
+        ask(drawn.frame.time);
+    });
+    m_view.onIdsRead(
+        [this](const IdPicture& ids, const SceneFrame& frame) { measure(ids, frame); });
+}
+
+/// Another patient can be where one was before.
+bool LiveScope::Shown::is(const PatientModel& other, const Blade& otherBlade) const
+{
+    return patient == &other && contentHash == other.contentHash() && blade.name == otherBlade.name
+           && blade.form == otherBlade.form;
+}
+
+/// Of the throat of another patient, or before another blade, nothing is drawn.
+SceneFrame LiveScope::frameOf(int level, LocalTime lit)
+{
+    const PatientModel& patient = m_station.patient();
+    const StationMoment moment = m_station.momentAt(lit, level);
+    const FollowingThroat throat = throatAt(moment, patient);
+    m_sight = m_station.laryngoscope().at(moment, throat);
+    SceneFrame frame = sceneFrame(moment, patient.lungs().field(), throat);
+    frame.eyes.emplace();
+    if (m_sight.state != LaryngoscopeState::Live)
+        m_seen.reset();
+    if (m_sight.state != LaryngoscopeState::Live || !m_shown.is(patient, m_sight.blade))
+        return frame;
+    frame.blade = m_sight.tissue;
+    frame.bodies[kScopeBody] = m_sight.X_AL;
+    frame.eyes->push_back(scopePicture(m_sight.X_AL * cameraOnBlade(m_sight.blade),
+                                       Laryngoscopy::fieldOfView(ScopeEye::Video),
+                                       kWidthOverHeight));
+    return frame;
+}
+
+/// The scene of what the next frame shows.
+void LiveScope::prepare()
+{
+    const PatientModel& patient = m_station.patient();
+    if (m_sight.state != LaryngoscopeState::Live || m_shown.is(patient, m_sight.blade))
+        return;
+    m_shown = {&patient, patient.contentHash(), m_sight.blade};
+    m_scene = scopeScene(patient, m_sight.blade);
+    m_seen.reset();
+    showScope(m_view, m_scene, ScopeEye::Video);
+}
+
+void LiveScope::ask(SessionTime now)
+{
+    const bool isDue = !m_asked || now - *m_asked >= kRead || now < *m_asked;
+    if (m_sight.state != LaryngoscopeState::Live || !isDue)
+        return;
+    m_asked = now;
+    m_view.askForIds();
+}
+
+void LiveScope::measure(const IdPicture& ids, const SceneFrame& frame)
+{
+    if (m_sight.state != LaryngoscopeState::Live || !frame.eyes || frame.eyes->empty())
+        return;
+    m_seen = measuredView(ids, m_scene, frame.eyes->front(),
+                          m_station.laryngoscope().glottisAt(frame.throat, frame.blade));
+}
+
+} // namespace carina

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "models/station/laryngoscope_sight.h"
+#include "ui/scene/scope_scene.h"
+#include "widgets/scene/view/scene_view.h"
+
+#include <optional>
+#include <string>
+
+namespace carina
+{
+
+class StationScene;
+
+/// The picture of the camera on the laryngoscope of a station, live, and what it shows of the
+/// larynx: a view draws the throat of the station's patient as that camera and its lamp have it
+/// (ScopeScene), and reads a few times a second which structure each pixel shows.
+class LiveScope
+{
+public:
+    /// How often it is drawn and read at most.
+    static constexpr std::chrono::milliseconds kDrawn{80};
+    static constexpr Duration kRead = std::chrono::milliseconds{300};
+
+    /// @pre both outlive this; the view's frames are nobody else's
+    LiveScope(SceneView& view, StationScene& station);
+
+    /// As of the latest frame.
+    [[nodiscard]] LaryngoscopeState state() const { return m_sight.state; }
+    /// What was read last; nothing while the laryngoscope is not seen.
+    [[nodiscard]] const std::optional<GlotticView>& seen() const { return m_seen; }
+
+private:
+    /// Of what the scene is made.
+    struct Shown {
+        const PatientModel* patient = nullptr;
+        std::string contentHash;
+        Blade blade{};
+
+        [[nodiscard]] bool is(const PatientModel& other, const Blade& otherBlade) const;
+    };
+
+    [[nodiscard]] SceneFrame frameOf(int level, LocalTime lit);
+    void prepare();
+    void ask(SessionTime now);
+    void measure(const IdPicture& ids, const SceneFrame& frame);
+
+    SceneView& m_view;
+    StationScene& m_station;
+    Shown m_shown;
+    ScopeScene m_scene;
+    LaryngoscopeSight m_sight;
+    std::optional<GlotticView> m_seen;
+    std::optional<SessionTime> m_asked;
+};
+
+} // namespace carina

@@ -248,6 +248,34 @@ private Q_SLOTS:
         QVERIFY(!station.node.published.front().newest());
     }
 
+    /// As others see by it which blade it has.
+    void sharesALaryngoscopeByTheNameOfItsBlade()
+    {
+        const auto sharedAs = [](const TrackerChoice& tracker) {
+            Station station{tracker};
+            if (!station.tools.lay(patient()))
+                return std::string{"nothing is laid"};
+            const auto& published = station.node.published;
+            const auto found = std::ranges::find(published, ObjectKind::Laryngoscope,
+                                                 &FakeSessionNode::Published::kind);
+            return found == published.end() ? std::string{} : found->name;
+        };
+        const auto recorded = [](const char* name) {
+            return TrackerChoice{PlayedRecording{
+                "tools.csv",
+                {{RecordedTool{
+                    .name = name, .role = ToolRole::Laryngoscope, .samples = {PoseSample{}}}}},
+                Playing::Once}};
+        };
+        QCOMPARE(sharedAs(recorded("Macintosh 4")), std::string{"Laryngoscope macintosh-4"});
+        QCOMPARE(sharedAs(recorded("blade")), std::string{"Laryngoscope"});
+        QCOMPARE(sharedAs(recording()), std::string{});
+        SimulatedDevice simulated;
+        QCOMPARE(sharedAs({simulated}), std::string{});
+        simulated.settings.laryngoscope = true;
+        QCOMPARE(sharedAs({simulated}), std::string{"Laryngoscope"});
+    }
+
     void sharesNothingOnceItIsGone()
     {
         FakeSessionNode node;

@@ -25,7 +25,7 @@ SimulatedFields::SimulatedFields(QWidget* parent)
     : QWidget{parent},
       m_rate{new CheckedDoubleSpinBox},
       m_dropouts{new CheckedDoubleSpinBox},
-      m_laryngoscope{new QCheckBox{tr("There is a &laryngoscope, which shows the larynx")}},
+      m_laryngoscope{new QCheckBox{tr("&There is a laryngoscope, which shows the larynx")}},
       m_words{new PlainLabel}
 {
     layOut();

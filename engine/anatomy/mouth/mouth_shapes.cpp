@@ -189,9 +189,8 @@ void addFauces(std::vector<PartPlan>& parts, const BodyPlan& plan)
         };
         for (const auto& [name, fold] :
              {std::pair{"palatoglossal arch", front}, std::pair{"palatopharyngeal arch", back}})
-            add(name, [fold, radii = std::vector<double>(fold.size(), kPillar)](const Vec3& p) {
-                return tubeDistance(p, fold, radii);
-            });
+            add(name, [line = fold, radii = std::vector<double>(fold.size(), kPillar)](
+                          const Vec3& p) { return tubeDistance(p, line, radii); });
         add("palatine tonsil", tonsil);
     }
 }

@@ -159,7 +159,7 @@ double laryngealBody(const Vec3& p, const Epiglottis& epiglottis)
                                              - 12.0 * (1.0 - easedStep(4.0, 17.0, p.z())));
     const double sides = x - outerHalfWidth(p.y());
     // Between the tubercles the edge dips into the interarytenoid notch.
-    const double notch = 4.6 * (1.0 - easedStep(0.8, 3.6, x)) * easedStep(7.0, 9.5, p.y());
+    const double notch = 7.0 * (1.0 - easedStep(0.8, 3.6, x)) * easedStep(7.0, 9.5, p.y());
     const double top = 0.8 * (p.z() - rimHeight(p.y(), epiglottis) + notch);
     const double walls = roundedMax(sides, std::max(front - p.y(), p.y() - 14.2), 3.0);
     const double body = roundedMax(walls, std::max(top, -34.0 - p.z()), 2.6);

@@ -87,6 +87,15 @@ double besideLarynx(const Vec3& p)
     return 0.8 * roundedMax(x - half, 0.7 * (floor - p.z()), 3.0);
 }
 
+/// Below zero between the aryepiglottic folds and in front of them, up to the base of the tongue.
+double inFrontOfEntrance(const Vec3& p, const Epiglottis& epiglottis)
+{
+    constexpr double kHalfWidth = 12.5;
+    constexpr double kHigh = 46.0;
+    const double behind = p.y() - std::max(epiglottis.middleAt(p.z()) + 4.0, 0.0);
+    return std::max({std::abs(p.x()) - kHalfWidth, behind, p.z() - kHigh});
+}
+
 struct Lining {
     PharynxPlace place;
     LarynxFrame larynx;
@@ -113,9 +122,12 @@ struct Lining {
         const double open = std::max(lips, std::min(p.z() - 10.5, 58.0 - p.y()));
         // It meets the larynx and does not go on within it.
         const double meets = -larynx.unit() * (laryngealBody(larynx.local(p_A), epiglottis) + 1.0);
+        // In front of the entrance of the larynx are the epiglottis and the tongue, which a blade
+        // takes forward: what stayed there would hide the glottis.
+        const double before = -larynx.unit() * inFrontOfEntrance(larynx.local(p_A), epiglottis);
         // Below it goes on into the oesophagus.
         const double end = larynx.unit() * (-21.0 - larynx.local(p_A).z());
-        return roundedMax(d, std::max({plan.face * open, meets, end}), 1.5 * plan.face);
+        return roundedMax(d, std::max({plan.face * open, meets, before, end}), 1.5 * plan.face);
     }
 };
 

@@ -8,7 +8,9 @@
 #include "ui/scene/station_scene.h"
 #include "widgets/scene/view/graphics.h"
 
+#include <QDockWidget>
 #include <QLabel>
+#include <QMainWindow>
 
 namespace carina::laryngoscope_panel_test
 {
@@ -160,6 +162,48 @@ private Q_SLOTS:
         const QImage dark = desk.picture().picture();
         const QRgb corner = dark.pixel(0, 0);
         QCOMPARE(dark.pixel(dark.width() / 2, dark.height() / 2), corner);
+    }
+
+    /// As many frames of another picture go by as would have been several of this one.
+    void drawsNothingBehindAnotherPanel()
+    {
+        constexpr std::size_t kFrames = 30;
+        Desk desk;
+        desk.panel.hide();
+        desk.pose = poseIn(LaryngoscopyStep::Full);
+        QMainWindow window;
+        auto* panel = new LaryngoscopePanel;
+        panel->setStation(desk.scene);
+        QDockWidget scope;
+        scope.setWidget(panel);
+        QDockWidget other;
+        other.setWidget(new QLabel{QStringLiteral("other")});
+        window.addDockWidget(Qt::LeftDockWidgetArea, &scope);
+        window.addDockWidget(Qt::LeftDockWidgetArea, &other);
+        window.tabifyDockWidget(&scope, &other);
+        scope.raise();
+        window.resize(640, 520);
+        window.show();
+        const auto frames = [panel] {
+            return panel->findChild<SceneView*>(QStringLiteral("laryngoscopePicture"))
+                ->statistics()
+                .frames;
+        };
+        QVERIFY(soon([&] { return frames() >= 2; }, kDrawn));
+        other.raise();
+        QVERIFY(soon(
+            [&] {
+                const QRect here{panel->mapTo(&window, QPoint{}), panel->size()};
+                return !panel->isVisible() || !window.rect().intersects(here);
+            },
+            kDrawn));
+        desk.patient.resize(320, 240);
+        desk.patient.show();
+        const std::size_t before = frames();
+        QVERIFY(soon([&] { return desk.patient.statistics().frames >= kFrames; }, kDrawn));
+        QCOMPARE(frames(), before);
+        scope.raise();
+        QVERIFY(soon([&] { return frames() > before; }, kDrawn));
     }
 
     void drawsTheTissueOfThePatientsPictureLikewise()

@@ -282,10 +282,17 @@ void SceneView::chooseDetail()
     m_detail.choose(m_eyes);
 }
 
+/// A dock that lies behind others in its place stays exposed: it is moved out of its window.
+bool SceneView::isInSight() const
+{
+    const QRect here{mapTo(window(), QPoint{}), size()};
+    return m_window->isExposed() && window()->rect().intersects(here);
+}
+
 void SceneView::drawFrame()
 {
     const LocalTime began = monotonicNow();
-    if (m_window->isExposed())
+    if (isInSight())
         drawExposed(began);
     const auto left =
         m_interval - std::chrono::ceil<std::chrono::milliseconds>(monotonicNow() - began);

@@ -173,6 +173,7 @@ Q_SIGNALS:
     void clicked(const carina::Vec3& p_A_eye, const carina::Vec3& dir_A);
 
 private:
+    [[nodiscard]] bool isInSight() const;
     void drawFrame();
     void drawExposed(LocalTime asked);
     void beginToRead(const SceneFrame& frame);

@@ -89,6 +89,11 @@ BladeField Laryngoscopy::tissueAt(const RigidTransform& X_AL, const FollowingThr
     return bladeInTissue(followed(m_airway, throat), m_blade, X_AL);
 }
 
+bool Laryngoscopy::isInMouth(const RigidTransform& X_AL, const FollowingThroat& throat) const
+{
+    return carina::isInMouth(followed(m_airway, throat), m_blade, X_AL);
+}
+
 GlotticLine Laryngoscopy::glottisAt(const FollowingThroat& throat, const BladeField& tissue) const
 {
     const UpperAirway moved = followed(m_airway, throat);

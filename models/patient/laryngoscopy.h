@@ -48,6 +48,8 @@ public:
     /// @param throat of this patient, with the jaw as it is drawn
     [[nodiscard]] BladeField tissueAt(const RigidTransform& X_AL,
                                       const FollowingThroat& throat) const;
+    /// Whether that blade is in mouth or throat (isInMouth).
+    [[nodiscard]] bool isInMouth(const RigidTransform& X_AL, const FollowingThroat& throat) const;
     /// The glottis, as it is drawn there.
     [[nodiscard]] GlotticLine glottisAt(const FollowingThroat& throat,
                                         const BladeField& tissue) const;

@@ -31,6 +31,8 @@ public:
         case LaryngoscopeState::NoLarynx:
             return tr("This patient has no epiglottis, vocal cords or soft palate to be seen: "
                       "choose a patient with a whole larynx.");
+        case LaryngoscopeState::Outside:
+            return tr("Bring the blade into the mouth.");
         case LaryngoscopeState::Live:
             break;
         }
@@ -87,7 +89,8 @@ LaryngoscopeSight StationLaryngoscope::at(const StationMoment& moment,
     laryngoscopy.takeBlade(blade);
     // As drawn: nobody sees their own tools turned.
     const RigidTransform& X_AL = tool->isOwn ? tool->pose.X_FO : tool->X_AO;
-    return {.state = LaryngoscopeState::Live,
+    return {.state = laryngoscopy.isInMouth(X_AL, throat) ? LaryngoscopeState::Live
+                                                          : LaryngoscopeState::Outside,
             .X_AL = X_AL,
             .throat = throat,
             .tissue = laryngoscopy.tissueAt(X_AL, throat),

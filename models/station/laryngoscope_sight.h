@@ -17,11 +17,12 @@ enum class LaryngoscopeState : std::uint8_t {
     Lost,     ///< it is out of its tracker's view, or nothing is heard of it
     Away,     ///< the virtual patient is not where the manikin is
     NoLarynx, ///< the patient lacks what it is to show
-    Live,     ///< it is seen
+    Outside,  ///< it is seen, but not in the patient's mouth
+    Live,     ///< it is seen in the mouth
 };
 
 /// A laryngoscope of a station at a moment, and how the tissue gives way to it. All but the state
-/// is for Live only.
+/// is for Outside and Live only.
 struct LaryngoscopeSight {
     LaryngoscopeState state = LaryngoscopeState::None;
     RigidTransform X_AL{};

@@ -247,6 +247,18 @@ double liftedBy(const UpperAirway& moved, const Vec3& p_A_tip, const LarynxHinge
     return std::max(wanted, 0.0) / std::max(tiltingShare(hinge, p_A_lifted), kLeastShare);
 }
 
+double distanceToWay(const Centreline& way, const Vec3& p_A)
+{
+    double least = (p_A - way.front()).norm();
+    for (std::size_t i = 1; i < way.size(); ++i) {
+        const Vec3 step = way[i] - way[i - 1];
+        const double length = step.squaredNorm();
+        const double share = length > 0.0 ? step.dot(p_A - way[i - 1]) / length : 0.0;
+        least = std::min(least, (p_A - way[i - 1] - std::clamp(share, 0.0, 1.0) * step).norm());
+    }
+    return least;
+}
+
 } // namespace
 
 const char* stepName(LaryngoscopyStep step) { return namedStep(step).name; }
@@ -260,6 +272,14 @@ BladeField bladeInTissue(const UpperAirway& moved, const Blade& blade, const Rig
                                                                   : liftedBy(moved, p_A_tip, hinge);
     field.tiltLarynx(hinge, metres(std::min(forward, sizeOf(moved) * kMostTilt.si)));
     return field;
+}
+
+bool isInMouth(const UpperAirway& moved, const Blade& blade, const RigidTransform& X_AL)
+{
+    const Vec3 p_A_tip = X_AL * middleOfBlade(blade.form, 1.0);
+    const double distance =
+        std::min(distanceToWay(moved.path_A, p_A_tip), (p_A_tip - moved.p_A_vallecula).norm());
+    return distance <= sizeOf(moved) * kMostFromWay.si;
 }
 
 LaryngoscopyPose laryngoscopyPose(const UpperAirway& airway, const ThroatField& throat,

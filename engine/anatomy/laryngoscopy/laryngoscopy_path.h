@@ -67,4 +67,12 @@ inline constexpr Length kTeethClearance = millimetres(5.0);
 [[nodiscard]] BladeField bladeInTissue(const UpperAirway& moved, const Blade& blade,
                                        const RigidTransform& X_AL);
 
+/// Whether the tip of a blade is in mouth or throat: at most kMostFromWay, in an adult, from the
+/// way of a tube to the glottis or from the vallecula. Of ours; a lift takes the tip 20 mm from
+/// there.
+/// @param moved as of bladeInTissue
+[[nodiscard]] bool isInMouth(const UpperAirway& moved, const Blade& blade,
+                             const RigidTransform& X_AL);
+inline constexpr Length kMostFromWay = millimetres(40.0);
+
 } // namespace carina

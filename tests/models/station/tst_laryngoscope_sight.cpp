@@ -85,11 +85,41 @@ private Q_SLOTS:
         Station station;
         station.node.sees(kFirst, RigidTransform::translation({0.0, -0.5, 0.5}), kNow);
         const LaryngoscopeSight sight = station.at(kNow);
-        QCOMPARE(sight.state, LaryngoscopeState::Live);
+        QCOMPARE(sight.state, LaryngoscopeState::Outside);
         QVERIFY(tilt_mm(sight) < 1e-3);
         const Vec3 tongue =
             0.5 * (patient().landmarks().p_A_incisors + patient().landmarks().p_A_glottis);
         QVERIFY(bladePush<double>(sight.tissue.frame(), tongue).d.norm() < 1e-4);
+    }
+
+    void isInTheMouthInEveryStep()
+    {
+        for (const LaryngoscopyStep step : kLaryngoscopySteps) {
+            Station station;
+            const LaryngoscopyPose pose = poseIn(step);
+            station.node.sees(kFirst, pose.X_AL, kNow);
+            QCOMPARE(station.at(kNow, pose.X_AJ).state, LaryngoscopeState::Live);
+        }
+    }
+
+    void isNotInTheMouthElsewhere_data()
+    {
+        QTest::addColumn<double>("x");
+        QTest::addColumn<double>("y");
+        QTest::newRow("half a metre in front") << 0.0 << -0.5;
+        QTest::newRow("beside the neck on the left") << 0.08 << 0.0;
+        QTest::newRow("beside the neck on the right") << -0.08 << 0.0;
+        QTest::newRow("at the back of the neck") << 0.0 << 0.1;
+    }
+    /// Moved from where its tip is in the vallecula.
+    void isNotInTheMouthElsewhere()
+    {
+        QFETCH(const double, x);
+        QFETCH(const double, y);
+        Station station;
+        const LaryngoscopyPose pose = poseIn(LaryngoscopyStep::Full);
+        station.node.sees(kFirst, RigidTransform::translation({x, y, 0.0}) * pose.X_AL, kNow);
+        QCOMPARE(station.at(kNow, pose.X_AJ).state, LaryngoscopeState::Outside);
     }
 
     void saysThatThereIsNone()
@@ -193,13 +223,13 @@ private Q_SLOTS:
         std::set<QString> told;
         for (const LaryngoscopeState state :
              {LaryngoscopeState::None, LaryngoscopeState::Lost, LaryngoscopeState::Away,
-              LaryngoscopeState::NoLarynx}) {
+              LaryngoscopeState::NoLarynx, LaryngoscopeState::Outside}) {
             const QString text = laryngoscopeText(state);
             QVERIFY(text.endsWith(QLatin1Char{'.'}));
             QCOMPARE(text.count(QLatin1Char{'.'}), 1);
             told.insert(text);
         }
-        QCOMPARE(told.size(), 4U);
+        QCOMPARE(told.size(), 5U);
         QVERIFY(laryngoscopeText(LaryngoscopeState::Live).isEmpty());
     }
 

@@ -77,8 +77,10 @@ void LiveScope::measure(const IdPicture& ids, const SceneFrame& frame)
 {
     if (m_sight.state != LaryngoscopeState::Live || !frame.eyes || frame.eyes->empty())
         return;
-    m_seen = measuredView(ids, m_scene, frame.eyes->front(),
-                          m_station.laryngoscope().glottisAt(frame.throat, frame.blade));
+    const GlotticView view =
+        measuredView(ids, m_scene, frame.eyes->front(),
+                     m_station.laryngoscope().glottisAt(frame.throat, frame.blade));
+    m_seen = view.isTelling() ? std::optional{view} : std::nullopt;
 }
 
 } // namespace carina

@@ -13,7 +13,7 @@ namespace
 {
 
 /// Colours in the light of a laryngoscope, by SeenStructure: mucosa in pinks, cords like pearl.
-/// The jaw is drawn like gums, the trachea dark like its lumen.
+/// The jaw is drawn like gums, the trachea dark like its lumen. The tube keeps its own.
 constexpr std::array<QColor, kSeenStructures> kColors{{{0, 0, 0},
                                                        {238, 231, 212},
                                                        {188, 104, 106},
@@ -29,7 +29,8 @@ constexpr std::array<QColor, kSeenStructures> kColors{{{0, 0, 0},
                                                        {184, 96, 92},
                                                        {74, 26, 24},
                                                        {160, 74, 72},
-                                                       {188, 194, 200}}};
+                                                       {188, 194, 200},
+                                                       {217, 225, 150}}};
 constexpr QColor kSteel = kColors[std::size_t(SeenStructure::Blade)];
 constexpr QColor kHandleSteel{120, 126, 134};
 
@@ -56,10 +57,12 @@ ScopeScene scopeScene(const PatientModel& patient, const Blade& blade)
     scene.structures.resize(scene.parts.size() + 1, SeenStructure::Nothing);
     for (std::size_t i = 0; i < scene.parts.size(); ++i) {
         ScenePart& part = scene.parts[i];
+        if (part.body == kTubeBody) {
+            scene.structures[part.id] = SeenStructure::Tube;
+            continue;
+        }
         const SeenStructure structure = structureOf(patient.surfaces()[i].description);
         scene.structures[part.id] = structure;
-        if (part.body == kTubeBody)
-            continue; // hides nothing: it is brought in by what is seen
         part.color = kColors[std::size_t(structure)];
         scene.looks[part.id].style =
             structure == SeenStructure::Nothing ? PartStyle::Hidden : PartStyle::Solid;

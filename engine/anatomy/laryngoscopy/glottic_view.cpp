@@ -27,6 +27,31 @@ std::optional<std::size_t> pixelOf(const StructurePicture& picture, const Pictur
            + static_cast<std::size_t>(x);
 }
 
+/// How many of the points of a line are seen, and how many a tube covers.
+struct LineInPicture {
+    int seen = 0;
+    int underTube = 0;
+};
+LineInPicture findLine(const StructurePicture& picture, const PictureCamera& camera,
+                       const GlotticLine& line)
+{
+    const RigidTransform X_DA = camera.X_AD.inverse();
+    LineInPicture found;
+    for (int i = 0; i < kLineSamples; ++i) {
+        const double share = (i + 0.5) / kLineSamples;
+        const Vec3 p_A = line.p_A_commissure + share * (line.p_A_notch - line.p_A_commissure);
+        const auto pixel = pixelOf(picture, camera, X_DA, p_A);
+        if (!pixel)
+            continue;
+        const SeenStructure structure = picture.pixels[*pixel];
+        if (structure == SeenStructure::Tube)
+            ++found.underTube;
+        else if (!hidesGlottis(structure))
+            ++found.seen;
+    }
+    return found;
+}
+
 CormackLehane gradeOf(const GlotticView& view, std::size_t pixels)
 {
     const auto isSeen = [&](SeenStructure structure) {
@@ -52,16 +77,9 @@ const char* gradeName(CormackLehane grade)
 double seenShare(const StructurePicture& picture, const PictureCamera& camera,
                  const GlotticLine& line)
 {
-    const RigidTransform X_DA = camera.X_AD.inverse();
-    int seen = 0;
-    for (int i = 0; i < kLineSamples; ++i) {
-        const double share = (i + 0.5) / kLineSamples;
-        const Vec3 p_A = line.p_A_commissure + share * (line.p_A_notch - line.p_A_commissure);
-        const auto pixel = pixelOf(picture, camera, X_DA, p_A);
-        if (pixel && !hidesGlottis(picture.pixels[*pixel]))
-            ++seen;
-    }
-    return double(seen) / kLineSamples;
+    const LineInPicture found = findLine(picture, camera, line);
+    const int counted = kLineSamples - found.underTube;
+    return counted > 0 ? double(found.seen) / counted : 0.0;
 }
 
 GlotticView glotticView(const StructurePicture& picture, const PictureCamera& camera,
@@ -74,6 +92,7 @@ GlotticView glotticView(const StructurePicture& picture, const PictureCamera& ca
     for (const SeenStructure structure : picture.pixels)
         ++view.visiblePixels[placeOf(structure)];
     view.opening = seenShare(picture, camera, line);
+    view.underTube = double(findLine(picture, camera, line).underTube) / kLineSamples;
     view.grade = gradeOf(view, count);
     return view;
 }

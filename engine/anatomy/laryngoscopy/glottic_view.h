@@ -50,8 +50,13 @@ struct GlotticView {
     /// Percentage of glottic opening, as a share: the part that is seen of the line from the
     /// anterior commissure to the interarytenoid notch (Levitan et al., Acad Emerg Med 1998;5:919).
     double opening = 0.0;
+    double underTube = 0.0; ///< the share of that line that a tube covers; the rest is measured
     CormackLehane grade = CormackLehane::Grade4;
     std::array<std::size_t, kSeenStructures> visiblePixels{}; ///< by SeenStructure
+
+    /// Whether so little is covered by a tube that the rest tells of the whole.
+    [[nodiscard]] bool isTelling() const { return underTube <= kMostUnderTube; }
+    static constexpr double kMostUnderTube = 0.5; ///< of ours
 };
 
 /// Above this share of the glottis a view counts as grade 1, "most of the glottis".
@@ -63,7 +68,8 @@ inline constexpr double kEndOfGlottis = 0.1;
 inline constexpr double kLeastSeen = 5e-4;
 
 /// The share of a line that is seen: of kLineSamples points of it, in equal distances, those inside
-/// the picture in whose pixel nothing is seen that hides the glottis (hidesGlottis).
+/// the picture in whose pixel nothing is seen that hides the glottis (hidesGlottis). Points that
+/// a tube covers are not counted at all; 0 where it covers all.
 /// @pre the picture has width * height pixels
 [[nodiscard]] double seenShare(const StructurePicture& picture, const PictureCamera& camera,
                                const GlotticLine& line);

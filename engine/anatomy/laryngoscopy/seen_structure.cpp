@@ -29,7 +29,8 @@ constexpr std::array<StructureFigures, kSeenStructures> kStructures{
      {"laryngeal_cartilages", false},
      {"trachea", false},
      {"oesophagus", true},
-     {"blade", true}}};
+     {"blade", true},
+     {"tube", false}}};
 
 /// The first row that fits a part counts; empty words fit every name.
 struct Recognised {

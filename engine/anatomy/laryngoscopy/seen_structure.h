@@ -26,8 +26,9 @@ enum class SeenStructure : std::uint8_t {
     Trachea,
     Oesophagus,
     Blade,
+    Tube, ///< nothing is told of what it covers
 };
-inline constexpr std::size_t kSeenStructures = 16;
+inline constexpr std::size_t kSeenStructures = 17;
 
 /// The name of a structure in JSON ("vocal_folds").
 [[nodiscard]] const char* structureName(SeenStructure structure);

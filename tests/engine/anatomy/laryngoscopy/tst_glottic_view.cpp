@@ -58,6 +58,9 @@ private Q_SLOTS:
     void gradesTheView();
     void countsPixelsOfEachStructure();
     void needsMoreThanASpeck();
+    void countsNothingThatATubeCovers_data();
+    void countsNothingThatATubeCovers();
+    void gradesBesideATube();
 };
 
 void TestGlotticView::seesAsMuchAsIsNotCovered_data()
@@ -155,6 +158,49 @@ void TestGlotticView::needsMoreThanASpeck()
     QVERIFY(glotticView(picture, kCamera, kGlottis).grade == CormackLehane::Grade4);
     picture.pixels[9] = Structure::Epiglottis;
     QVERIFY(glotticView(picture, kCamera, kGlottis).grade == CormackLehane::Grade3);
+}
+
+void TestGlotticView::countsNothingThatATubeCovers_data()
+{
+    QTest::addColumn<double>("epiglottis"); // covers so much from the commissure on
+    QTest::addColumn<double>("tube");       // covers so much from the notch on
+    QTest::addColumn<double>("opening");
+    QTest::addColumn<bool>("tells");
+    QTest::newRow("no tube") << 0.5 << 0.0 << 0.5 << true;
+    QTest::newRow("a tube over what is seen") << 0.5 << 0.3 << 0.2 / 0.7 << true;
+    QTest::newRow("a tube over a whole glottis") << 0.0 << 0.4 << 1.0 << true;
+    QTest::newRow("more tube than glottis") << 0.0 << 0.6 << 1.0 << false;
+    QTest::newRow("tube and epiglottis") << 0.2 << 0.8 << 0.0 << false;
+    QTest::newRow("nothing but tube") << 0.0 << 1.0 << 0.0 << false;
+}
+
+void TestGlotticView::countsNothingThatATubeCovers()
+{
+    QFETCH(const double, epiglottis);
+    QFETCH(const double, tube);
+    QFETCH(const double, opening);
+    QFETCH(const bool, tells);
+    constexpr double kOfFewer = 5.0 * kTolerance; // as few as a fifth of the points are counted
+    StructurePicture picture = coveredBy(epiglottis);
+    const int from = kBottom - int(std::lround(tube * (kBottom - kTop)));
+    if (from < kBottom)
+        fillRows(picture, from, kHeight, Structure::Tube);
+    const GlotticView view = glotticView(picture, kCamera, kGlottis);
+    QVERIFY(std::abs(view.opening - opening) <= kOfFewer);
+    QVERIFY(std::abs(view.underTube - tube) <= kTolerance);
+    QCOMPARE(view.isTelling(), tells);
+}
+
+/// The epiglottis covers all of the glottis that no tube does: grade 3, as without the tube.
+void TestGlotticView::gradesBesideATube()
+{
+    StructurePicture picture = coveredBy(1.0);
+    std::ranges::replace(picture.pixels, Structure::Trachea, Structure::Pharynx);
+    fillRows(picture, 60, kHeight, Structure::Tube);
+    const GlotticView view = glotticView(picture, kCamera, kGlottis);
+    QVERIFY(view.isTelling());
+    QVERIFY(view.grade == CormackLehane::Grade3);
+    QCOMPARE(view.opening, 0.0);
 }
 
 CARINA_TEST(TestGlotticView)

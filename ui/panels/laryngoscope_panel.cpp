@@ -52,7 +52,8 @@ QString LaryngoscopePanel::text() const
     const LaryngoscopeState state = m_scope ? m_scope->state() : LaryngoscopeState::None;
     if (state != LaryngoscopeState::Live)
         return laryngoscopeText(state);
-    return m_scope->seen() ? glotticViewText(*m_scope->seen()) : QString{};
+    const std::optional<GlotticView> seen = m_scope->seen();
+    return seen ? glotticViewText(*seen) : QString{};
 }
 
 void LaryngoscopePanel::refresh()

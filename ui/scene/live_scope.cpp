@@ -17,6 +17,7 @@ LiveScope::LiveScope(SceneView& view, StationScene& station) : m_view{view}, m_s
     m_view.drawEvery(kDrawn);
     m_view.setFrameSource([this](int level, LocalTime lit) { return frameOf(level, lit); });
     m_view.onFrameDrawn([this](const DrawnFrame& drawn) {
+        m_drawn = drawn.frame.time;
         prepare();
         ask(drawn.frame.time);
     });
@@ -80,7 +81,14 @@ void LiveScope::measure(const IdPicture& ids, const SceneFrame& frame)
     const GlotticView view =
         measuredView(ids, m_scene, frame.eyes->front(),
                      m_station.laryngoscope().glottisAt(frame.throat, frame.blade));
-    m_seen = view.isTelling() ? std::optional{view} : std::nullopt;
+    m_seen = view.isTelling() ? std::optional{Measured{view, frame.time}} : std::nullopt;
+}
+
+/// A session that begins anew has earlier times.
+std::optional<GlotticView> LiveScope::seen() const
+{
+    const bool isRecent = m_seen && m_seen->time <= m_drawn && m_drawn - m_seen->time <= kMostAge;
+    return isRecent ? std::optional{m_seen->view} : std::nullopt;
 }
 
 } // namespace carina

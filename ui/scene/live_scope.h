@@ -27,8 +27,10 @@ public:
 
     /// As of the latest frame.
     [[nodiscard]] LaryngoscopeState state() const { return m_sight.state; }
-    /// What was read last; nothing while the laryngoscope is not seen.
-    [[nodiscard]] const std::optional<GlotticView>& seen() const { return m_seen; }
+    /// What was read last; nothing while the laryngoscope is not seen, and once that is of a frame
+    /// kMostAge before the latest.
+    [[nodiscard]] std::optional<GlotticView> seen() const;
+    static constexpr Duration kMostAge = std::chrono::seconds{1};
 
 private:
     /// Of what the scene is made.
@@ -38,6 +40,11 @@ private:
         Blade blade{};
 
         [[nodiscard]] bool is(const PatientModel& other, const Blade& otherBlade) const;
+    };
+
+    struct Measured {
+        GlotticView view;
+        SessionTime time; ///< of the frame
     };
 
     [[nodiscard]] SceneFrame frameOf(int level, LocalTime lit);
@@ -50,7 +57,8 @@ private:
     Shown m_shown;
     ScopeScene m_scene;
     LaryngoscopeSight m_sight;
-    std::optional<GlotticView> m_seen;
+    std::optional<Measured> m_seen;
+    SessionTime m_drawn{}; ///< time of the latest frame
     std::optional<SessionTime> m_asked;
 };
 

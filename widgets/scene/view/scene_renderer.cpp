@@ -99,8 +99,17 @@ SceneRenderer::~SceneRenderer()
 
 void SceneRenderer::setParts(std::span<const ScenePart> parts)
 {
+    endReading();
     m_surfaces.clear();
     m_surfaces = surfacesOf(parts);
+}
+
+void SceneRenderer::endReading()
+{
+    if (!m_idReply)
+        return;
+    m_idReply.reset();
+    m_frameGraph.setIdsDrawn(false, {1, 1});
 }
 
 void SceneRenderer::setFigureParts(std::span<const ScenePart> parts)

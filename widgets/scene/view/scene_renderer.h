@@ -51,6 +51,7 @@ public:
     SceneRenderer(const SceneRenderer&) = delete;
     SceneRenderer& operator=(const SceneRenderer&) = delete;
 
+    /// Ids that are being read are not told: they are those of the parts before.
     void setParts(std::span<const ScenePart> parts);
     /// Replaces the parts that come and go, each drawn in its finest level; the others are kept.
     void setFigureParts(std::span<const ScenePart> parts);
@@ -88,6 +89,7 @@ public:
     [[nodiscard]] std::optional<QImage> takeIds();
 
 private:
+    void endReading();
     [[nodiscard]] QSize windowPixels() const;
     [[nodiscard]] std::vector<QImage>
     captured(const std::vector<Qt3DRender::QRenderCapture*>& captures);

@@ -101,7 +101,6 @@ void SceneView::setParts(std::span<const ScenePart> parts, const Box& alsoFramed
     m_window->camera().setAspect(m_window->widthOverHeight());
     m_detail = DetailChoice{{}, kDrawingBudget};
     m_eyes.clear();
-    m_readIsOld = m_renderer->isReadingIds();
     m_instead.reset();
     applySection();
     setLooks({});
@@ -225,9 +224,7 @@ void SceneView::beginToRead(const SceneFrame& frame)
 void SceneView::tellIds()
 {
     const auto ids = m_renderer->takeIds();
-    if (!ids || std::exchange(m_readIsOld, false))
-        return;
-    if (!ids->isNull() && m_idListener)
+    if (ids && !ids->isNull() && m_idListener)
         m_idListener(idPictureOf(*ids), m_readFrame);
 }
 

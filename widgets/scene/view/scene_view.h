@@ -163,7 +163,7 @@ public:
     [[nodiscard]] IdPicture opaqueIds();
 
     /// The same of the next frame, without waiting for it: the listener has it, with that frame,
-    /// one or two frames later. Without effect while one is under way.
+    /// one or two frames later. Without effect while one is under way; new parts or looks end that.
     void askForIds() { m_asksForIds = true; }
     void onIdsRead(IdListener listener) { m_idListener = std::move(listener); }
 
@@ -207,8 +207,7 @@ private:
     FrameListener m_listener;
     IdListener m_idListener;
     bool m_asksForIds = false;
-    bool m_readIsOld = false; ///< of parts that are not there any more
-    SceneFrame m_readFrame;   ///< whose ids are read
+    SceneFrame m_readFrame; ///< whose ids are read
     std::chrono::milliseconds m_interval{16};
     DetailChoice m_detail;
     FrameTimes m_times;

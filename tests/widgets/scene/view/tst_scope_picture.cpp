@@ -3,6 +3,7 @@
 #include "widgets/scene/view/graphics.h"
 
 #include <cmath>
+#include <utility>
 
 namespace carina::scope_picture_test
 {
@@ -43,6 +44,7 @@ private Q_SLOTS:
     void init();
     void tellsTheNearestOpaquePartInEachPixel();
     void tellsTheSameWithoutWaiting();
+    void tellsNothingOfPartsThatAreGone();
     void tellsNothingWhileNotShown();
     void lightsLessWithTheDistance();
 };
@@ -96,6 +98,30 @@ void TestScopePicture::tellsTheSameWithoutWaiting()
     told.reset();
     QVERIFY(draws(*view, kSwitchFrames));
     QVERIFY(!told); // once
+}
+
+// Replaced after the frame whose ids were asked for, and before they are told.
+void TestScopePicture::tellsNothingOfPartsThatAreGone()
+{
+    const std::vector before{spherePart(7, MaterialGroup::Bone, Vec3::Zero(), 0.1)};
+    const std::vector after{spherePart(8, MaterialGroup::Bone, Vec3::Zero(), 0.1)};
+    const auto view = shownView(before, [](int, LocalTime) { return frontFrame(); });
+    QVERIFY(draws(*view, 3));
+    std::optional<IdPicture> told;
+    view->onIdsRead([&told](const IdPicture& ids, const SceneFrame&) { told = ids; });
+    bool isReplaced = false;
+    view->onFrameDrawn([&](const DrawnFrame&) {
+        if (!std::exchange(isReplaced, true))
+            view->setParts(after);
+    });
+    view->askForIds();
+    QVERIFY(draws(*view, kSwitchFrames));
+    QVERIFY(isReplaced);
+    QVERIFY(!told);
+    view->askForIds();
+    QVERIFY(draws(*view, kSwitchFrames));
+    QVERIFY(told.has_value());
+    QVERIFY(idAt(*told, kWidth / 2, kHeight / 2) == std::uint16_t{8});
 }
 
 void TestScopePicture::tellsNothingWhileNotShown()

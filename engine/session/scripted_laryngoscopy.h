@@ -22,8 +22,9 @@ struct LaryngoscopyScript {
 [[nodiscard]] LaryngoscopyPose scriptedLaryngoscopy(const LaryngoscopyScript& script,
                                                     SessionTime t);
 
-/// By how much of a period a scripted tube (ScriptedHands) comes later than it does by itself, so
-/// that it is brought in while the blade is lifted.
-inline constexpr double kTubeAfterBlade = 0.3;
+/// By how much of a period a scripted tube (ScriptedHands) comes later than it does by itself. It
+/// is brought in from 10 % to 50 % by itself: so from 34 % to 74 %, where the blade's lift ends,
+/// which is at least 0.7 of the whole from 30 % on.
+inline constexpr double kTubeAfterBlade = 0.24;
 
 } // namespace carina

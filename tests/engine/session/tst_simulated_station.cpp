@@ -209,6 +209,35 @@ private Q_SLOTS:
         }
     }
 
+    /// Wherever the tube's tip is between the incisors and the cords, and going on.
+    void liftsWhileTheTubeComesIn()
+    {
+        constexpr int kLeastTimes = 10;
+        const WithLaryngoscope station;
+        const SimulatedStation made = station.made();
+        const std::vector<Vec3>& path_A = station.patient.landmarks.path_A;
+        const auto nearest = [&path_A](const Vec3& p_A) {
+            return std::ranges::min_element(
+                path_A, {}, [&p_A](const Vec3& q_A) { return (q_A - p_A).squaredNorm(); });
+        };
+        const auto incisors = nearest(station.patient.landmarks.p_A_incisors);
+        const auto cords = nearest(station.patient.landmarks.p_A_glottis);
+        const auto tipAt = [&](Duration t) {
+            const RigidTransform X_TE = made.truth(ToolRole::Tube, SessionTime{t}).value();
+            return nearest(made.X_TA.inverse() * (X_TE * station.tube.p_E_tip));
+        };
+        int times = 0;
+        for (Duration t = 0s; t < kPeriod; t += kStep) {
+            const auto tip = tipAt(t);
+            if (tip < incisors || tip > cords || tipAt(t + kStep) <= tip)
+                continue;
+            ++times;
+            const LaryngoscopyPose blade = scriptedLaryngoscopy(station.script, SessionTime{t});
+            QVERIFY(blade.lift.si >= 0.7 * station.script.lift.si);
+        }
+        QVERIFY(times > kLeastTimes);
+    }
+
     void hasNoLaryngoscopeUnlessAskedFor()
     {
         const WithLaryngoscope station;

@@ -47,20 +47,27 @@ public:
     }
 };
 
+/// While nobody is at work, whoever looks is.
+bool isOfWorker(const PersonPose& person, const StationMoment& moment)
+{
+    return person.owner == moment.worker || (moment.worker == kNobody && person.isOwn);
+}
+
 } // namespace
 
 const PersonPose* laryngoscopeOf(const StationMoment& moment)
 {
-    const PersonPose* first = nullptr;
+    const auto rankOf = [&moment](const PersonPose& person) {
+        return 2 * int(isOfWorker(person, moment)) + int(person.pose.validity != Validity::Lost);
+    };
+    const PersonPose* best = nullptr;
     for (const PersonPose& person : moment.people) {
         if (person.kind != ObjectKind::Laryngoscope)
             continue;
-        if (person.owner == moment.worker)
-            return &person;
-        if (first == nullptr)
-            first = &person;
+        if (best == nullptr || rankOf(person) > rankOf(*best))
+            best = &person;
     }
-    return first;
+    return best;
 }
 
 Blade StationLaryngoscope::bladeOf(const PersonPose& laryngoscope) const

@@ -31,8 +31,8 @@ struct LaryngoscopeSight {
     Blade blade{};
 };
 
-/// The laryngoscope with which somebody works at a station: that of who is at work, else the first
-/// that was shared; nullptr without one.
+/// The laryngoscope with which somebody works at a station: that of who is at work, else of
+/// somebody; of several one that is seen, of these the first that was shared; nullptr without one.
 [[nodiscard]] const PersonPose* laryngoscopeOf(const StationMoment& moment);
 
 /// The laryngoscope of a station in its patient. The places by which a blade moves tissue are

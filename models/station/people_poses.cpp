@@ -53,7 +53,7 @@ std::optional<PoseSample> poseOf(const SessionNode& node, const SharedObject& ob
                                  const ObjectPoses& own, SessionTime t)
 {
     if (object.owner == node.self())
-        return own.at(object.kind, t);
+        return own.isCalled(object.kind, object.name) ? own.at(object.kind, t) : std::nullopt;
     const auto poses = node.object(object.id);
     return poses ? poses->at(t) : std::nullopt;
 }

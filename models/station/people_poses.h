@@ -19,6 +19,10 @@ struct ObjectPoses {
     std::function<std::optional<SessionTime>(ObjectKind)> newest = [](ObjectKind) {
         return std::nullopt;
     };
+    /// Whether an own object is what was shared under this name: a tool can have been shared under
+    /// several, of which the last counts.
+    std::function<bool(ObjectKind, const std::string& name)> isCalled =
+        [](ObjectKind, const std::string&) { return true; };
     /// Whether own hands and the own stylus are drawn for a person who looks at a screen. A scene
     /// that is shown in a headset never draws them (StationScene): they are seen anyway.
     bool handsAreDrawn = false;

@@ -2,12 +2,14 @@
 
 #include "engine/core/expects.h"
 #include "engine/io/site/site.h"
+#include "engine/session/participant_limits.h"
 #include "engine/session/simulated_station.h"
 #include "engine/tracking/reframed.h"
 #include "models/errors/error_text.h"
 #include "models/patient/laryngoscopy.h"
 #include "models/station/object_tool.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace carina
@@ -136,6 +138,7 @@ Result<void> SharedTools::replace(const SharedPatientModel& patient,
     const std::unique_ptr<Laid> before = std::exchange(m_laid, std::move(next));
     const std::optional<MadeTracker> madeBefore = std::exchange(m_made, std::move(made));
     m_fault.reset();
+    nameLaryngoscope();
     publishPoses();
     if (m_hardware.tracker)
         share();
@@ -340,6 +343,10 @@ ObjectPoses SharedTools::posesOnScreen() const
                     tool && m_laid->tracking ? m_laid->tracking->newest(*tool) : std::nullopt;
                 return sample ? std::optional{sample->time} : std::nullopt;
             },
+            .isCalled =
+                [this](ObjectKind kind, const std::string& name) {
+                    return kind != ObjectKind::Laryngoscope || name == m_laryngoscope;
+                },
             .handsAreDrawn = true};
 }
 
@@ -368,9 +375,10 @@ std::optional<PoseSample> SharedTools::Published::newest(ToolRole tool) const
 
 void SharedTools::publishPoses()
 {
-    m_board->store(std::make_shared<const Published>(Published{
-        m_laid->tracking,
-        m_laid->tracking ? shaftOf(*m_laid->tracking, m_laid->place) : std::nullopt, m_station}));
+    m_board->store(std::make_shared<const Published>(
+        Published{m_laid->tracking,
+                  m_laid->tracking ? shaftOf(*m_laid->tracking, m_laid->place) : std::nullopt,
+                  m_station, m_laryngoscope}));
 }
 
 PoseSource SharedTools::source(ToolRole tool) const
@@ -402,18 +410,38 @@ void SharedTools::share(ObjectKind kind, ToolRole tool, const char* name)
     m_node.publish(kind, name, source(tool));
 }
 
-/// Few trackers have one: it is shared from the first on that does, under the name that it has
-/// there, which can tell its blade.
-void SharedTools::shareLaryngoscope()
+/// By the blade that the tracker's name for it tells. It has a new name as often as a trainee may
+/// share one.
+void SharedTools::nameLaryngoscope()
 {
     const std::string name =
         m_laid->tracking ? m_laid->tracking->toolName(ToolRole::Laryngoscope) : std::string{};
-    if (m_sharesLaryngoscope || name.empty())
+    if (name.empty())
         return;
-    m_sharesLaryngoscope = true;
     const auto told = bladeOfTool(name);
     const std::string blade = told ? " " + std::string{bladeOf(*told).name} : std::string{};
-    share(ObjectKind::Laryngoscope, ToolRole::Laryngoscope, ("Laryngoscope" + blade).c_str());
+    const std::string wanted = "Laryngoscope" + blade;
+    const bool wasShared = std::ranges::find(m_laryngoscopes, wanted) != m_laryngoscopes.end();
+    if (wasShared || m_laryngoscopes.size() < kMostOfAKind)
+        m_laryngoscope = wanted;
+}
+
+/// Few trackers have one: it is shared from the first on that does, and anew under another name,
+/// while what was shared under that of before is not seen any more.
+void SharedTools::shareLaryngoscope()
+{
+    const bool isShared =
+        std::ranges::find(m_laryngoscopes, m_laryngoscope) != m_laryngoscopes.end();
+    if (m_laryngoscope.empty() || isShared)
+        return;
+    m_laryngoscopes.push_back(m_laryngoscope);
+    m_node.publish(ObjectKind::Laryngoscope, m_laryngoscope,
+                   [board = m_board, name = m_laryngoscope,
+                    newest = source(ToolRole::Laryngoscope)]() -> std::optional<PoseSample> {
+                       const auto published = board->load();
+                       return published && published->laryngoscope == name ? newest()
+                                                                           : std::nullopt;
+                   });
 }
 
 } // namespace carina

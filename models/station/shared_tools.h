@@ -14,6 +14,8 @@
 #include <QTimer>
 
 #include <atomic>
+#include <string>
+#include <vector>
 
 namespace carina
 {
@@ -138,6 +140,8 @@ private:
         /// where it is not calibrated.
         std::optional<RigidTransform> X_SP;
         StationId station; ///< of the patient
+        /// The name under which it is shared.
+        std::string laryngoscope;
 
         [[nodiscard]] std::optional<PoseSample> newest(ToolRole tool) const;
     };
@@ -156,6 +160,7 @@ private:
     void publishPoses();
     void share();
     void share(ObjectKind kind, ToolRole tool, const char* name);
+    void nameLaryngoscope();
     void shareLaryngoscope();
 
     SessionNode& m_node;
@@ -171,7 +176,8 @@ private:
     /// Shared with the sources that the node has, which may outlive this.
     std::shared_ptr<Board> m_board = std::make_shared<Board>();
     bool m_shares = false;
-    bool m_sharesLaryngoscope = false;
+    std::string m_laryngoscope;               ///< its name; empty while there was none
+    std::vector<std::string> m_laryngoscopes; ///< the names under which it was shared
     StandingReport m_report;
     QTimer m_looking; ///< polls the guard, and reports the standing
 };

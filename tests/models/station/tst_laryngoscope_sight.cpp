@@ -177,6 +177,18 @@ private Q_SLOTS:
         QVERIFY(station.at(kNow).X_AL.translation().x() < 0.0);
     }
 
+    /// One tool can have been shared under the names of several blades.
+    void takesTheOneThatIsSeen()
+    {
+        Station station{"Laryngoscope macintosh-4"};
+        station.node.decide(
+            fact::ObjectShared{{}, kTom, ObjectKind::Laryngoscope, "Laryngoscope miller-2"});
+        station.node.sees(kFirst, {}, kNow);
+        QCOMPARE(std::string{station.at(kNow).blade.name}, std::string{"macintosh-4"});
+        station.node.sees(kSecond, {}, kNow + 5s);
+        QCOMPARE(std::string{station.at(kNow + 5s).blade.name}, std::string{"miller-2"});
+    }
+
     void hasTheBladeOfItsName_data()
     {
         QTest::addColumn<std::string>("name");

@@ -40,6 +40,15 @@ TrackerChoice recording()
                             Playing::Once}};
 }
 
+/// A laryngoscope that was seen once.
+TrackerChoice laryngoscopeCalled(const char* name)
+{
+    return {PlayedRecording{
+        "tools.csv",
+        {{RecordedTool{.name = name, .role = ToolRole::Laryngoscope, .samples = {PoseSample{}}}}},
+        Playing::Once}};
+}
+
 const SharedPatientModel& patient(BuiltinPatient which = BuiltinPatient::Adult)
 {
     static std::map<BuiltinPatient, SharedPatientModel> patients;
@@ -260,13 +269,7 @@ private Q_SLOTS:
                                                  &FakeSessionNode::Published::kind);
             return found == published.end() ? std::string{} : found->name;
         };
-        const auto recorded = [](const char* name) {
-            return TrackerChoice{PlayedRecording{
-                "tools.csv",
-                {{RecordedTool{
-                    .name = name, .role = ToolRole::Laryngoscope, .samples = {PoseSample{}}}}},
-                Playing::Once}};
-        };
+        const auto recorded = laryngoscopeCalled;
         QCOMPARE(sharedAs(recorded("Macintosh 4")), std::string{"Laryngoscope macintosh-4"});
         QCOMPARE(sharedAs(recorded("blade")), std::string{"Laryngoscope"});
         QCOMPARE(sharedAs(recording()), std::string{});
@@ -274,6 +277,37 @@ private Q_SLOTS:
         QCOMPARE(sharedAs({simulated}), std::string{});
         simulated.settings.laryngoscope = true;
         QCOMPARE(sharedAs({simulated}), std::string{"Laryngoscope"});
+    }
+
+    /// Others see its blade by its name, and only that which is tracked.
+    void sharesALaryngoscopeAnewWithAnotherBlade()
+    {
+        Station station{laryngoscopeCalled("Macintosh 4")};
+        QVERIFY(station.tools.lay(patient()));
+        const auto laryngoscopes = [&station] {
+            std::vector<FakeSessionNode::Published> found;
+            for (const auto& object : station.node.published)
+                if (object.kind == ObjectKind::Laryngoscope)
+                    found.push_back(object);
+            return found;
+        };
+        const auto isCalled = [&station](const std::string& name) {
+            return station.tools.posesOnScreen().isCalled(ObjectKind::Laryngoscope, name);
+        };
+        QCOMPARE(laryngoscopes().size(), std::size_t{1});
+        QVERIFY(soon([&] { return laryngoscopes()[0].newest().has_value(); }, kPatience));
+        QVERIFY(station.tools.setTracker(laryngoscopeCalled("Miller 2")));
+        QCOMPARE(laryngoscopes().size(), std::size_t{2});
+        QCOMPARE(laryngoscopes()[1].name, std::string{"Laryngoscope miller-2"});
+        QVERIFY(soon([&] { return laryngoscopes()[1].newest().has_value(); }, kPatience));
+        QVERIFY(!laryngoscopes()[0].newest());
+        QVERIFY(isCalled("Laryngoscope miller-2"));
+        QVERIFY(!isCalled("Laryngoscope macintosh-4"));
+        QVERIFY(station.tools.setTracker(laryngoscopeCalled("the other macintosh-4")));
+        QCOMPARE(laryngoscopes().size(), std::size_t{2});
+        QVERIFY(soon([&] { return laryngoscopes()[0].newest().has_value(); }, kPatience));
+        QVERIFY(!laryngoscopes()[1].newest());
+        QVERIFY(isCalled("Laryngoscope macintosh-4"));
     }
 
     void sharesNothingOnceItIsGone()

@@ -3,6 +3,7 @@
 #include "engine/core/expects.h"
 
 #include <QCoreApplication>
+#include <QStringList>
 
 #include <algorithm>
 #include <cmath>
@@ -45,6 +46,22 @@ public:
             .arg(QLatin1StringView{gradeName(view.grade)})
             .arg(std::lround(100.0 * view.opening));
     }
+
+    static QString ungraded() { return tr("Only the laryngoscope of who is at work is graded."); }
+
+    static QString assumed(const Blade& blade)
+    {
+        return tr("Blade taken as %1", "Macintosh 3").arg(shownName(blade.name));
+    }
+
+private:
+    /// "Macintosh 3" of "macintosh-3".
+    static QString shownName(std::string_view name)
+    {
+        QString shown = QString::fromUtf8(name.data(), qsizetype(name.size()));
+        shown.replace(QLatin1Char{'-'}, QLatin1Char{' '});
+        return shown.left(1).toUpper() + shown.mid(1);
+    }
 };
 
 /// While nobody is at work, whoever looks is.
@@ -70,11 +87,12 @@ const PersonPose* laryngoscopeOf(const StationMoment& moment)
     return best;
 }
 
-Blade StationLaryngoscope::bladeOf(const PersonPose& laryngoscope) const
+std::optional<Blade> StationLaryngoscope::knownBladeOf(const PersonPose& laryngoscope) const
 {
     if (laryngoscope.isOwn && m_ownBlade)
-        return *m_ownBlade;
-    return carina::bladeOf(bladeOfTool(laryngoscope.name).value_or(kUsualBlade));
+        return m_ownBlade;
+    const auto told = bladeOfTool(laryngoscope.name);
+    return told ? std::optional{carina::bladeOf(*told)} : std::nullopt;
 }
 
 LaryngoscopeSight StationLaryngoscope::at(const StationMoment& moment,
@@ -101,7 +119,9 @@ LaryngoscopeSight StationLaryngoscope::at(const StationMoment& moment,
             .X_AL = X_AL,
             .throat = throat,
             .tissue = laryngoscopy.tissueAt(X_AL, throat),
-            .blade = blade};
+            .blade = blade,
+            .isBladeKnown = knownBladeOf(*tool).has_value(),
+            .isOfWorker = isOfWorker(*tool, moment)};
 }
 
 GlotticLine StationLaryngoscope::glottisAt(const FollowingThroat& throat,
@@ -114,5 +134,19 @@ GlotticLine StationLaryngoscope::glottisAt(const FollowingThroat& throat,
 QString laryngoscopeText(LaryngoscopeState state) { return LaryngoscopeWords::of(state); }
 
 QString glotticViewText(const GlotticView& view) { return LaryngoscopeWords::of(view); }
+
+QString laryngoscopeText(const LaryngoscopeSight& sight, const std::optional<GlotticView>& seen)
+{
+    if (sight.state != LaryngoscopeState::Live)
+        return laryngoscopeText(sight.state);
+    QStringList lines;
+    if (!sight.isGraded())
+        lines.append(LaryngoscopeWords::ungraded());
+    else if (seen)
+        lines.append(glotticViewText(*seen));
+    if (!sight.isBladeKnown)
+        lines.append(LaryngoscopeWords::assumed(sight.blade));
+    return lines.join(QLatin1Char{'\n'});
+}
 
 } // namespace carina

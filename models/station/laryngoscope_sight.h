@@ -29,6 +29,11 @@ struct LaryngoscopeSight {
     FollowingThroat throat{};
     BladeField tissue{};
     Blade blade{};
+    bool isBladeKnown = false; ///< touched, or told by its name; else the usual one is taken
+    bool isOfWorker = false;   ///< of who is at work, or the own one while nobody is
+
+    /// No other one is graded: whose it is has the tube, and the jaw is moved by their probe.
+    [[nodiscard]] bool isGraded() const { return state == LaryngoscopeState::Live && isOfWorker; }
 };
 
 /// The laryngoscope with which somebody works at a station: that of who is at work, else of
@@ -52,7 +57,10 @@ public:
     /// The blade of this program's laryngoscope, as it was touched; std::nullopt: as its name says.
     void takeOwnBlade(const std::optional<Blade>& blade) { m_ownBlade = blade; }
     /// The blade of somebody's laryngoscope: as touched, as its name says, or the usual one.
-    [[nodiscard]] Blade bladeOf(const PersonPose& laryngoscope) const;
+    [[nodiscard]] Blade bladeOf(const PersonPose& laryngoscope) const
+    {
+        return knownBladeOf(laryngoscope).value_or(carina::bladeOf(kUsualBlade));
+    }
 
     /// @param throat of the patient, as it is drawn at that moment
     [[nodiscard]] LaryngoscopeSight at(const StationMoment& moment, const FollowingThroat& throat);
@@ -62,6 +70,8 @@ public:
                                         const BladeField& tissue) const;
 
 private:
+    [[nodiscard]] std::optional<Blade> knownBladeOf(const PersonPose& laryngoscope) const;
+
     const PatientModel* m_patient;
     std::optional<Blade> m_ownBlade;
     std::optional<Result<Laryngoscopy>> m_laryngoscopy;
@@ -73,5 +83,10 @@ private:
 
 /// "Grade 2a · 43 % of the glottis".
 [[nodiscard]] QString glotticViewText(const GlotticView& view);
+
+/// What stands beneath the picture: why there is none; or its grade, if it was measured, or why it
+/// has none, and in a second line which blade is assumed, where none is known.
+[[nodiscard]] QString laryngoscopeText(const LaryngoscopeSight& sight,
+                                       const std::optional<GlotticView>& seen);
 
 } // namespace carina

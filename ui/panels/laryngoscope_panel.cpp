@@ -49,11 +49,8 @@ void LaryngoscopePanel::setStation(StationScene& station)
 
 QString LaryngoscopePanel::text() const
 {
-    const LaryngoscopeState state = m_scope ? m_scope->state() : LaryngoscopeState::None;
-    if (state != LaryngoscopeState::Live)
-        return laryngoscopeText(state);
-    const std::optional<GlotticView> seen = m_scope->seen();
-    return seen ? glotticViewText(*seen) : QString{};
+    return m_scope ? laryngoscopeText(m_scope->sight(), m_scope->seen())
+                   : laryngoscopeText(LaryngoscopeState::None);
 }
 
 void LaryngoscopePanel::refresh()

@@ -41,7 +41,7 @@ SceneFrame LiveScope::frameOf(int level, LocalTime lit)
     m_sight = m_station.laryngoscope().at(moment, throat);
     SceneFrame frame = sceneFrame(moment, patient.lungs().field(), throat);
     frame.eyes.emplace();
-    if (m_sight.state != LaryngoscopeState::Live)
+    if (!m_sight.isGraded())
         m_seen.reset();
     if (m_sight.state != LaryngoscopeState::Live || !m_shown.is(patient, m_sight.blade))
         return frame;
@@ -68,7 +68,7 @@ void LiveScope::prepare()
 void LiveScope::ask(SessionTime now)
 {
     const bool isDue = !m_asked || now - *m_asked >= kRead || now < *m_asked;
-    if (m_sight.state != LaryngoscopeState::Live || !isDue)
+    if (!m_sight.isGraded() || !isDue)
         return;
     m_asked = now;
     m_view.askForIds();
@@ -76,7 +76,7 @@ void LiveScope::ask(SessionTime now)
 
 void LiveScope::measure(const IdPicture& ids, const SceneFrame& frame)
 {
-    if (m_sight.state != LaryngoscopeState::Live || !frame.eyes || frame.eyes->empty())
+    if (!m_sight.isGraded() || !frame.eyes || frame.eyes->empty())
         return;
     const GlotticView view =
         measuredView(ids, m_scene, frame.eyes->front(),

@@ -26,9 +26,9 @@ public:
     LiveScope(SceneView& view, StationScene& station);
 
     /// As of the latest frame.
-    [[nodiscard]] LaryngoscopeState state() const { return m_sight.state; }
-    /// What was read last; nothing while the laryngoscope is not seen, and once that is of a frame
-    /// kMostAge before the latest.
+    [[nodiscard]] const LaryngoscopeSight& sight() const { return m_sight; }
+    /// What was read last; nothing while the laryngoscope is not graded, and once that is of a
+    /// frame kMostAge before the latest.
     [[nodiscard]] std::optional<GlotticView> seen() const;
     static constexpr Duration kMostAge = std::chrono::seconds{1};
 

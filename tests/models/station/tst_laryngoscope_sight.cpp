@@ -245,6 +245,38 @@ private Q_SLOTS:
         QVERIFY(laryngoscopeText(LaryngoscopeState::Live).isEmpty());
     }
 
+    void gradesThatOfWhoIsAtWork()
+    {
+        const LaryngoscopyPose lifted = poseIn(LaryngoscopyStep::Full);
+        const GlotticView view{.opening = 0.43, .grade = CormackLehane::Grade2a};
+        Station toms{"macintosh-3", kTom};
+        toms.node.sees(kFirst, lifted.X_AL, kNow);
+        const LaryngoscopeSight graded = toms.at(kNow, lifted.X_AJ);
+        QVERIFY(graded.isGraded());
+        QCOMPARE(laryngoscopeText(graded, view), glotticViewText(view));
+        QVERIFY(laryngoscopeText(graded, std::nullopt).isEmpty());
+        Station hers{"macintosh-3", kTess}; // he has none
+        hers.node.sees(kFirst, lifted.X_AL, kNow);
+        const LaryngoscopeSight shown = hers.at(kNow, lifted.X_AJ);
+        QCOMPARE(shown.state, LaryngoscopeState::Live);
+        QVERIFY(!shown.isGraded());
+        QCOMPARE(laryngoscopeText(shown, view),
+                 QStringLiteral("Only the laryngoscope of who is at work is graded."));
+    }
+
+    void saysWhichBladeItTakes()
+    {
+        const LaryngoscopyPose lifted = poseIn(LaryngoscopyStep::Full);
+        Station station{"Laryngoscope"};
+        station.node.sees(kFirst, lifted.X_AL, kNow);
+        const LaryngoscopeSight sight = station.at(kNow, lifted.X_AJ);
+        QVERIFY(!sight.isBladeKnown);
+        QCOMPARE(laryngoscopeText(sight, std::nullopt),
+                 QStringLiteral("Blade taken as Macintosh 3"));
+        QCOMPARE(laryngoscopeText(sight, GlotticView{}),
+                 QStringLiteral("Grade 4 · 0 % of the glottis\nBlade taken as Macintosh 3"));
+    }
+
     void saysGradeAndPercentage()
     {
         QCOMPARE(glotticViewText({.opening = 0.43, .grade = CormackLehane::Grade2a}),

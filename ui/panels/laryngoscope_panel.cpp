@@ -1,5 +1,6 @@
 #include "ui/panels/laryngoscope_panel.h"
 
+#include "widgets/inside_window.h"
 #include "widgets/plain_label.h"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ constexpr int kGap = 6;            // pixels between picture and words
 constexpr int kLeastWidth = 240;   // of the picture
 constexpr int kUsualWidth = 400;   // likewise
 constexpr int kLargestWidth = 640; // likewise
-constexpr int kLines = 3;          // of the words
+constexpr int kLeastLines = 3;     // of the words
 
 /// The largest size of 4:3, in whole pixels, of at most this width and height.
 QSize fourToThree(int width, int height)
@@ -26,16 +27,13 @@ QSize fourToThree(int width, int height)
 } // namespace
 
 LaryngoscopePanel::LaryngoscopePanel(QWidget* parent)
-    : QWidget{parent}, m_picture{new SceneView{this}}, m_text{new PlainLabel{this}}
+    : QWidget{parent}, m_text{new PlainLabel{this}}
 {
-    m_picture->setObjectName(QStringLiteral("laryngoscopePicture"));
-    m_picture->setAccessibleName(tr("What the camera of the laryngoscope shows"));
-    m_picture->setBackground(Qt::black);
     m_text->setObjectName(QStringLiteral("laryngoscopeText"));
-    m_text->setAccessibleName(tr("View of the larynx"));
     m_text->setWordWrap(true);
     m_text->setAlignment(Qt::AlignHCenter | Qt::AlignTop);
-    setFocusProxy(m_picture);
+    m_text->setFocusPolicy(Qt::ClickFocus); // by no Tab, but where the panel is brought
+    setFocusProxy(m_text);
     m_looking.callOnTimeout(this, &LaryngoscopePanel::refresh);
     m_looking.start(kRefresh_ms);
     refresh();
@@ -43,8 +41,20 @@ LaryngoscopePanel::LaryngoscopePanel(QWidget* parent)
 
 void LaryngoscopePanel::setStation(StationScene& station)
 {
-    m_scope = std::make_unique<LiveScope>(*m_picture, station);
+    m_station = &station;
     refresh();
+}
+
+void LaryngoscopePanel::makePicture()
+{
+    m_picture = new SceneView{this};
+    m_picture->setObjectName(QStringLiteral("laryngoscopePicture"));
+    m_picture->setAccessibleName(tr("What the camera of the laryngoscope shows"));
+    m_picture->setBackground(Qt::black);
+    m_picture->takeNoInput();
+    m_scope = std::make_unique<LiveScope>(*m_picture, *m_station);
+    layOut();
+    m_picture->show();
 }
 
 QString LaryngoscopePanel::text() const
@@ -55,15 +65,25 @@ QString LaryngoscopePanel::text() const
 
 void LaryngoscopePanel::refresh()
 {
+    if (m_station && !m_picture && isVisible() && isInsideWindow(*this))
+        makePicture();
     const QString told = text();
-    if (told != m_text->text())
-        m_text->setText(told);
+    if (told == m_text->text())
+        return;
+    m_text->setText(told);
+    layOut();
+}
+
+/// The words keep their place beneath the picture, unless there are very many.
+int LaryngoscopePanel::textHeight(int width) const
+{
+    return std::max(kLeastLines * fontMetrics().lineSpacing(), m_text->heightForWidth(width));
 }
 
 int LaryngoscopePanel::heightForWidth(int width) const
 {
     const QSize picture = fourToThree(width, kLargestWidth);
-    return picture.height() + kGap + kLines * fontMetrics().lineSpacing();
+    return picture.height() + kGap + textHeight(width);
 }
 
 QSize LaryngoscopePanel::sizeHint() const { return {kUsualWidth, heightForWidth(kUsualWidth)}; }
@@ -79,12 +99,12 @@ void LaryngoscopePanel::resizeEvent(QResizeEvent* event)
     layOut();
 }
 
-/// The words keep their place beneath the picture, whatever they are.
 void LaryngoscopePanel::layOut()
 {
-    const int words = kLines * fontMetrics().lineSpacing();
+    const int words = textHeight(width());
     const QSize size = fourToThree(width(), std::max(1, height() - kGap - words));
-    m_picture->setGeometry({{(width() - size.width()) / 2, 0}, size});
+    if (m_picture)
+        m_picture->setGeometry({{(width() - size.width()) / 2, 0}, size});
     m_text->setGeometry(0, size.height() + kGap, width(), words);
 }
 

@@ -13,7 +13,8 @@ namespace carina
 {
 
 /// What the camera on a station's laryngoscope shows, in a picture of 4:3, and beneath it grade and
-/// percentage of glottic opening; or why there is nothing to be seen, and what to do.
+/// percentage of glottic opening; or why there is nothing to be seen, and what to do. The picture,
+/// which has a graphics engine of its own, is made once the panel is in front of others.
 class LaryngoscopePanel : public QWidget
 {
     Q_OBJECT
@@ -38,9 +39,12 @@ protected:
 
 private:
     void refresh();
+    void makePicture();
     void layOut();
+    [[nodiscard]] int textHeight(int width) const;
 
-    SceneView* m_picture;
+    StationScene* m_station = nullptr;
+    SceneView* m_picture = nullptr;
     QLabel* m_text;
     std::unique_ptr<LiveScope> m_scope;
     QTimer m_looking;

@@ -6,6 +6,7 @@
 #include "tests/support/soon.h"
 #include "tests/support/test_class.h"
 #include "ui/scene/station_scene.h"
+#include "widgets/inside_window.h"
 #include "widgets/scene/view/graphics.h"
 
 #include <QDockWidget>
@@ -35,6 +36,11 @@ LaryngoscopyPose poseIn(LaryngoscopyStep step)
     return Laryngoscopy::of(adult(), bladeOf(BladeKind::Macintosh3))->pose(step, kUsualLift);
 }
 
+SceneView* pictureOf(const LaryngoscopePanel& panel)
+{
+    return panel.findChild<SceneView*>(QStringLiteral("laryngoscopePicture"));
+}
+
 /// A trainee whose own tracker has blade and jaw where a laryngoscopy has them, and the panel.
 struct Desk {
     Desk()
@@ -45,6 +51,11 @@ struct Desk {
         panel.setStation(scene);
         panel.resize(440, 420);
         panel.show();
+    }
+    /// The picture is made once the panel is seen.
+    [[nodiscard]] bool hasPicture() const
+    {
+        return soon([&] { return pictureOf(panel) != nullptr; }, kDrawn);
     }
 
     std::optional<LaryngoscopyPose> pose; ///< nothing: never seen
@@ -72,12 +83,11 @@ struct Desk {
     {
         return panel.findChild<QLabel*>(QStringLiteral("laryngoscopeText"))->text();
     }
-    [[nodiscard]] SceneView& picture() const
-    {
-        return *panel.findChild<SceneView*>(QStringLiteral("laryngoscopePicture"));
-    }
+    [[nodiscard]] SceneView& picture() const { return *pictureOf(panel); }
     [[nodiscard]] bool drawsMore(std::size_t frames) const
     {
+        if (!hasPicture())
+            return false;
         const std::size_t target = picture().statistics().frames + frames;
         return soon([&] { return picture().statistics().frames >= target; }, kDrawn);
     }
@@ -122,6 +132,7 @@ private Q_SLOTS:
     void hasAPictureOfFourToThree()
     {
         const Desk desk;
+        QVERIFY(desk.hasPicture());
         QCOMPARE(desk.picture().width() * 3, desk.picture().height() * 4);
         QVERIFY(desk.picture().width() >= 400);
         const auto& text = *desk.panel.findChild<QLabel*>(QStringLiteral("laryngoscopeText"));
@@ -164,7 +175,8 @@ private Q_SLOTS:
         QCOMPARE(dark.pixel(dark.width() / 2, dark.height() / 2), corner);
     }
 
-    /// As many frames of another picture go by as would have been several of this one.
+    /// As many frames of another picture go by as would have been several of this one. Before it
+    /// first was in front there is none.
     void drawsNothingBehindAnotherPanel()
     {
         constexpr std::size_t kFrames = 30;
@@ -181,26 +193,25 @@ private Q_SLOTS:
         window.addDockWidget(Qt::LeftDockWidgetArea, &scope);
         window.addDockWidget(Qt::LeftDockWidgetArea, &other);
         window.tabifyDockWidget(&scope, &other);
-        scope.raise();
+        other.raise();
         window.resize(640, 520);
         window.show();
-        const auto frames = [panel] {
-            return panel->findChild<SceneView*>(QStringLiteral("laryngoscopePicture"))
-                ->statistics()
-                .frames;
-        };
-        QVERIFY(soon([&] { return frames() >= 2; }, kDrawn));
-        other.raise();
-        QVERIFY(soon(
-            [&] {
-                const QRect here{panel->mapTo(&window, QPoint{}), panel->size()};
-                return !panel->isVisible() || !window.rect().intersects(here);
-            },
-            kDrawn));
         desk.patient.resize(320, 240);
         desk.patient.show();
+        const auto goesOnFor = [&desk](std::size_t more) {
+            const std::size_t target = desk.patient.statistics().frames + more;
+            return soon([&] { return desk.patient.statistics().frames >= target; }, kDrawn);
+        };
+        QVERIFY(goesOnFor(kFrames));
+        QVERIFY(!pictureOf(*panel));
+        scope.raise();
+        QVERIFY(soon([&] { return pictureOf(*panel) != nullptr; }, kDrawn));
+        const auto frames = [panel] { return pictureOf(*panel)->statistics().frames; };
+        QVERIFY(soon([&] { return frames() >= 2; }, kDrawn));
+        other.raise();
+        QVERIFY(soon([&] { return !isInsideWindow(*panel); }, kDrawn));
         const std::size_t before = frames();
-        QVERIFY(soon([&] { return desk.patient.statistics().frames >= kFrames; }, kDrawn));
+        QVERIFY(goesOnFor(kFrames));
         QCOMPARE(frames(), before);
         scope.raise();
         QVERIFY(soon([&] { return frames() > before; }, kDrawn));

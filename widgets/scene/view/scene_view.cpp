@@ -6,6 +6,7 @@
 
 #include "engine/core/expects.h"
 #include "engine/core/monotonic_clock.h"
+#include "widgets/inside_window.h"
 
 #include <QScreen>
 #include <QVBoxLayout>
@@ -172,6 +173,11 @@ void SceneView::showFrom(const CameraPose& pose) { m_window->camera().look(pose)
 void SceneView::follow(const SceneView& other)
 {
     m_followed = &other;
+    takeNoInput();
+}
+
+void SceneView::takeNoInput()
+{
     m_window->setFlag(Qt::WindowTransparentForInput);
     focusProxy()->setFocusPolicy(Qt::NoFocus);
 }
@@ -279,17 +285,10 @@ void SceneView::chooseDetail()
     m_detail.choose(m_eyes);
 }
 
-/// A dock that lies behind others in its place stays exposed: it is moved out of its window.
-bool SceneView::isInSight() const
-{
-    const QRect here{mapTo(window(), QPoint{}), size()};
-    return m_window->isExposed() && window()->rect().intersects(here);
-}
-
 void SceneView::drawFrame()
 {
     const LocalTime began = monotonicNow();
-    if (isInSight())
+    if (m_window->isExposed() && isInsideWindow(*this)) // behind another dock it stays exposed
         drawExposed(began);
     const auto left =
         m_interval - std::chrono::ceil<std::chrono::milliseconds>(monotonicNow() - began);

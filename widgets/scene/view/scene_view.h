@@ -120,6 +120,8 @@ public:
     /// Draws from now on from the camera of another view, with its looks and its section, and takes
     /// no input. @pre both have the same parts whenever this draws; the other one outlives this
     void follow(const SceneView& other);
+    /// Is only looked at from now on: neither mouse nor keyboard have an effect.
+    void takeNoInput();
     /// How the patient lies, for the view's own camera.
     void setLie(Lie lie);
     /// The view's own camera, used for frames without a list of eyes.
@@ -173,7 +175,6 @@ Q_SIGNALS:
     void clicked(const carina::Vec3& p_A_eye, const carina::Vec3& dir_A);
 
 private:
-    [[nodiscard]] bool isInSight() const;
     void drawFrame();
     void drawExposed(LocalTime asked);
     void beginToRead(const SceneFrame& frame);

@@ -96,6 +96,7 @@ GlotticView measuredView(const IdPicture& picture, const ScopeScene& scene, cons
                          const GlotticLine& line)
 {
     StructurePicture seen{.width = picture.width, .height = picture.height};
+    seen.pixels.reserve(picture.ids.size());
     for (const auto& id : picture.ids)
         seen.pixels.push_back(id && *id < scene.structures.size() ? scene.structures[*id]
                                                                   : SeenStructure::Nothing);

@@ -169,14 +169,17 @@ void FrameGraph::addIds(const Cameras& cameras)
     auto* selector = new Qt3DRender::QRenderTargetSelector(m_ids);
     selector->setTarget(target);
     auto* viewport = new Qt3DRender::QViewport(selector);
+    auto* first = new Qt3DRender::QSubtreeEnabler(viewport);
+    m_laterIds = new Qt3DRender::QSubtreeEnabler(viewport);
 
     for (int layer = 0; layer < kLayers; ++layer) {
-        clears(viewport, layer == 0 ? Qt3DRender::QClearBuffers::ColorDepthBuffer
-                                    : Qt3DRender::QClearBuffers::ColorBuffer)
+        QFrameGraphNode* branch = layer == 0 ? first : m_laterIds;
+        clears(branch, layer == 0 ? Qt3DRender::QClearBuffers::ColorDepthBuffer
+                                  : Qt3DRender::QClearBuffers::ColorBuffer)
             ->setClearColor(QColor(0, 0, 0, 0));
         for (std::size_t view = 0; view < cameras.size(); ++view)
-            addIdLayer(layer, addView(view, cameras, viewport));
-        m_idLayers.push_back(captures(viewport));
+            addIdLayer(layer, addView(view, cameras, branch));
+        m_idLayers.push_back(captures(branch));
     }
 }
 
@@ -225,11 +228,12 @@ void FrameGraph::setCut(bool cut)
     }
 }
 
-void FrameGraph::setIdsDrawn(bool drawn, const QSize& pixels)
+void FrameGraph::drawIds(Ids drawn, const QSize& pixels)
 {
     m_idColors->setSize(pixels.width(), pixels.height());
     m_idDepths->setSize(pixels.width(), pixels.height());
-    m_ids->setEnabled(drawn);
+    m_ids->setEnabled(drawn != Ids::None);
+    m_laterIds->setEnabled(drawn == Ids::All);
 }
 
 } // namespace carina

@@ -37,8 +37,7 @@ using Cameras = std::array<Qt3DRender::QCamera*, kMostEyes>;
 /// triangle blended in the order of the index buffer (DrawOrder).
 ///
 /// The ids, on demand, layer by layer (layerOf): the nearest surface of the layer that is not
-/// behind an earlier layer, into a texture of the picture's size that is read back after each
-/// layer.
+/// behind an earlier layer, into a texture that is read back after each layer.
 class FrameGraph
 {
 public:
@@ -63,8 +62,10 @@ public:
     /// Reads the whole picture back.
     [[nodiscard]] Qt3DRender::QRenderCapture* pictureCapture() const { return m_picture; }
 
-    /// Enables or disables the id passes.
-    void setIdsDrawn(bool drawn, const QSize& pixels);
+    /// The id passes that are drawn: none, that of opaque parts, which is layer 0, or all.
+    enum class Ids { None, Opaque, All };
+    /// Selects them, and the size of their picture.
+    void drawIds(Ids drawn, const QSize& pixels = {1, 1});
     /// One capture per layer.
     [[nodiscard]] const std::vector<Qt3DRender::QRenderCapture*>& idCaptures() const
     {
@@ -92,6 +93,7 @@ private:
     Qt3DRender::QClearBuffers* m_background = nullptr;
     Qt3DRender::QRenderCapture* m_picture = nullptr;
     Qt3DRender::QSubtreeEnabler* m_ids = nullptr;
+    Qt3DRender::QSubtreeEnabler* m_laterIds = nullptr; ///< of all layers but the first
     Qt3DRender::QTexture2D* m_idColors = nullptr;
     Qt3DRender::QTexture2D* m_idDepths = nullptr;
     std::vector<Qt3DRender::QRenderCapture*> m_idLayers;

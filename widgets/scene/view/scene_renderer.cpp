@@ -24,6 +24,16 @@ namespace
 /// Frames within which a capture that was asked for must have come back.
 constexpr int kMostCaptureFrames = 8;
 
+/// Of ids that are read while others are drawn: reading takes time for each pixel.
+constexpr QSize kMostRead{320, 240};
+
+/// The same shape, and at most this size.
+QSize atMost(const QSize& size, const QSize& most)
+{
+    const bool fits = size.width() <= most.width() && size.height() <= most.height();
+    return fits ? size : size.scaled(most, Qt::KeepAspectRatio).expandedTo({1, 1});
+}
+
 QVector3D toQt(const Vec3& v)
 {
     const Vec3f single = v.cast<float>();
@@ -109,7 +119,7 @@ void SceneRenderer::endReading()
     if (!m_idReply)
         return;
     m_idReply.reset();
-    m_frameGraph.setIdsDrawn(false, {1, 1});
+    m_frameGraph.drawIds(FrameGraph::Ids::None);
 }
 
 void SceneRenderer::setFigureParts(std::span<const ScenePart> parts)
@@ -187,17 +197,17 @@ QImage SceneRenderer::picture()
 
 void SceneRenderer::countPixels(std::map<std::uint16_t, std::size_t>& pixels)
 {
-    m_frameGraph.setIdsDrawn(true, windowPixels());
+    m_frameGraph.drawIds(FrameGraph::Ids::All, windowPixels());
     for (const QImage& layer : captured(m_frameGraph.idCaptures()))
         countIn(layer, pixels);
-    m_frameGraph.setIdsDrawn(false, {1, 1});
+    m_frameGraph.drawIds(FrameGraph::Ids::None);
 }
 
 QImage SceneRenderer::opaqueIds()
 {
-    m_frameGraph.setIdsDrawn(true, windowPixels());
+    m_frameGraph.drawIds(FrameGraph::Ids::Opaque, windowPixels());
     const std::vector<QImage> layers = captured({m_frameGraph.idCaptures().front()});
-    m_frameGraph.setIdsDrawn(false, {1, 1});
+    m_frameGraph.drawIds(FrameGraph::Ids::None);
     return layers.empty() ? QImage() : layers.front();
 }
 
@@ -205,7 +215,7 @@ void SceneRenderer::askForIds()
 {
     if (m_idReply)
         return;
-    m_frameGraph.setIdsDrawn(true, windowPixels());
+    m_frameGraph.drawIds(FrameGraph::Ids::Opaque, atMost(windowPixels(), kMostRead));
     m_idReply.reset(m_frameGraph.idCaptures().front()->requestCapture());
     m_idFrames = 0;
 }
@@ -215,7 +225,7 @@ std::optional<QImage> SceneRenderer::takeIds()
     if (!m_idReply || (!m_idReply->isComplete() && ++m_idFrames <= kMostCaptureFrames))
         return std::nullopt;
     const std::unique_ptr<Qt3DRender::QRenderCaptureReply> reply = std::move(m_idReply);
-    m_frameGraph.setIdsDrawn(false, {1, 1});
+    m_frameGraph.drawIds(FrameGraph::Ids::None);
     if (!reply->isComplete())
         return std::nullopt;
     QImage image = reply->image();

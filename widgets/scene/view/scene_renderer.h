@@ -81,7 +81,8 @@ public:
     /// null image if the window cannot be drawn into.
     [[nodiscard]] QImage opaqueIds();
 
-    /// Has the next draw() read the same, without waiting: takeIds() has it some frames later.
+    /// Has the next draw() read the same, without waiting, in a picture of the same shape and at
+    /// most 320x240 pixels: takeIds() has it some frames later.
     /// Without effect while that is under way.
     void askForIds();
     [[nodiscard]] bool isReadingIds() const { return m_idReply != nullptr; }

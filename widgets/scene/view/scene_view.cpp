@@ -50,6 +50,7 @@ std::vector<DetailEye> eyesOf(std::span<const SceneCamera> cameras)
 IdPicture idPictureOf(const QImage& image)
 {
     IdPicture picture{.width = image.width(), .height = image.height()};
+    picture.ids.reserve(std::size_t(image.width()) * std::size_t(image.height()));
     for (int y = 0; y < image.height(); ++y) {
         const auto* row = reinterpret_cast<const QRgb*>(image.constScanLine(y));
         for (int x = 0; x < image.width(); ++x)

@@ -164,8 +164,9 @@ public:
     /// top; translucent parts hide nothing. Empty while the view is not visible.
     [[nodiscard]] IdPicture opaqueIds();
 
-    /// The same of the next frame, without waiting for it: the listener has it, with that frame,
-    /// one or two frames later. Without effect while one is under way; new parts or looks end that.
+    /// The same of the next frame, in at most 320x240 pixels of the same shape, without waiting for
+    /// it: the listener has it, with that frame, one or two frames later. Without effect while one
+    /// is under way; new parts or looks end that.
     void askForIds() { m_asksForIds = true; }
     void onIdsRead(IdListener listener) { m_idListener = std::move(listener); }
 

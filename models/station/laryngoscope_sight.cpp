@@ -121,7 +121,8 @@ LaryngoscopeSight StationLaryngoscope::at(const StationMoment& moment,
             .tissue = laryngoscopy.tissueAt(X_AL, throat),
             .blade = blade,
             .isBladeKnown = knownBladeOf(*tool).has_value(),
-            .isOfWorker = isOfWorker(*tool, moment)};
+            .isOfWorker = isOfWorker(*tool, moment),
+            .isJawLost = moment.jaw && moment.jaw->validity == Validity::Lost};
 }
 
 GlotticLine StationLaryngoscope::glottisAt(const FollowingThroat& throat,
@@ -141,7 +142,7 @@ QString laryngoscopeText(const LaryngoscopeSight& sight, const std::optional<Glo
         return laryngoscopeText(sight.state);
     QStringList lines;
     if (!sight.isGraded())
-        lines.append(LaryngoscopeWords::ungraded());
+        lines.append(LaryngoscopeWords::ungraded(sight));
     else if (seen)
         lines.append(glotticViewText(*seen));
     if (!sight.isBladeKnown)

@@ -31,9 +31,14 @@ struct LaryngoscopeSight {
     Blade blade{};
     bool isBladeKnown = false; ///< touched, or told by its name; else the usual one is taken
     bool isOfWorker = false;   ///< of who is at work, or the own one while nobody is
+    bool isJawLost = false;    ///< there is a probe on the chin, which is not seen
 
-    /// No other one is graded: whose it is has the tube, and the jaw is moved by their probe.
-    [[nodiscard]] bool isGraded() const { return state == LaryngoscopeState::Live && isOfWorker; }
+    /// No other one is graded: whose it is has the tube, and the jaw is moved by their probe. And
+    /// none is while the mouth is drawn as nobody holds it.
+    [[nodiscard]] bool isGraded() const
+    {
+        return state == LaryngoscopeState::Live && isOfWorker && !isJawLost;
+    }
 };
 
 /// The laryngoscope with which somebody works at a station: that of who is at work, else of

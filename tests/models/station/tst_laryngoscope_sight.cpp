@@ -264,6 +264,28 @@ private Q_SLOTS:
                  QStringLiteral("Only the laryngoscope of who is at work is graded."));
     }
 
+    /// The mouth is drawn as in the surfaces then, while the blade holds it open.
+    void gradesNothingWhileTheJawIsLost()
+    {
+        const LaryngoscopyPose lifted = poseIn(LaryngoscopyStep::Full);
+        Station station{"macintosh-3"};
+        station.node.sees(kFirst, lifted.X_AL, kNow);
+        StationMoment moment = station.view.at(kNow, 0);
+        const FollowingThroat throat = patient().throat(lifted.X_AJ);
+        moment.jaw.emplace();
+        moment.jaw->validity = Validity::Tracked;
+        QVERIFY(station.laryngoscope.at(moment, throat).isGraded());
+        moment.jaw->validity = Validity::Lost;
+        const LaryngoscopeSight lost = station.laryngoscope.at(moment, throat);
+        QCOMPARE(lost.state, LaryngoscopeState::Live);
+        QVERIFY(!lost.isGraded());
+        const QString text = laryngoscopeText(lost, GlotticView{});
+        QVERIFY(text.contains(QStringLiteral("chin probe")));
+        QCOMPARE(text.count(QLatin1Char{'.'}), 1);
+        moment.jaw.reset(); // no probe: the mouth stays so, and whoever looks knows it
+        QVERIFY(station.laryngoscope.at(moment, throat).isGraded());
+    }
+
     void saysWhichBladeItTakes()
     {
         const LaryngoscopyPose lifted = poseIn(LaryngoscopyStep::Full);

@@ -61,6 +61,7 @@ public:
     }
     /// The blade of this program's laryngoscope, as it was touched; std::nullopt: as its name says.
     void takeOwnBlade(const std::optional<Blade>& blade) { m_ownBlade = blade; }
+    [[nodiscard]] const std::optional<Blade>& ownBlade() const { return m_ownBlade; }
     /// The blade of somebody's laryngoscope: as touched, as its name says, or the usual one.
     [[nodiscard]] Blade bladeOf(const PersonPose& laryngoscope) const
     {

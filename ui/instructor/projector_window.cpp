@@ -47,13 +47,20 @@ ProjectorWindow::ProjectorWindow(const StationScene& shown, const PatientModel& 
             &QWidget::close);
     connect(new QShortcut{QKeySequence{Qt::Key_F11}, this}, &QShortcut::activated, this,
             &ProjectorWindow::toggleFullScreen);
-    m_following.callOnTimeout([this] { m_stationScene.seeThrough(m_shown.throughEyesOf()); });
+    m_following.callOnTimeout(this, &ProjectorWindow::follow);
     m_following.start(kFollowing_ms);
+    follow();
     // Qt moves the window first.
     connect(qApp, &QGuiApplication::screenRemoved, this, &ProjectorWindow::keepOffConsole,
             Qt::QueuedConnection);
     resize(kWindowed);
     place();
+}
+
+void ProjectorWindow::follow()
+{
+    m_stationScene.seeThrough(m_shown.throughEyesOf());
+    m_stationScene.showBlade(m_shown.laryngoscope().ownBlade());
 }
 
 void ProjectorWindow::place()

@@ -33,6 +33,7 @@ protected:
     void closeEvent(QCloseEvent* event) override;
 
 private:
+    void follow();
     void place();
     void keepOffConsole();
 

@@ -62,6 +62,7 @@ public:
     }
     /// What gives way to a laryngoscope, in this patient.
     [[nodiscard]] StationLaryngoscope& laryngoscope() { return m_laryngoscope; }
+    [[nodiscard]] const StationLaryngoscope& laryngoscope() const { return m_laryngoscope; }
 
     /// Adds a listener.
     void onFrameDrawn(Listener listener);

@@ -136,22 +136,20 @@ private:
 
 } // namespace
 
-std::vector<DrawnPerson> drawnPeople(const StationMoment& moment, const StationLaryngoscope* blades)
+std::vector<DrawnPerson> drawnPeople(const StationMoment& moment, const StationLaryngoscope& blades)
 {
-    const auto bladeIn = [blades](const PersonPose& person) {
-        return blades != nullptr ? blades->bladeOf(person).form : bladeOf(kUsualBlade).form;
-    };
     std::vector<DrawnPerson> people;
     for (const PersonPose& person : moment.people)
         if (isDrawn(person, moment))
-            people.push_back(
-                {.object = person.object,
-                 .owner = person.owner,
-                 .kind = person.kind,
-                 .name = nameBeside(person, moment.worker),
-                 .isAtWork = person.isAtWork,
-                 .isOwn = person.isOwn,
-                 .blade = person.kind == ObjectKind::Laryngoscope ? bladeIn(person) : BladeForm{}});
+            people.push_back({.object = person.object,
+                              .owner = person.owner,
+                              .kind = person.kind,
+                              .name = nameBeside(person, moment.worker),
+                              .isAtWork = person.isAtWork,
+                              .isOwn = person.isOwn,
+                              .blade = person.kind == ObjectKind::Laryngoscope
+                                           ? blades.bladeOf(person).form
+                                           : BladeForm{}});
     return people;
 }
 

@@ -28,9 +28,9 @@ struct DrawnPerson {
 /// What is drawn of the people at a moment: heads, hands and styluses of others, and all tubes and
 /// laryngoscopes. The own head is never drawn; own hands and the own stylus are for who looks at a
 /// screen (StationMoment::ownHandsAreDrawn).
-/// @param blades which says what blades laryngoscopes have; nullptr: all have the usual one
+/// @param blades which says what blades laryngoscopes have
 [[nodiscard]] std::vector<DrawnPerson> drawnPeople(const StationMoment& moment,
-                                                   const StationLaryngoscope* blades = nullptr);
+                                                   const StationLaryngoscope& blades);
 
 /// Their figures; tubes are that of the patient.
 [[nodiscard]] std::vector<SceneFigure> peopleFigures(const std::vector<DrawnPerson>& people,

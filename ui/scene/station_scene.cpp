@@ -85,7 +85,7 @@ void StationScene::findViewpoint()
 
 void StationScene::showFigures()
 {
-    std::vector<DrawnPerson> people = drawnPeople(m_moment, &m_laryngoscope);
+    std::vector<DrawnPerson> people = drawnPeople(m_moment, m_laryngoscope);
     std::vector<DrawnLift> lifts = drawnLifts(m_moment, *m_patient);
     if (people == m_people && lifts == m_lifts)
         return;

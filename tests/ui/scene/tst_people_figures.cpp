@@ -1,3 +1,5 @@
+#include "engine/anatomy/patient/builtin_patient.h"
+#include "models/patient/patient_source.h"
 #include "tests/support/test_class.h"
 #include "ui/scene/people_figures.h"
 #include "ui/scene/scene_parts.h"
@@ -38,6 +40,13 @@ StationMoment crowd()
             moment.people.back().isAtWork = owner == kTom && isOfWork;
         }
     return moment;
+}
+
+std::vector<DrawnPerson> drawn(const StationMoment& moment)
+{
+    static const SharedPatientModel patient =
+        patientOf(builtinPatient(BuiltinPatient::TwelveYears).value()).value();
+    return drawnPeople(moment, StationLaryngoscope{*patient});
 }
 
 /// An object of somebody who stands elsewhere, as many metres to the patient's left by its tracker,
@@ -167,13 +176,13 @@ private Q_SLOTS:
             moment.people.push_back(
                 seen(std::uint16_t(20 + owner.value), owner, ObjectKind::Laryngoscope));
         QCOMPARE(bodies(moment), (std::set<std::uint16_t>{5, 6, 7, 8, 11, 12, 13, 15, 21, 22}));
-        const auto drawn = drawnPeople(moment);
-        QCOMPARE(std::ranges::count(drawn, ObjectKind::Laryngoscope, &DrawnPerson::kind), 2);
+        const auto people = drawn(moment);
+        QCOMPARE(std::ranges::count(people, ObjectKind::Laryngoscope, &DrawnPerson::kind), 2);
     }
 
     void namesTheTubeAtWorkWithoutDrawingItTwice()
     {
-        const auto people = drawnPeople(crowd());
+        const auto people = drawn(crowd());
         const auto tube = std::ranges::find(people, ObjectId{10}, &DrawnPerson::object);
         QVERIFY(tube != people.end() && tube->isAtWork);
         QCOMPARE(tube->name, QStringLiteral("Tube of Tom"));
@@ -183,14 +192,14 @@ private Q_SLOTS:
     void needsNewFiguresOnlyWhereOthersAreThere()
     {
         StationMoment moment = crowd();
-        const auto before = drawnPeople(moment);
+        const auto before = drawn(moment);
         for (PersonPose& person : moment.people) {
             person.X_AO = {};
             person.pose.validity = Validity::Lost;
         }
-        QCOMPARE(drawnPeople(moment), before);
+        QCOMPARE(drawn(moment), before);
         moment.worker = kTess;
-        QVERIFY(drawnPeople(moment) != before);
+        QVERIFY(drawn(moment) != before);
     }
 };
 

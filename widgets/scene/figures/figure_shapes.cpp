@@ -165,7 +165,6 @@ const FigureShapes& figureShapes()
                                      .hand = keptMesh(madeHand()),
                                      .stylus = keptMesh(madeStylus()),
                                      .ray = keptMesh(arrow(0.01, kRayLength)),
-                                     .blade = keptMesh(bladeMesh({})),
                                      .handle = keptMesh(madeHandle())};
     return shapes;
 }

@@ -19,7 +19,6 @@ struct FigureShapes {
     Mesh hand;  ///< a right hand with its knuckles at the origin and the index finger stretched out
     Mesh stylus; ///< a stylus with its tip at the origin
     Mesh ray;    ///< from the origin on, for what points
-    Mesh blade;  ///< a curved laryngoscope blade for an adult, from its handle at the origin on
     Mesh handle; ///< of a laryngoscope, upwards from the origin
 };
 
@@ -30,12 +29,10 @@ inline constexpr double kHeadTop = 0.115;   ///< of the head, above the eyes
 inline constexpr double kGazeLength = 0.25; ///< from the eyes
 inline constexpr double kRayLength = 0.3;   ///< from the origin
 /// Sizes of a laryngoscope, of ours: about those of an adult's; no published figures were found.
-inline constexpr double kBladeLength = 0.13;
 inline constexpr double kHandleLength = 0.155;
 inline constexpr double kHandleRadius = 0.014;
 
-/// A blade of this form in L, the frame of FigureShapes::blade; a calibrated one is drawn with its
-/// own.
+/// A blade of this form, from its handle at the origin of L on.
 [[nodiscard]] TriangleMesh bladeMesh(const BladeForm& form);
 
 /// The surface |x/a|^n + |y/b|^n + |z/c|^n = 1 about a centre, as points on rays from it: an

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 
 namespace carina::figure_shapes_test
 {
@@ -15,8 +16,14 @@ constexpr double kSize = 1e-6; ///< metres, of a coordinate
 std::array<FigureShapes::Mesh, 8> allShapes()
 {
     const FigureShapes& shapes = figureShapes();
-    return {shapes.head,   shapes.visor, shapes.gaze,  shapes.hand,
-            shapes.stylus, shapes.ray,   shapes.blade, shapes.handle};
+    return {shapes.head,
+            shapes.visor,
+            shapes.gaze,
+            shapes.hand,
+            shapes.stylus,
+            shapes.ray,
+            std::make_shared<const TriangleMesh>(bladeMesh({})),
+            shapes.handle};
 }
 
 } // namespace
@@ -91,13 +98,14 @@ private Q_SLOTS:
     /// 130 mm long, its tip towards the handle's side.
     void hasALaryngoscopeOfItsTrueSize()
     {
-        const Box blade = boundsOf(*figureShapes().blade);
+        const TriangleMesh mesh = bladeMesh({});
+        const Box blade = boundsOf(mesh);
         QVERIFY(std::abs(blade.size().z() - 0.130) < 0.003);
         QVERIFY(blade.size().x() > 0.010 && blade.size().x() < 0.020);
         QVERIFY2(blade.max.z() < 0.005 && blade.min.y() < -0.01,
                  qPrintable(QStringLiteral("%1 %2").arg(blade.max.z()).arg(blade.min.y())));
-        const auto& tip = *std::ranges::min_element(figureShapes().blade->positions, {},
-                                                    [](const auto& p) { return p.z(); });
+        const auto& tip =
+            *std::ranges::min_element(mesh.positions, {}, [](const auto& p) { return p.z(); });
         QVERIFY(tip.y() > 0.005F);
         const Box handle = boundsOf(*figureShapes().handle);
         QVERIFY(std::abs(handle.size().x() - 0.028) < 0.001 && handle.max.y() > 0.15);

@@ -31,9 +31,17 @@ const PatientModel& adult()
     return *made;
 }
 
-LaryngoscopyPose poseIn(LaryngoscopyStep step)
+/// With the mouth held open in the surfaces, as the programs have it.
+const PatientModel& heldOpen()
 {
-    return Laryngoscopy::of(adult(), bladeOf(BladeKind::Macintosh3))->pose(step, kUsualLift);
+    static const SharedPatientModel made =
+        patientOf(builtinPatient(BuiltinPatient::Adult).value()).value();
+    return *made;
+}
+
+LaryngoscopyPose poseIn(LaryngoscopyStep step, const PatientModel& patient = adult())
+{
+    return Laryngoscopy::of(patient, bladeOf(BladeKind::Macintosh3))->pose(step, kUsualLift);
 }
 
 SceneView* pictureOf(const LaryngoscopePanel& panel)
@@ -43,7 +51,7 @@ SceneView* pictureOf(const LaryngoscopePanel& panel)
 
 /// A trainee whose own tracker has blade and jaw where a laryngoscopy has them, and the panel.
 struct Desk {
-    Desk()
+    explicit Desk(const PatientModel& lying = adult()) : who{lying}
     {
         node.decide(fact::PhaseChanged{SessionPhase::Running});
         node.decide(fact::ObjectShared{
@@ -58,15 +66,16 @@ struct Desk {
         return soon([&] { return pictureOf(panel) != nullptr; }, kDrawn);
     }
 
+    const PatientModel& who;
     std::optional<LaryngoscopyPose> pose; ///< nothing: never seen
     Validity validity = Validity::Tracked;
     FakeSessionNode node{FakeSessionNode::kTrainee};
     StationView view{node,
                      FakeSessionNode::kStation,
-                     adult().lungs(),
+                     who.lungs(),
                      {.at = [this](ObjectKind kind, SessionTime t) { return poseOf(kind, t); }}};
     SceneView patient; ///< is not shown
-    StationScene scene{patient, adult(), view};
+    StationScene scene{patient, who, view};
     LaryngoscopePanel panel;
 
     std::optional<PoseSample> poseOf(ObjectKind kind, SessionTime t) const
@@ -159,6 +168,18 @@ private Q_SLOTS:
         QVERIFY(soon([&] { return desk.told().startsWith(QStringLiteral("Grade 4 ·")); }, kDrawn));
         QVERIFY(desk.drawsMore(8));
         QVERIFY(difference(atTeeth, desk.picture().picture()) < 0.05);
+    }
+
+    void showsTheLarynxOfThePatientOfThePrograms()
+    {
+        Desk desk{heldOpen()};
+        desk.pose = poseIn(LaryngoscopyStep::Full, heldOpen());
+        QVERIFY(soon(
+            [&] {
+                return desk.told().startsWith(QStringLiteral("Grade 1"))
+                       || desk.told().startsWith(QStringLiteral("Grade 2"));
+            },
+            kDrawn));
     }
 
     void showsNothingOfALostOne()

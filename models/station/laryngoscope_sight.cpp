@@ -47,7 +47,12 @@ public:
             .arg(std::lround(100.0 * view.opening));
     }
 
-    static QString ungraded() { return tr("Only the laryngoscope of who is at work is graded."); }
+    static QString ungraded(const LaryngoscopeSight& sight)
+    {
+        if (!sight.isOfWorker)
+            return tr("Only the laryngoscope of who is at work is graded.");
+        return tr("▲ The chin probe is out of view: turn its markers to the tracker.");
+    }
 
     static QString assumed(const Blade& blade)
     {

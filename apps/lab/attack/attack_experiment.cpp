@@ -31,8 +31,8 @@ constexpr std::array kNewcomers{Role::Trainee, Role::Observer, Role::Instructor}
 constexpr Duration kLongest = 120s;
 constexpr Duration kGuestsComeIn = 3min;
 constexpr Duration kCalm = 3s; ///< after an attack, in which its traces go
-/// In which each program has given back the free pages of its heap (program::HeapPages).
-constexpr Duration kPagesGoBack = 22s;
+/// In which each program has given back the free pages of its heap (program::kFreePagesKept).
+constexpr Duration kPagesGoBack = 10s;
 constexpr Duration kSlice = 100ms;      ///< between two looks at how much was sent
 constexpr Duration kMemoryLook = 500ms; ///< between two looks at memory
 constexpr double kSettled_kb = 2048.0;  ///< by which memory varies in any case

@@ -219,7 +219,7 @@ private Q_SLOTS:
                                             .p_L_half = {0.0, 0.0, -0.0775}});
         QCOMPARE(touched.lift, EpiglottisLift::Direct);
         QCOMPARE(touched.form.reach, 0.155);
-        QVERIFY(std::abs(touched.form.sag - 0.002) < 1e-9);
+        QVERIFY(std::abs(touched.form.sag - 0.002) < 1e-6); // measured across the line to the tip
         Station station;
         station.node.sees(kFirst, {}, kNow);
         station.laryngoscope.takeOwnBlade(touched);

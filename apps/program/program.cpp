@@ -1,6 +1,5 @@
 #include "apps/program/program.h"
 
-#include "apps/program/heap.h"
 #include "engine/core/prompt_thread.h"
 #include "engine/io/files/whole_file.h"
 #include "models/errors/error_text.h"
@@ -106,7 +105,6 @@ Result<int> checkedRun(const Program& program, QCommandLineParser& parser)
 
 int runProgram(const Program& program, int argc, char** argv)
 {
-    keepFreePagesFor(kFreePagesKept);
     QCoreApplication::setApplicationName(program.name);
     QCoreApplication::setOrganizationName(QStringLiteral("carina"));
     QCommandLineParser parser;

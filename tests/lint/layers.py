@@ -30,7 +30,7 @@ LIBRARY_OF_PREFIX = [
     ("qrencode.h", "libqrencode"), ("png.h", "libpng"), ("turbojpeg.h", "libjpeg-turbo"),
     ("arpa/", "POSIX"), ("netinet/", "POSIX"), ("termios.h", "POSIX"), ("sys/", "POSIX"), ("unistd.h", "POSIX"), ("fcntl.h", "POSIX"), ("time.h", "POSIX"),
     ("dlfcn.h", "POSIX"), ("signal.h", "POSIX"), ("poll.h", "POSIX"), ("pthread.h", "POSIX"),
-    ("malloc.h", "glibc"), ("linux/", "Linux"), ("seccomp.h", "libseccomp"),
+    ("malloc.h", "glibc"), ("jemalloc/", "jemalloc"), ("linux/", "Linux"), ("seccomp.h", "libseccomp"),
     ("boost/circular_buffer", "Boost.CircularBuffer"),
 ]
 

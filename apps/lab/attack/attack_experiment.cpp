@@ -31,7 +31,7 @@ constexpr std::array kNewcomers{Role::Trainee, Role::Observer, Role::Instructor}
 constexpr Duration kLongest = 120s;
 constexpr Duration kGuestsComeIn = 3min;
 constexpr Duration kCalm = 3s; ///< after an attack, in which its traces go
-/// In which each program has given back the free pages of its heap (program::kFreePagesKept).
+/// In which each program has given back the free pages of its heap (apps/heap).
 constexpr Duration kPagesGoBack = 10s;
 constexpr Duration kSlice = 100ms;      ///< between two looks at how much was sent
 constexpr Duration kMemoryLook = 500ms; ///< between two looks at memory

@@ -93,6 +93,7 @@ GlotticView glotticView(const StructurePicture& picture, const PictureCamera& ca
         ++view.visiblePixels[placeOf(structure)];
     view.opening = seenShare(picture, camera, line);
     view.underTube = double(findLine(picture, camera, line).underTube) / kLineSamples;
+    view.empty = double(view.visiblePixels[placeOf(SeenStructure::Nothing)]) / double(count);
     view.grade = gradeOf(view, count);
     return view;
 }

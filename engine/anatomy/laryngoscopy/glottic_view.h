@@ -51,12 +51,18 @@ struct GlotticView {
     /// anterior commissure to the interarytenoid notch (Levitan et al., Acad Emerg Med 1998;5:919).
     double opening = 0.0;
     double underTube = 0.0; ///< the share of that line that a tube covers; the rest is measured
+    double empty = 0.0;     ///< the share of the picture in which no structure is seen
     CormackLehane grade = CormackLehane::Grade4;
     std::array<std::size_t, kSeenStructures> visiblePixels{}; ///< by SeenStructure
 
-    /// Whether so little is covered by a tube that the rest tells of the whole.
-    [[nodiscard]] bool isTelling() const { return underTube <= kMostUnderTube; }
+    /// Whether so little is covered by a tube that the rest tells of the whole, and the picture is
+    /// not that of a camera which is inside something, the tube for instance.
+    [[nodiscard]] bool isTelling() const
+    {
+        return underTube <= kMostUnderTube && empty <= kMostEmpty;
+    }
     static constexpr double kMostUnderTube = 0.5; ///< of ours
+    static constexpr double kMostEmpty = 0.6;     ///< likewise
 };
 
 /// Above this share of the glottis a view counts as grade 1, "most of the glottis".

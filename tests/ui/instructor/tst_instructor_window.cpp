@@ -401,8 +401,14 @@ private Q_SLOTS:
         int tabs = 0;
         for (const QTabBar* bar :
              shown.window.findChildren<QTabBar*>(QString{}, Qt::FindDirectChildrenOnly)) {
-            for (int tab = 0; tab < bar->count(); ++tab)
-                QVERIFY2(bar->rect().contains(bar->tabRect(tab)), qPrintable(bar->tabText(tab)));
+            for (int tab = 0; tab < bar->count(); ++tab) {
+                const QString name = bar->tabText(tab);
+                const QRect place = bar->tabRect(tab);
+                QVERIFY2(bar->rect().contains(place), qPrintable(name));
+                // With what is left free beside it; less is an ellipsis.
+                QVERIFY2(place.width() >= bar->fontMetrics().horizontalAdvance(name) + 12,
+                         qPrintable(name));
+            }
             tabs += bar->isVisible() ? bar->count() : 0;
         }
         QVERIFY(tabs >= 7);

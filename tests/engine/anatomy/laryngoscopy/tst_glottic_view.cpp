@@ -60,6 +60,7 @@ private Q_SLOTS:
     void needsMoreThanASpeck();
     void countsNothingThatATubeCovers_data();
     void countsNothingThatATubeCovers();
+    void tellsNothingOfAnEmptyPicture();
     void gradesBesideATube();
 };
 
@@ -201,6 +202,17 @@ void TestGlotticView::gradesBesideATube()
     QVERIFY(view.isTelling());
     QVERIFY(view.grade == CormackLehane::Grade3);
     QCOMPARE(view.opening, 0.0);
+}
+
+// As of a camera that is inside a tube, whose wall is not seen from within.
+void TestGlotticView::tellsNothingOfAnEmptyPicture()
+{
+    StructurePicture picture = pictureOf(Structure::Nothing);
+    QVERIFY(!glotticView(picture, kCamera, kGlottis).isTelling());
+    fillRows(picture, 0, kHeight / 2, Structure::Pharynx);
+    const GlotticView half = glotticView(picture, kCamera, kGlottis);
+    QCOMPARE(half.empty, 0.5);
+    QVERIFY(half.isTelling());
 }
 
 CARINA_TEST(TestGlotticView)

@@ -81,7 +81,7 @@ macro(carina_test_of program source class)
     set(display "${PROJECT_SOURCE_DIR}/tests/support/with_display")
   endif()
   set(label fast)
-  set(timeout 120)
+  set(timeout 240)
   set(patience)
   if(${class} IN_LIST arg_SLOW) # by itself Qt Test gives a function five minutes
     set(label slow)

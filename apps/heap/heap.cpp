@@ -4,7 +4,7 @@
 // glibc's heap a program grew without holding more.
 
 /// Read by jemalloc before anything is allocated: pages that hold no block go back to the system
-/// 2 s after they were freed.
+/// 2 s after they were freed, also those of threads that rest.
 extern "C" {
-const char* malloc_conf = "dirty_decay_ms:2000,muzzy_decay_ms:0";
+const char* malloc_conf = "background_thread:true,dirty_decay_ms:2000,muzzy_decay_ms:0";
 }

@@ -126,9 +126,7 @@ private:
     Result<void> layAnotherAndBack()
     {
         const LaidPatients first{*m_node};
-        const PatientParameters adult = parametersOf(BuiltinPatient::Adult);
-        for (const auto& [station, laid] : m_node->state()->stations())
-            m_instructor->propose(station, fact::AnatomyChosen{madeHash(adult), nameOf(adult)});
+        layInHaste();
         if (!waitFor([&] { return !first.areLaid(*m_node); }))
             return fail(Errc::HostSilent, "no other patient was laid");
         workFor(kCalm, [] {});
@@ -137,6 +135,19 @@ private:
             return fail(Errc::HostSilent, "the patient was not laid again");
         workFor(kCalm, [] {});
         return {};
+    }
+
+    /// One patient before the last is made, as an attacker does; an adult in the end.
+    void layInHaste()
+    {
+        constexpr int kTimes = 4;
+        for (int i = 0; i < kTimes; ++i)
+            for (const BuiltinPatient who : {BuiltinPatient::TwelveYears, BuiltinPatient::Adult}) {
+                const PatientParameters patient = parametersOf(who);
+                for (const auto& [station, laid] : m_node->state()->stations())
+                    m_instructor->propose(station,
+                                          fact::AnatomyChosen{madeHash(patient), nameOf(patient)});
+            }
     }
 
     Result<void> comeInGuests()

@@ -111,15 +111,10 @@ GlotticLine Laryngoscopy::glottisAt(const LaryngoscopyPose& pose) const
 RigidTransform Laryngoscopy::eyeAt(const LaryngoscopyPose& pose, ScopeEye eye) const
 {
     if (eye == ScopeEye::Video)
-        return cameraAt(pose.X_AL);
+        return pose.X_AL * cameraOnBlade(m_blade);
     const GlotticLine glottis = glottisAt(pose);
     return eyePastBlade(m_blade, pose.X_AL, m_airway.p_A_incisors,
                         0.5 * (glottis.p_A_commissure + glottis.p_A_notch));
-}
-
-RigidTransform Laryngoscopy::cameraAt(const RigidTransform& X_AL) const
-{
-    return X_AL * cameraOnBlade(m_blade);
 }
 
 Angle Laryngoscopy::fieldOfView(ScopeEye eye)

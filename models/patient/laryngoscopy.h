@@ -56,8 +56,6 @@ public:
     [[nodiscard]] GlotticLine glottisAt(const LaryngoscopyPose& pose) const;
     /// X_AD and vertical field of view of an eye.
     [[nodiscard]] RigidTransform eyeAt(const LaryngoscopyPose& pose, ScopeEye eye) const;
-    /// X_AD of the camera on the blade.
-    [[nodiscard]] RigidTransform cameraAt(const RigidTransform& X_AL) const;
     [[nodiscard]] static Angle fieldOfView(ScopeEye eye);
 
 private:

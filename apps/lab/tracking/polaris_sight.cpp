@@ -1,8 +1,8 @@
 #include "apps/lab/tracking/polaris_sight.h"
 
 #include "apps/lab/command/patient_options.h"
+#include "apps/lab/command/scripted_station.h"
 #include "engine/anatomy/patient/builtin_patient.h"
-#include "engine/session/simulated_station.h"
 #include "engine/tracking/record/recorded_tracker.h"
 
 #include <algorithm>
@@ -41,20 +41,9 @@ Result<TrueToolPose> scriptedHands(const Words& words)
     const auto parameters = patientOption(words, BuiltinPatient::TwelveYears);
     if (!parameters)
         return tl::unexpected(parameters.error());
-    const auto dimensions = dimensionsFor(*parameters);
-    if (!dimensions)
-        return tl::unexpected(dimensions.error());
-    const auto patient = patientFor(*parameters);
-    if (!patient)
-        return tl::unexpected(patient.error());
-    const AirwayLandmarks& airway = patient->landmarks;
-    const auto tube = makeTube(dimensions->tubeInnerDiameter, airway.path_A, airway.p_A_incisors);
-    if (!tube)
-        return tl::unexpected(tube.error());
-    auto station = simulatedStation(airway, *tube, noClock);
-    if (!station)
-        return tl::unexpected(station.error());
-    return std::move(station->truth);
+    return scriptedStation(*parameters).map([](ScriptedStation&& scripted) {
+        return std::move(scripted.station.truth);
+    });
 }
 
 } // namespace

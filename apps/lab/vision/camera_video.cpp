@@ -1,4 +1,5 @@
 #include "apps/lab/command/patient_options.h"
+#include "apps/lab/command/scripted_station.h"
 #include "apps/lab/vision/accuracy_figures.h"
 #include "apps/lab/vision/camera_uses.h"
 #include "apps/lab/vision/video_comparison.h"
@@ -110,28 +111,19 @@ struct VideoScene {
 /// The scripted hands at a patient's manikin, seen from the camera C at a distance, metres.
 Result<VideoScene> sceneOf(const PatientParameters& parameters, double distance)
 {
-    const auto dimensions = dimensionsFor(parameters);
-    if (!dimensions)
-        return tl::unexpected(dimensions.error());
-    const auto patient = patientFor(parameters);
-    if (!patient)
-        return tl::unexpected(patient.error());
-    const AirwayLandmarks& airway = patient->landmarks;
-    const auto tube = makeTube(dimensions->tubeInnerDiameter, airway.path_A, airway.p_A_incisors);
-    if (!tube)
-        return tl::unexpected(tube.error());
-    auto station = simulatedStation(airway, *tube, [] { return std::optional<SessionTime>{}; });
-    if (!station)
-        return tl::unexpected(station.error());
-    const Vec3 p_A_target = airway.p_A_incisors + kLooksAt;
+    auto scripted = scriptedStation(parameters);
+    if (!scripted)
+        return tl::unexpected(scripted.error());
+    SimulatedStation& station = scripted->station;
+    const Vec3 p_A_target = scripted->airway.p_A_incisors + kLooksAt;
     const RigidTransform X_AC =
         cameraAt(p_A_target + distance * kLooksFrom.normalized(), p_A_target);
     return VideoScene{.tools = shownTools(),
-                      .truth = std::move(station->truth),
-                      .X_CT = X_AC.inverse() * station->exactly.X_AT,
+                      .truth = std::move(station.truth),
+                      .X_CT = X_AC.inverse() * station.exactly.X_AT,
                       .X_AC = X_AC,
                       .registration = {.X_AT = X_AC,
-                                       .X_JA = station->exactly.X_JA,
+                                       .X_JA = station.exactly.X_JA,
                                        .X_BA = simulatedBodyProbe().inverse()}};
 }
 

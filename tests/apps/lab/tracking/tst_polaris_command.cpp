@@ -48,6 +48,18 @@ private:
     std::jthread m_thread;
 };
 
+/// The client of a device, by this computer's clock.
+auto trackerOf(const TrackerDescription& description)
+{
+    return DeviceTracker::make(
+        description, [] { return std::optional{SessionTime{monotonicNow().time_since_epoch()}}; });
+}
+
+std::size_t placeOf(const std::string& name, const std::vector<TrackedTool>& tools)
+{
+    return std::size_t(std::ranges::find(tools, name, &TrackedTool::name) - tools.begin());
+}
+
 } // namespace
 
 class PolarisCommandTest : public QObject
@@ -66,15 +78,11 @@ private Q_SLOTS:
         QVERIFY2(description, description ? "" : description.error().detail.c_str());
         for (const DescribedTool& tool : description->tools)
             QCOMPARE(tool.definition.has_value(), tool.name != "tube");
-        const auto tracker = DeviceTracker::make(*description, [] {
-            return std::optional{SessionTime{monotonicNow().time_since_epoch()}};
-        });
+        const auto tracker = trackerOf(*description);
         QVERIFY(tracker && (*tracker)->start());
         const auto tools = (*tracker)->tools();
-        const auto tube = std::size_t(
-            std::ranges::find(tools, std::string{"tube"}, &TrackedTool::name) - tools.begin());
-        const auto stylus = std::size_t(
-            std::ranges::find(tools, std::string{"stylus"}, &TrackedTool::name) - tools.begin());
+        const auto tube = placeOf("tube", tools);
+        const auto stylus = placeOf("stylus", tools);
         const auto isSeen = [&](std::size_t tool) {
             const auto newest = tools[tool].history->newest();
             return newest && newest->validity != Validity::Lost;
@@ -97,13 +105,10 @@ private Q_SLOTS:
         QVERIFY(test::soon([&] { return std::filesystem::exists(served.description()); }, 60s));
         const auto description = readTrackerFile(served.description());
         QVERIFY2(description, description ? "" : description.error().detail.c_str());
-        const auto tracker = DeviceTracker::make(*description, [] {
-            return std::optional{SessionTime{monotonicNow().time_since_epoch()}};
-        });
+        const auto tracker = trackerOf(*description);
         QVERIFY(tracker && (*tracker)->start());
         const auto tools = (*tracker)->tools();
-        const auto tube = std::size_t(
-            std::ranges::find(tools, std::string{"tube"}, &TrackedTool::name) - tools.begin());
+        const auto tube = placeOf("tube", tools);
         const auto isSeen = [&](Validity validity) {
             const auto newest = tools[tube].history->newest();
             return newest && newest->validity == validity;
@@ -134,9 +139,7 @@ private Q_SLOTS:
         const auto description = readTrackerFile(served.description());
         QVERIFY2(description, description ? "" : description.error().detail.c_str());
         QCOMPARE(description->tools[1].role, ToolRole::Other); // no role twice
-        const auto tracker = DeviceTracker::make(*description, [] {
-            return std::optional{SessionTime{monotonicNow().time_since_epoch()}};
-        });
+        const auto tracker = trackerOf(*description);
         QVERIFY(tracker && (*tracker)->start());
         const auto tools = (*tracker)->tools();
         std::optional<PoseSample> tube;

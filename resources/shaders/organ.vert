@@ -100,6 +100,7 @@ const float kPerBeforeHeel = 1.0 / 0.15;
 const float kPerPastTip = 1.0 / 0.2;
 const float kBendOfLarynx = 0.3;
 const float kTongueShare = 1.2;
+const float kTongueAbove = 0.34;
 const float kPerTongueHeight = 1.0 / 2.0;
 const float kChinFrom = 1.5;
 const float kPerChin = 1.0 / 4.5;
@@ -282,42 +283,58 @@ void pushByBlade(inout vec3 position, inout vec3 normal)
     normal = turnedNormal(outerProduct(blade[1].xyz, slope), normal);
 }
 
-void tiltLarynx(inout vec3 position, inout vec3 normal)
+vec2 leaning(float height)
 {
     float perHeight = 1.0 / (1.0 - 0.5 * kBendOfLarynx);
-    float height = max(dot(tilt[1].xyz, position) + tilt[1].w, 0.0);
-    float low = min(height, kBendOfLarynx);
-    vec2 lean =
-        perHeight * vec2(0.5 * low * low / kBendOfLarynx + height - low, low / kBendOfLarynx);
+    float h = max(height, 0.0);
+    float low = min(h, kBendOfLarynx);
+    return perHeight * vec2(0.5 * low * low / kBendOfLarynx + h - low, low / kBendOfLarynx);
+}
+
+vec2 followingLean(float height)
+{
+    float above = clamp(height - 1.0, 0.0, kTongueAbove);
+    float slope = 2.0 * (kTongueShare - 1.0) / kTongueAbove;
+    vec2 lean = leaning(min(height, 1.0));
+    return vec2(lean.x + slope * (above - 0.5 * above * above / kTongueAbove),
+                height <= 1.0 ? lean.y : slope * (1.0 - above / kTongueAbove));
+}
+
+void tiltLarynx(inout vec3 position, inout vec3 normal)
+{
+    vec2 lean = leaning(dot(tilt[1].xyz, position) + tilt[1].w);
     vec2 behind = step3(dot(tilt[2].xyz, position) + tilt[2].w);
     vec3 slope = lean.y * (1.0 - behind.x) * tilt[1].xyz - lean.x * behind.y * tilt[2].xyz;
     position += lean.x * (1.0 - behind.x) * tilt[0].xyz;
     normal = turnedNormal(outerProduct(tilt[0].xyz, slope), normal);
 }
 
-void shiftTongueBase(inout vec3 position, inout vec3 normal)
+// By a share of the tilt, and its slope, at the height of the position.
+void shiftForward(vec2 share, inout vec3 position, inout vec3 normal)
 {
     float back = dot(tilt[2].xyz, position) + tilt[2].w;
-    vec2 high = step3((dot(tilt[1].xyz, position) + tilt[1].w) * kPerTongueHeight);
     vec2 behind = step3(back);
     vec2 chin = step3((-back - kChinFrom) * kPerChin);
     float place = (1.0 - behind.x) * (1.0 - chin.x);
     float placeSlope = chin.y * kPerChin * (1.0 - behind.x) - behind.y * (1.0 - chin.x);
-    vec3 slope = high.y * kPerTongueHeight * place * tilt[1].xyz + high.x * placeSlope * tilt[2].xyz;
-    vec3 most = kTongueShare * tilt[0].xyz;
-    position += high.x * place * most;
-    normal = turnedNormal(outerProduct(most, slope), normal);
+    vec3 slope = share.y * place * tilt[1].xyz + share.x * placeSlope * tilt[2].xyz;
+    position += share.x * place * tilt[0].xyz;
+    normal = turnedNormal(outerProduct(tilt[0].xyz, slope), normal);
 }
 
 void giveWayToBlade(inout vec3 position, inout vec3 normal)
 {
     if (blade == mat4(0.0))
         return;
+    float height = dot(tilt[1].xyz, position) + tilt[1].w;
     if (vertexPart.y == kThroat) {
-        shiftTongueBase(position, normal);
+        vec2 high = step3(height * kPerTongueHeight) * vec2(1.0, kPerTongueHeight);
+        shiftForward(kTongueShare * high, position, normal);
         pushByBlade(position, normal);
     } else if (vertexPart.y == kLarynx) {
         tiltLarynx(position, normal);
+    } else if (vertexPart.y == kPharynx) {
+        shiftForward(followingLean(height), position, normal);
     }
 }
 #endif

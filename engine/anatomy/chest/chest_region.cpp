@@ -68,6 +68,8 @@ std::optional<BladeTissue> bladeTissueOf(ChestRegion region)
         return BladeTissue::Tongue;
     case ChestRegion::Larynx:
         return BladeTissue::Larynx;
+    case ChestRegion::Pharynx:
+        return BladeTissue::Pharynx;
     default:
         return std::nullopt;
     }

@@ -19,7 +19,7 @@ enum class ChestRegion : std::uint8_t {
     Wall,        ///< ribs, sternum and skin, on which the lungs slide
     Mediastinum, ///< trachea, oesophagus, heart, vessels; upper parts follow the jaw
     Throat,      ///< tongue and muscles: follow the jaw, and give way to a blade
-    Pharynx,     ///< follows the jaw, except its posterior wall and the palate
+    Pharynx,     ///< follows jaw and blade, except its posterior wall and the palate
     Larynx,      ///< and epiglottis: as Throat, but tilted by a blade
 };
 inline constexpr std::size_t kChestRegions = 12;

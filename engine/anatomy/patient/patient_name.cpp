@@ -12,7 +12,7 @@ namespace
 {
 
 /// Of what patientFor makes: raised with every change of a shape.
-constexpr std::string_view kVersion = "4";
+constexpr std::string_view kVersion = "5";
 
 constexpr std::string_view kAsked =
     "a patient is adult, child, or age (6 to 90 years), height (100 to 210 cm) and man, woman, boy "

@@ -13,8 +13,9 @@ namespace carina
 
 /// Kinds of soft tissue, by how a laryngoscope's blade moves them.
 enum class BladeTissue : std::uint8_t {
-    Tongue, ///< and what lies around it: the blade's face pushes it away
-    Larynx, ///< with the epiglottis: leans over as the blade pulls or lifts the epiglottis
+    Tongue,  ///< and what lies around it: the blade's face pushes it away
+    Larynx,  ///< with the epiglottis: leans over as the blade pulls or lifts the epiglottis
+    Pharynx, ///< its lining: goes with the larynx beside it and with the tongue's base above
 };
 
 /// The parameters of one blade in a patient, in A, metres. With all zeros nothing moves.
@@ -55,6 +56,9 @@ inline constexpr double kTongueShare = 1.2;
 inline constexpr double kTongueHeight = 2.0;
 inline constexpr double kChinFrom = 1.5;
 inline constexpr double kChinEnd = 6.0;
+/// Height above 1 over which the pharynx stops leaning with the larynx and goes with the tongue:
+/// so that both slopes are those of leaning() at 1, and 0.
+inline constexpr double kTongueAbove = 2.0 * (kTongueShare - 1.0) * (1.0 - 0.5 * kBendOfLarynx);
 
 /// How far the face of a blade lies above its heel, at a share of its length: the parabola that
 /// rises by `rise` and sags by `sag` below that half way; straight on beyond its ends.
@@ -86,6 +90,20 @@ template <class T> Smooth<T> leaning(T height)
     const T h = max(height, T(0));
     const T low = min(h, kBend);
     return {kPerHeight * (T(0.5) * low * low / kBend + h - low), kPerHeight * low / kBend};
+}
+
+/// The same of the pharynx: up to height 1 as the larynx, from kTongueAbove above it on as the base
+/// of the tongue, and never less the higher.
+template <class T> Smooth<T> followingLean(T height)
+{
+    using std::max;
+    using std::min;
+    const T above = min(max(height - T(1), T(0)), T(kTongueAbove));
+    const Smooth<T> lean = leaning<T>(min(height, T(1)));
+    constexpr auto kSlope = T(2.0 * (kTongueShare - 1.0) / kTongueAbove);
+    const T bend = T(0.5) * above * above * T(1.0 / kTongueAbove);
+    return {lean.value + kSlope * (above - bend),
+            height <= T(1) ? lean.slope : kSlope * (T(1) - above * T(1.0 / kTongueAbove))};
 }
 
 } // namespace formula
@@ -131,27 +149,42 @@ template <class T>
     return {lean.value * front * blade.tilt, blade.tilt * slope.transpose()};
 }
 
-/// The displacement at p of the tongue's base, which goes forward with the larynx, and its
-/// gradient: more and more up to height kTongueHeight, by kTongueShare of the tilt from there on,
-/// and less and less towards the chin.
+/// The displacement at p of what goes forward with the larynx by a share of the tilt, and its
+/// gradient: less and less behind it and towards the chin.
+/// @param share at the height of p
 template <class T>
-[[nodiscard]] JawPull<T> tongueBaseShift(const BladeFrame<T>& blade, const Vector3<T>& p)
+[[nodiscard]] JawPull<T> forwardShift(const BladeFrame<T>& blade, const Vector3<T>& p,
+                                      const formula::Smooth<T>& share)
 {
     using formula::Smooth;
     using formula::step;
-    constexpr auto kPerHeight = T(1.0 / formula::kTongueHeight);
     constexpr auto kPerChin = T(1.0 / (formula::kChinEnd - formula::kChinFrom));
     const T back = blade.back.dot(p) + blade.backFrom;
-    const Smooth<T> high = step<T>((blade.up.dot(p) + blade.upFrom) * kPerHeight);
     const Smooth<T> behind = step<T>(back);
     const Smooth<T> chin = step<T>((-back - T(formula::kChinFrom)) * kPerChin);
     const T place = (T(1) - behind.value) * (T(1) - chin.value);
     const T placeSlope =
         chin.slope * kPerChin * (T(1) - behind.value) - behind.slope * (T(1) - chin.value);
-    const Vector3<T> slope =
-        high.slope * kPerHeight * place * blade.up + high.value * placeSlope * blade.back;
-    const Vector3<T> most = T(formula::kTongueShare) * blade.tilt;
-    return {high.value * place * most, most * slope.transpose()};
+    const Vector3<T> slope = share.slope * place * blade.up + share.value * placeSlope * blade.back;
+    return {share.value * place * blade.tilt, blade.tilt * slope.transpose()};
+}
+
+/// The displacement at p of the tongue's base, and its gradient: more and more up to height
+/// kTongueHeight, by kTongueShare of the tilt from there on.
+template <class T>
+[[nodiscard]] JawPull<T> tongueBaseShift(const BladeFrame<T>& blade, const Vector3<T>& p)
+{
+    constexpr auto kPerHeight = T(1.0 / formula::kTongueHeight);
+    constexpr auto kShare = T(formula::kTongueShare);
+    const auto high = formula::step<T>((blade.up.dot(p) + blade.upFrom) * kPerHeight);
+    return forwardShift<T>(blade, p, {kShare * high.value, kShare * high.slope * kPerHeight});
+}
+
+/// The displacement at p of the lining of the pharynx, and its gradient.
+template <class T>
+[[nodiscard]] JawPull<T> pharynxShift(const BladeFrame<T>& blade, const Vector3<T>& p)
+{
+    return forwardShift<T>(blade, p, formula::followingLean<T>(blade.up.dot(p) + blade.upFrom));
 }
 
 /// One displacement after another, and the gradient of both.
@@ -169,6 +202,8 @@ template <class T>
 {
     if (tissue == BladeTissue::Larynx)
         return larynxTilt(blade, p);
+    if (tissue == BladeTissue::Pharynx)
+        return pharynxShift(blade, p);
     return followedBy(tongueBaseShift(blade, p), p,
                       [&blade](const Vector3<T>& moved) { return bladePush(blade, moved); });
 }

@@ -18,7 +18,7 @@ constexpr double kDeterminantTolerance = 1e-9;
 constexpr double kPositionTolerance_m = 5e-8; ///< single precision within a quarter metre
 constexpr double kNormalTolerance_deg = 0.5;
 
-const std::array kTissues{BladeTissue::Tongue, BladeTissue::Larynx};
+const std::array kTissues{BladeTissue::Tongue, BladeTissue::Larynx, BladeTissue::Pharynx};
 
 /// Any blade at any pose near the places, with a larynx tilted by up to 28 mm, the most.
 BladeField anyBlade(std::mt19937& random)
@@ -74,6 +74,7 @@ private Q_SLOTS:
     void leavesWhatIsFarAway();
     void tiltsTheLarynxAboveItsHingeInProportion();
     void leavesTheBackOfTheLarynx();
+    void takesThePharynxAlongWithWhatIsBesideIt();
     void foldsNowhereWhereverABladeIs();
     void hasTheSlopesOfItsDisplacement();
     void deformsMeshesAsTheFieldSays();
@@ -163,8 +164,35 @@ void TestBladeField::leavesTheBackOfTheLarynx()
     QCOMPARE(larynxTilt<double>(blade.frame(), behind).d.norm(), 0.0);
 }
 
+// Beside the larynx as far as the larynx, above the vallecula as far as the tongue's base, and in
+// between never less than below; its back wall stays.
+void TestBladeField::takesThePharynxAlongWithWhatIsBesideIt()
+{
+    BladeField blade = plainBlade();
+    const LarynxHinge hinge{.height = millimetres(20.0), .behind = millimetres(14.0)};
+    blade.tiltLarynx(hinge, millimetres(6.0));
+    double least = 0.0;
+    for (double height = -0.5; height < 4.0; height += 0.05)
+        for (const double back : {-0.5, 0.0, 0.4, 1.0, 1.5}) {
+            const Vec3 p_A = hinge.p_A + Vec3{0.01, 14e-3 * back, 20e-3 * height};
+            const double forward = -pharynxShift<double>(blade.frame(), p_A).d.y();
+            if (back == 0.0) {
+                QVERIFY(forward >= least);
+                least = forward;
+            }
+            if (height <= 1.0)
+                QVERIFY(std::abs(forward + larynxTilt<double>(blade.frame(), p_A).d.y()) < 1e-12);
+            if (height >= 2.0)
+                QVERIFY(std::abs(forward + tongueBaseShift<double>(blade.frame(), p_A).d.y())
+                        < 1e-12);
+            if (back >= 1.0)
+                QCOMPARE(forward, 0.0);
+        }
+    QVERIFY(std::abs(least - 7.2e-3) < 1e-12);
+}
+
 // det (I + grad d) is 1 - w c' before a blade, so above 0, at least 1 for the larynx, and at least
-// 0.2 for the base of the tongue.
+// 0.2 for the base of the tongue and for the pharynx.
 void TestBladeField::foldsNowhereWhereverABladeIs()
 {
     std::mt19937 random{7};
@@ -178,6 +206,8 @@ void TestBladeField::foldsNowhereWhereverABladeIs()
             QVERIFY(larynx.determinant() >= 1.0 - kDeterminantTolerance);
             const Mat3 base = Mat3::Identity() + tongueBaseShift<double>(frame, p_A).gradient;
             QVERIFY(base.determinant() >= 0.2 - kDeterminantTolerance);
+            const Mat3 pharynx = Mat3::Identity() + pharynxShift<double>(frame, p_A).gradient;
+            QVERIFY(pharynx.determinant() >= 0.2 - kDeterminantTolerance);
             const Mat3 both =
                 Mat3::Identity() + bladePull<double>(frame, BladeTissue::Tongue, p_A).gradient;
             QVERIFY(both.determinant() > 0.0);

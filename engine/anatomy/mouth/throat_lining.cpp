@@ -90,7 +90,7 @@ double besideLarynx(const Vec3& p)
 /// Below zero between the aryepiglottic folds and in front of them, up to the base of the tongue.
 double inFrontOfEntrance(const Vec3& p, const Epiglottis& epiglottis)
 {
-    constexpr double kHalfWidth = 12.5;
+    constexpr double kHalfWidth = 8.0;
     constexpr double kHigh = 46.0;
     const double behind = p.y() - std::max(epiglottis.middleAt(p.z()) + 4.0, 0.0);
     return std::max({std::abs(p.x()) - kHalfWidth, behind, p.z() - kHigh});

@@ -1,0 +1,36 @@
+#include "engine/anatomy/events/airway_event.h"
+
+#include <algorithm>
+#include <array>
+
+namespace carina
+{
+namespace
+{
+
+constexpr std::array<const char*, kAirwayEventKinds> kNames{
+    "tongue_oedema", "pharyngeal_swelling", "epiglottitis", "laryngeal_oedema", "laryngospasm"};
+
+} // namespace
+
+const char* eventName(AirwayEventKind kind) { return kNames[static_cast<std::size_t>(kind)]; }
+
+std::optional<AirwayEventKind> eventNamed(std::string_view name)
+{
+    const auto found = std::ranges::find(kNames, name);
+    if (found == kNames.end())
+        return std::nullopt;
+    return static_cast<AirwayEventKind>(found - kNames.begin());
+}
+
+bool areProper(const AirwayEvents& events)
+{
+    const auto unordered = std::ranges::adjacent_find(
+        events, [](const AirwayEvent& a, const AirwayEvent& b) { return a.kind >= b.kind; });
+    return unordered == events.end() && std::ranges::all_of(events, [](const AirwayEvent& event) {
+               return static_cast<int>(event.kind) < kAirwayEventKinds && event.severity >= 0.0
+                      && event.severity <= 1.0;
+           });
+}
+
+} // namespace carina

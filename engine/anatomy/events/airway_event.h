@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace carina
+{
+
+/// What makes an airway difficult while it is worked in.
+enum class AirwayEventKind : std::uint8_t {
+    TongueOedema,       ///< the tongue swells, towards the palate and the pharynx
+    PharyngealSwelling, ///< the side walls of the pharynx come inward
+    Epiglottitis,       ///< the epiglottis swells to a ball
+    LaryngealOedema,    ///< arytenoids and aryepiglottic folds swell over the glottis
+    Laryngospasm,       ///< the cords shut; partly, a slit remains
+};
+inline constexpr int kAirwayEventKinds = 5;
+
+/// One of them, and how severe it is.
+struct AirwayEvent {
+    AirwayEventKind kind = AirwayEventKind::TongueOedema;
+    double severity = 0.0; ///< 0: nothing is to be seen of it, 1: the worst that is drawn
+
+    friend bool operator==(const AirwayEvent&, const AirwayEvent&) = default;
+};
+
+/// Those of a patient at a moment: of each kind one at most, in the order of the kinds.
+using AirwayEvents = std::vector<AirwayEvent>;
+
+/// The name of a kind in files, JSON and options: "tongue_oedema".
+[[nodiscard]] const char* eventName(AirwayEventKind kind);
+[[nodiscard]] std::optional<AirwayEventKind> eventNamed(std::string_view name);
+
+/// Whether each kind is there once at most, in order, with a severity of 0 to 1.
+[[nodiscard]] bool areProper(const AirwayEvents& events);
+
+} // namespace carina

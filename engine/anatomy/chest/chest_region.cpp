@@ -75,4 +75,18 @@ std::optional<BladeTissue> bladeTissueOf(ChestRegion region)
     }
 }
 
+std::optional<AirwayTissue> airwayTissueOf(ChestRegion region)
+{
+    switch (region) {
+    case ChestRegion::Throat:
+        return AirwayTissue::Throat;
+    case ChestRegion::Pharynx:
+        return AirwayTissue::Pharynx;
+    case ChestRegion::Larynx:
+        return AirwayTissue::Larynx;
+    default:
+        return std::nullopt;
+    }
+}
+
 } // namespace carina

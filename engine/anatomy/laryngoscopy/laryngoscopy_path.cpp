@@ -60,7 +60,6 @@ StepFigures figuresAt(const BetweenSteps& at)
 /// Midway between the condyles of the reference man, behind and above the edge of his upper
 /// incisors, as shares of the way from these to his glottis (87.6 mm).
 const Vec3 kJawHinge{0.0, 87.0 / 87.6, 45.0 / 87.6};
-constexpr Length kReferenceWay = millimetres(87.6);
 
 /// Lengths of the tip's way are those of an adult, in proportion.
 constexpr Length kTipBelowTeeth = millimetres(9.0);
@@ -83,11 +82,7 @@ constexpr Length kHingeBehind = millimetres(8.0);
 constexpr double kHingeSlope = 0.4;
 constexpr Length kFadesBehind = millimetres(14.0);
 
-double sizeOf(const UpperAirway& airway)
-{
-    const Vec3 p_A_glottis = 0.5 * (airway.p_A_commissure + airway.p_A_notch);
-    return (p_A_glottis - airway.p_A_incisors).norm() / kReferenceWay.si;
-}
+double sizeOf(const UpperAirway& airway) { return airway.size(); }
 
 RigidTransform jawIn(const UpperAirway& airway, const StepFigures& step)
 {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <functional>
+#include <numeric>
 #include <optional>
 #include <string_view>
 
@@ -128,11 +129,26 @@ bool findUvula(UpperAirway& airway, std::span<const AnatomyPart> parts, double x
     return false;
 }
 
+void findTongue(UpperAirway& airway, std::span<const AnatomyPart> parts, double x)
+{
+    const std::vector<Vec3> vertices =
+        verticesOf(parts, [](const AnatomyPart& p) { return p.role == PartRole::Tongue; });
+    if (vertices.empty())
+        return;
+    const Vec3 sum = std::accumulate(vertices.begin(), vertices.end(), Vec3{Vec3::Zero()});
+    airway.p_A_tongue = inPlane(sum / double(vertices.size()), x);
+}
+
 } // namespace
 
 Vec3 UpperAirway::forward_A() const { return (-Vec3::UnitY() + up_A.y() * up_A).normalized(); }
 
 Length UpperAirway::glottis() const { return metres((p_A_commissure - p_A_notch).norm()); }
+
+double UpperAirway::size() const
+{
+    return (0.5 * (p_A_commissure + p_A_notch) - p_A_incisors).norm() / kReferenceWay.si;
+}
 
 Result<UpperAirway> upperAirwayOf(std::span<const AnatomyPart> parts,
                                   const AirwayLandmarks& landmarks)
@@ -150,10 +166,25 @@ Result<UpperAirway> upperAirwayOf(std::span<const AnatomyPart> parts,
         return fail(Errc::NoAirway, "no vocal cords");
     if (!findUvula(airway, parts, x))
         return fail(Errc::NoAirway, "no soft palate");
+    findTongue(airway, parts, x);
     const std::span<const Vec3> path = pathFromTeeth(landmarks);
     const auto glottis = std::ranges::min_element(
         path, {}, [&](const Vec3& p) { return (p - landmarks.p_A_glottis).squaredNorm(); });
     airway.path_A.assign(path.begin(), glottis + 1);
+    return airway;
+}
+
+UpperAirway changed(UpperAirway airway, const AirwayField& changes)
+{
+    const auto change = [&](Vec3& p_A, AirwayTissue tissue) {
+        p_A += airwayPull<double>(changes.frame(), tissue, p_A).d;
+    };
+    for (Vec3* p_A : {&airway.p_A_epiglottisBase, &airway.p_A_epiglottisTip, &airway.p_A_vallecula,
+                      &airway.p_A_commissure, &airway.p_A_notch})
+        change(*p_A, AirwayTissue::Larynx);
+    change(airway.p_A_uvula, AirwayTissue::Pharynx);
+    if (airway.p_A_tongue)
+        change(*airway.p_A_tongue, AirwayTissue::Throat);
     return airway;
 }
 

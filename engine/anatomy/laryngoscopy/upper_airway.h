@@ -3,8 +3,10 @@
 #include "engine/anatomy/anatomy.h"
 #include "engine/core/result.h"
 #include "engine/core/units.h"
+#include "engine/geometry/deformation/airway_field.h"
 #include "engine/geometry/deformation/throat_field.h"
 
+#include <optional>
 #include <span>
 
 namespace carina
@@ -21,12 +23,18 @@ struct UpperAirway {
     Vec3 p_A_notch = Vec3::Zero();         ///< interarytenoid: between their ends behind
     Vec3 up_A = Vec3::UnitZ();             ///< along the trachea towards the head; unit
     std::vector<Vec3> path_A;              ///< of a tube, from the incisors to the glottis
+    std::optional<Vec3> p_A_tongue;        ///< its middle, where there is one
 
     /// To the front, perpendicular to up_A; unit.
     [[nodiscard]] Vec3 forward_A() const;
     /// Length of the glottis, from commissure to notch.
     [[nodiscard]] Length glottis() const;
+    /// Of the way from the incisors to the middle of the glottis, kReferenceWay being 1.
+    [[nodiscard]] double size() const;
 };
+
+/// That way in the reference man.
+inline constexpr Length kReferenceWay = millimetres(87.6);
 
 /// Height of the vallecula's floor, as a share of the way from the epiglottis' base to its tip: of
 /// ours. Its free part is about two thirds of its length.
@@ -37,13 +45,18 @@ inline constexpr double kValleculaHeight = 0.3;
 /// - epiglottis: the part of that role, its lowest and highest places near the midplane;
 /// - cords: the parts whose names contain "vocal", but not "vestibular"; their ends in front and
 ///   behind;
-/// - uvula: the lowest place of the part whose name contains "uvula", or else "soft palate".
+/// - uvula: the lowest place of the part whose name contains "uvula", or else "soft palate";
+/// - tongue: the mean of the vertices of that role, in the midplane; it may be missing.
 ///
 /// @returns NoAirway with what is missing
 [[nodiscard]] Result<UpperAirway> upperAirwayOf(std::span<const AnatomyPart> parts,
                                                 const AirwayLandmarks& landmarks);
 
-/// The same places after they have followed the jaw; palate and incisors stay.
+/// The same places where events have changed their tissue, before they follow the jaw. The way of a
+/// tube stays.
+[[nodiscard]] UpperAirway changed(UpperAirway airway, const AirwayField& changes);
+
+/// The same places after they have followed the jaw; palate, tongue and incisors stay.
 [[nodiscard]] UpperAirway followed(UpperAirway airway, const FollowingThroat& throat);
 
 } // namespace carina

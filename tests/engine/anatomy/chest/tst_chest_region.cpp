@@ -13,6 +13,7 @@ private Q_SLOTS:
     void tellsHowEachRoleMoves();
     void putsLungsAndNothingElseIntoLungs();
     void tellsWhichTissueABladeMoves();
+    void tellsWhichTissueEventsChange();
 };
 
 void TestChestRegion::tellsHowEachRoleMoves_data()
@@ -81,6 +82,15 @@ void TestChestRegion::tellsWhichTissueABladeMoves()
         const auto region = static_cast<ChestRegion>(n);
         QVERIFY(!bladeTissueOf(region) || tissueOf(region));
     }
+}
+
+void TestChestRegion::tellsWhichTissueEventsChange()
+{
+    QVERIFY(airwayTissueOf(regionOf(PartRole::Tongue)) == AirwayTissue::Throat);
+    QVERIFY(airwayTissueOf(regionOf(PartRole::Pharynx)) == AirwayTissue::Pharynx);
+    QVERIFY(airwayTissueOf(regionOf(PartRole::VocalFold)) == AirwayTissue::Larynx);
+    for (const PartRole still : {PartRole::Tooth, PartRole::Skull, PartRole::Trachea})
+        QVERIFY(!airwayTissueOf(regionOf(still)));
 }
 
 CARINA_TEST(TestChestRegion)

@@ -1,0 +1,178 @@
+#include "engine/anatomy/events/airway_changes.h"
+
+#include "engine/core/expects.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carina
+{
+namespace
+{
+
+/// Lengths below are those of a man at severity 1. Whatever is of the larynx is in proportion to
+/// his glottis as upperAirwayOf finds it, whatever is of the epiglottis to its height, all else to
+/// his way from incisors to glottis.
+constexpr Length kMansGlottis = millimetres(24.5);
+constexpr Length kMansEpiglottis = millimetres(29.1);
+
+/// Of cords that are open as in the surfaces, in shares of the length of the glottis: a V, and its
+/// two sides as far apart behind the vocal processes.
+constexpr double kProcesses = 0.6;
+constexpr double kHalfInFront = 0.018;
+constexpr double kHalfAtProcesses = 0.21;
+
+/// Widths of the glottis, in those of the surfaces, at both ends of a quiet breath.
+constexpr double kWidestGlottis = 10.1 / 9.0;
+constexpr double kNarrowestGlottis = 5.7 / 9.0;
+
+constexpr double kMostOfVestibule = 0.55; ///< that the folds come together
+constexpr double kMostOfPharynx = 0.6;
+
+Vec3 rightOf(const UpperAirway& airway) { return airway.up_A.cross(airway.forward_A()); }
+
+/// Of the narrowest that events make of it, at least what the breath leaves.
+double cordsClosing(double severity, double inspiration)
+{
+    const double breath = (kInspirationAsMade - inspiration) * (kWidestGlottis - kNarrowestGlottis);
+    return std::lerp(breath, AirwayField::kMostClosing, severity);
+}
+
+void moveCords(AirwayField& field, const UpperAirway& airway, double closing)
+{
+    const Length glottis = airway.glottis();
+    field.closeCords({.p_A_front = airway.p_A_commissure,
+                      .right_A = rightOf(airway),
+                      .back_A = -airway.forward_A(),
+                      .up_A = airway.up_A,
+                      .toWidest = kProcesses * glottis,
+                      .halfInFront = kHalfInFront * glottis,
+                      .halfAtWidest = kHalfAtProcesses * glottis},
+                     closing);
+}
+
+void swellTongue(AirwayField& field, const UpperAirway& airway, double severity)
+{
+    const double size = airway.size();
+    const Vec3 upAndBack = (airway.up_A - 0.5 * airway.forward_A()).normalized();
+    field.swell({.p_A_centre = *airway.p_A_tongue,
+                 .across = size * millimetres(42.0),
+                 .along = size * millimetres(42.0),
+                 .outward = severity * size * millimetres(9.0),
+                 .shift_A = severity * size * 5e-3 * upAndBack,
+                 .depth = size * millimetres(8.0),
+                 .tissues = only(AirwayTissue::Throat)});
+    const Vec3 p_A_base =
+        0.5 * (airway.p_A_vallecula + airway.p_A_epiglottisTip) + size * 16e-3 * airway.forward_A();
+    field.swell({.p_A_centre = p_A_base,
+                 .across = size * millimetres(30.0),
+                 .along = size * millimetres(30.0),
+                 .outward = severity * size * millimetres(5.0),
+                 .shift_A = severity * size * 1e-3 * (3.0 * airway.up_A - 9.0 * airway.forward_A()),
+                 .depth = size * millimetres(8.0)});
+}
+
+void swellPharynx(AirwayField& field, const UpperAirway& airway, double severity)
+{
+    const double size = airway.size();
+    const auto fromUvula = [&](double forward_mm, double down_mm) {
+        return Vec3{airway.p_A_uvula
+                    + size * 1e-3 * (forward_mm * airway.forward_A() - down_mm * airway.up_A)};
+    };
+    field.narrowPharynx({.p_A_front = fromUvula(13.0, 3.0),
+                         .right_A = rightOf(airway),
+                         .back_A = -airway.forward_A(),
+                         .up_A = airway.up_A,
+                         .toWidest = size * millimetres(20.0),
+                         .halfInFront = size * millimetres(17.0),
+                         .halfAtWidest = size * millimetres(17.0),
+                         .outer = 1.7},
+                        severity * kMostOfPharynx);
+    field.swell({.p_A_centre = fromUvula(-16.0, 5.0),
+                 .axis_A = airway.up_A,
+                 .across = size * millimetres(22.0),
+                 .along = size * millimetres(34.0),
+                 .outward = severity * size * millimetres(1.5),
+                 .shift_A = severity * size * 6e-3 * airway.forward_A()});
+}
+
+void swellEpiglottis(AirwayField& field, const UpperAirway& airway, double severity)
+{
+    constexpr double kMiddle = 0.62; // of its height
+    const Vec3 leaf = airway.p_A_epiglottisTip - airway.p_A_epiglottisBase;
+    const double size = leaf.norm() / kMansEpiglottis.si;
+    field.swell({.p_A_centre = airway.p_A_epiglottisBase + kMiddle * leaf,
+                 .axis_A = rightOf(airway).cross(leaf).normalized(),
+                 .across = size * millimetres(20.0),
+                 .along = size * millimetres(14.0),
+                 .outward = severity * size * millimetres(7.5),
+                 .depth = size * millimetres(1.5),
+                 .isFlat = true});
+}
+
+void swellEntrance(AirwayField& field, const UpperAirway& airway, double severity)
+{
+    const Length glottis = airway.glottis();
+    const double size = glottis / kMansGlottis;
+    field.narrowVestibule({.p_A_front = airway.p_A_commissure + size * 12e-3 * airway.up_A,
+                           .right_A = rightOf(airway),
+                           .back_A = -airway.forward_A(),
+                           .up_A = airway.up_A,
+                           .toWidest = kProcesses * glottis,
+                           .halfInFront = size * millimetres(3.2),
+                           .halfAtWidest = size * millimetres(9.2),
+                           .outer = 1.5},
+                          severity * kMostOfVestibule);
+    field.swell({.p_A_centre = airway.p_A_notch
+                               + size * 1e-3 * (8.0 * airway.up_A - 2.0 * airway.forward_A()),
+                 .across = size * millimetres(16.0),
+                 .along = size * millimetres(16.0),
+                 .outward = severity * size * millimetres(4.0),
+                 .shift_A = severity * size * 1e-3 * (4.0 * airway.forward_A() + 1.5 * airway.up_A),
+                 .depth = size * millimetres(2.0)});
+}
+
+} // namespace
+
+AirwayField airwayChanges(const UpperAirway& airway, const AirwayEvents& events, double inspiration)
+{
+    CARINA_EXPECTS(areProper(events) && inspiration >= 0.0 && inspiration <= 1.0);
+    const auto severityOf = [&](AirwayEventKind kind) {
+        const auto found = std::ranges::find(events, kind, &AirwayEvent::kind);
+        return found == events.end() || !canShow(airway, kind) ? 0.0 : found->severity;
+    };
+    AirwayField field;
+    const double closing = cordsClosing(severityOf(AirwayEventKind::Laryngospasm), inspiration);
+    if (closing != 0.0 && canShow(airway, AirwayEventKind::Laryngospasm))
+        moveCords(field, airway, closing);
+    const auto change = [&](AirwayEventKind kind, auto how) {
+        if (const double severity = severityOf(kind); severity > 0.0)
+            how(field, airway, severity);
+    };
+    change(AirwayEventKind::TongueOedema, swellTongue);
+    change(AirwayEventKind::PharyngealSwelling, swellPharynx);
+    change(AirwayEventKind::Epiglottitis, swellEpiglottis);
+    change(AirwayEventKind::LaryngealOedema, swellEntrance);
+    return field;
+}
+
+bool canShow(const UpperAirway& airway, AirwayEventKind kind)
+{
+    constexpr double kLeastOfMans = 0.1; // smaller ones are none
+    const bool hasWay = airway.size() > kLeastOfMans;
+    switch (kind) {
+    case AirwayEventKind::TongueOedema:
+        return hasWay && airway.p_A_tongue;
+    case AirwayEventKind::PharyngealSwelling:
+        return hasWay;
+    case AirwayEventKind::Epiglottitis:
+        return (airway.p_A_epiglottisTip - airway.p_A_epiglottisBase).norm()
+               > kLeastOfMans * kMansEpiglottis.si;
+    case AirwayEventKind::LaryngealOedema:
+    case AirwayEventKind::Laryngospasm:
+        break;
+    }
+    return airway.glottis() > kLeastOfMans * kMansGlottis;
+}
+
+} // namespace carina

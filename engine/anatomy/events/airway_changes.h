@@ -1,0 +1,33 @@
+#pragma once
+
+#include "engine/anatomy/events/airway_event.h"
+#include "engine/anatomy/laryngoscopy/upper_airway.h"
+#include "engine/geometry/deformation/airway_field.h"
+
+namespace carina
+{
+
+/// Where in a quiet breath the cords are as apart as in the surfaces: 0 is the narrowest of an
+/// expiration and 1 the widest of an inspiration, 5.7 and 10.1 mm in grown people (12 of them, by
+/// bronchoscopy; Brancatisano et al., J Appl Physiol 1983;54:1269); the surfaces have 9 mm.
+inline constexpr double kInspirationAsMade = 0.75;
+
+/// What events, and breathing, change of the tissue of an upper airway as it is in the surfaces.
+/// Lengths are in proportion to the patient; docs/laryngoscopy.md has them, and their sources.
+///
+/// - TongueOedema: the tongue grows to all sides and most upward, and its base to the back;
+/// - PharyngealSwelling: the side walls come together about the level of the uvula, and the back
+///   wall comes forward;
+/// - Epiglottitis: the epiglottis thickens to both sides;
+/// - LaryngealOedema: the aryepiglottic folds come together, and the arytenoids bulge forward;
+/// - Laryngospasm: the cords come together, whatever the breath.
+///
+/// An event that canShow() denies changes nothing.
+/// @pre areProper(events), and inspiration within 0 to 1
+[[nodiscard]] AirwayField airwayChanges(const UpperAirway& airway, const AirwayEvents& events,
+                                        double inspiration = kInspirationAsMade);
+
+/// Whether the surfaces have what an event changes.
+[[nodiscard]] bool canShow(const UpperAirway& airway, AirwayEventKind kind);
+
+} // namespace carina

@@ -1,0 +1,361 @@
+#include "engine/anatomy/events/airway_changes.h"
+
+#include "engine/anatomy/chest/chest_region.h"
+#include "engine/anatomy/patient/builtin_patient.h"
+#include "tests/support/test_class.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+
+namespace carina::airway_changes_test
+{
+namespace
+{
+
+constexpr double kMillimetre = 1e-3;
+constexpr double kWidthTolerance = 0.03; ///< in shares; vertices are 0.65 mm apart
+
+/// By the name of a row.
+const Anatomy& anatomyOf(const QString& name)
+{
+    static std::map<QString, Anatomy> made;
+    const auto found = made.find(name);
+    if (found != made.end())
+        return found->second;
+    const bool isChild = name.startsWith(QStringLiteral("child"));
+    const bool isHeld = name.endsWith(QStringLiteral("held open"));
+    const auto who = parametersOf(isChild ? BuiltinPatient::TwelveYears : BuiltinPatient::Adult);
+    return made
+        .emplace(name, patientFor(who, isHeld ? Posture::Laryngoscopy : Posture::Rest).value())
+        .first->second;
+}
+
+/// A patient, and how events change it.
+struct Person {
+    const Anatomy& anatomy;
+    UpperAirway airway;
+
+    explicit Person(const QString& name)
+        : anatomy(anatomyOf(name)), airway(upperAirwayOf(anatomy.parts, anatomy.landmarks).value())
+    {
+    }
+
+    [[nodiscard]] AirwayField field(AirwayEventKind kind, double severity) const
+    {
+        return airwayChanges(airway, {{kind, severity}});
+    }
+    /// The vertices of a part, changed.
+    [[nodiscard]] std::vector<Vec3> verticesOf(const std::string& part,
+                                               const AirwayField& changes) const
+    {
+        const auto found = std::ranges::find(anatomy.parts, part, &AnatomyPart::name);
+        const TriangleMesh moved =
+            deformed(found->levels.front(), changes, *airwayTissueOf(regionOf(found->role)));
+        std::vector<Vec3> vertices;
+        for (const Vec3f& p : moved.positions)
+            vertices.emplace_back(p.cast<double>());
+        return vertices;
+    }
+};
+
+double volumeOf(const TriangleMesh& mesh)
+{
+    double sum = 0.0;
+    for (const Triangle& t : mesh.triangles) {
+        const auto corner = [&](int n) { return mesh.positions[t[n]].cast<double>(); };
+        sum += corner(0).dot(corner(1).cross(corner(2))) / 6.0;
+    }
+    return std::abs(sum);
+}
+
+/// Least x to the left of the midplane and greatest to the right, of places for which `is` holds:
+/// how far apart these are.
+double gapBetween(const std::vector<Vec3>& left, const std::vector<Vec3>& right,
+                  const std::function<bool(const Vec3&)>& is)
+{
+    double least = std::numeric_limits<double>::max();
+    double greatest = std::numeric_limits<double>::lowest();
+    for (const Vec3& p : left)
+        if (is(p))
+            least = std::min(least, p.x());
+    for (const Vec3& p : right)
+        if (is(p))
+            greatest = std::max(greatest, p.x());
+    return least - greatest;
+}
+
+/// Between the cords, so far behind the commissure.
+double widthOfGlottis(const Person& person, const AirwayField& changes, double share)
+{
+    const UpperAirway& a = person.airway;
+    const Vec3 back = a.p_A_notch - a.p_A_commissure;
+    return gapBetween(person.verticesOf("Left vocal fold", changes),
+                      person.verticesOf("Right vocal fold", changes), [&](const Vec3& p) {
+                          const double there =
+                              (p - a.p_A_commissure).dot(back) / back.squaredNorm();
+                          return std::abs(there - share) < 0.03;
+                      });
+}
+
+} // namespace
+
+class TestAirwayChanges : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void changesNothingWithoutAnEvent_data() { people(); }
+    void changesNothingWithoutAnEvent();
+    void movesTheCordsWithTheBreath_data() { people(); }
+    void movesTheCordsWithTheBreath();
+    void shutsTheCordsInASpasm_data() { people(); }
+    void shutsTheCordsInASpasm();
+    void leavesTheLineOfTheGlottisInASpasm();
+    void swellsTheTongue_data() { people(); }
+    void swellsTheTongue();
+    void narrowsThePharynx_data() { people(); }
+    void narrowsThePharynx();
+    void thickensTheEpiglottis_data() { people(); }
+    void thickensTheEpiglottis();
+    void narrowsTheEntranceOfTheLarynx_data() { people(); }
+    void narrowsTheEntranceOfTheLarynx();
+    void movesMoreWithTheSeverity_data();
+    void movesMoreWithTheSeverity();
+    void foldsNowhereWithAllEventsAtOnce_data() { people(); }
+    void foldsNowhereWithAllEventsAtOnce();
+    void saysWhatASetCannotShow();
+
+private:
+    static void people()
+    {
+        QTest::addColumn<QString>("name");
+        for (const char* name : {"adult", "adult, held open", "child"})
+            QTest::newRow(name) << QString::fromLatin1(name);
+    }
+};
+
+void TestAirwayChanges::changesNothingWithoutAnEvent()
+{
+    QFETCH(QString, name);
+    const Person person{name};
+    QVERIFY(!airwayChanges(person.airway, {}).isThere());
+    AirwayEvents none;
+    for (int kind = 0; kind < kAirwayEventKinds; ++kind)
+        none.push_back({static_cast<AirwayEventKind>(kind), 0.0});
+    QVERIFY(!airwayChanges(person.airway, none).isThere());
+}
+
+// 10.1 mm at the widest and 5.7 at the narrowest (Brancatisano 1983), of cords that are made 9 mm
+// apart.
+void TestAirwayChanges::movesTheCordsWithTheBreath()
+{
+    QFETCH(QString, name);
+    const Person person{name};
+    for (const double share : {0.3, 0.45, 0.55}) {
+        const double made = widthOfGlottis(person, {}, share);
+        const auto breathed = [&](double inspiration) {
+            return widthOfGlottis(person, airwayChanges(person.airway, {}, inspiration), share)
+                   / made;
+        };
+        QVERIFY(std::abs(breathed(1.0) - 10.1 / 9.0) < kWidthTolerance);
+        QVERIFY(std::abs(breathed(0.0) - 5.7 / 9.0) < kWidthTolerance);
+    }
+}
+
+void TestAirwayChanges::shutsTheCordsInASpasm()
+{
+    constexpr double kShut_m = 0.5 * kMillimetre;
+    QFETCH(QString, name);
+    const Person person{name};
+    for (const double share : {0.15, 0.25, 0.35, 0.45, 0.55}) {
+        const double made = widthOfGlottis(person, {}, share);
+        const auto left = [&](double severity) {
+            return widthOfGlottis(person, person.field(AirwayEventKind::Laryngospasm, severity),
+                                  share);
+        };
+        QVERIFY2(left(1.0) < kShut_m, qPrintable(QString::number(1e3 * left(1.0))));
+        QVERIFY(left(1.0) > 0.0);
+        QVERIFY(std::abs(left(0.5) / made - 0.51) < kWidthTolerance);
+    }
+}
+
+// What is seen of it is measured on this line, however far apart the cords are.
+void TestAirwayChanges::leavesTheLineOfTheGlottisInASpasm()
+{
+    const Person person{QStringLiteral("adult")};
+    const UpperAirway shut =
+        changed(person.airway, person.field(AirwayEventKind::Laryngospasm, 1.0));
+    QVERIFY((shut.p_A_commissure - person.airway.p_A_commissure).norm() < 1e-12);
+    QVERIFY((shut.p_A_notch - person.airway.p_A_notch).norm() < 1e-12);
+}
+
+void TestAirwayChanges::swellsTheTongue()
+{
+    QFETCH(QString, name);
+    const Person person{name};
+    const auto tongue =
+        std::ranges::find(person.anatomy.parts, PartRole::Tongue, &AnatomyPart::role);
+    const TriangleMesh& made = tongue->levels.front();
+    const AirwayField field = person.field(AirwayEventKind::TongueOedema, 1.0);
+    const TriangleMesh swollen = deformed(made, field, AirwayTissue::Throat);
+    QVERIFY(volumeOf(swollen) > 1.15 * volumeOf(made));
+    const auto top = [](const TriangleMesh& mesh) {
+        return std::ranges::max(mesh.positions, {}, [](const Vec3f& p) { return p.z(); }).z();
+    };
+    QVERIFY(top(swollen) > top(made) + 4.0 * kMillimetre * person.airway.size());
+    // Its base takes vallecula and epiglottis to the back.
+    const UpperAirway moved = changed(person.airway, field);
+    for (const auto place : {&UpperAirway::p_A_vallecula, &UpperAirway::p_A_epiglottisTip})
+        QVERIFY((moved.*place - person.airway.*place).dot(person.airway.forward_A())
+                < -2.0 * kMillimetre * person.airway.size());
+}
+
+// Behind the uvula, and a little below its tip.
+void TestAirwayChanges::narrowsThePharynx()
+{
+    QFETCH(QString, name);
+    const Person person{name};
+    const UpperAirway& a = person.airway;
+    const Vec3 p_A_middle = a.p_A_uvula - 6.0 * kMillimetre * a.size() * a.forward_A()
+                            - 3.0 * kMillimetre * a.size() * a.up_A;
+    const auto width = [&](const AirwayField& changes) {
+        const std::vector<Vec3> wall = person.verticesOf("Pharyngeal mucosa", changes);
+        std::vector<Vec3> left;
+        std::vector<Vec3> right;
+        for (const Vec3& p : wall)
+            (p.x() > p_A_middle.x() ? left : right).push_back(p);
+        return gapBetween(left, right, [&](const Vec3& p) {
+            return std::abs((p - p_A_middle).dot(a.forward_A())) < 3.0 * kMillimetre
+                   && std::abs((p - p_A_middle).dot(a.up_A)) < 2.5 * kMillimetre;
+        });
+    };
+    const double swollen = width(person.field(AirwayEventKind::PharyngealSwelling, 1.0));
+    QVERIFY(swollen > 0.0);
+    QVERIFY2(swollen < 0.65 * width({}), qPrintable(QString::number(1e3 * swollen)));
+}
+
+// In the midline, in the middle of its leaf.
+void TestAirwayChanges::thickensTheEpiglottis()
+{
+    QFETCH(QString, name);
+    const Person person{name};
+    const UpperAirway& a = person.airway;
+    const Vec3 leaf = a.p_A_epiglottisTip - a.p_A_epiglottisBase;
+    const Vec3 across = Vec3::UnitX().cross(leaf).normalized();
+    const auto thickness_mm = [&](const AirwayField& changes) {
+        double least = std::numeric_limits<double>::max();
+        double greatest = std::numeric_limits<double>::lowest();
+        for (const Vec3& p : person.verticesOf("Epiglottis", changes)) {
+            const Vec3 from = p - a.p_A_epiglottisBase;
+            const double share = from.dot(leaf) / leaf.squaredNorm();
+            if (std::abs(p.x() - a.p_A_epiglottisBase.x()) > 2.0 * kMillimetre
+                || std::abs(share - 0.62) > 0.06)
+                continue;
+            least = std::min(least, from.dot(across));
+            greatest = std::max(greatest, from.dot(across));
+        }
+        return 1e3 * (greatest - least) * 29.1e-3 / leaf.norm();
+    };
+    const double swollen = thickness_mm(person.field(AirwayEventKind::Epiglottitis, 1.0));
+    QVERIFY2(thickness_mm({}) < 6.0, qPrintable(QString::number(thickness_mm({}))));
+    QVERIFY2(swollen > 9.0 && swollen < 16.0, qPrintable(QString::number(swollen)));
+}
+
+void TestAirwayChanges::narrowsTheEntranceOfTheLarynx()
+{
+    QFETCH(QString, name);
+    const Person person{name};
+    const auto apart = [&](const AirwayField& changes) {
+        const auto middle = [&](const char* part) {
+            const std::vector<Vec3> vertices = person.verticesOf(part, changes);
+            Vec3 sum = Vec3::Zero();
+            for (const Vec3& p : vertices)
+                sum += p;
+            return Vec3{sum / double(vertices.size())};
+        };
+        return (middle("Left cuneiform tubercle") - middle("Right cuneiform tubercle")).norm();
+    };
+    const double swollen = apart(person.field(AirwayEventKind::LaryngealOedema, 1.0));
+    QVERIFY2(swollen < 0.75 * apart({}), qPrintable(QString::number(swollen / apart({}))));
+    QVERIFY(swollen > 0.0);
+}
+
+void TestAirwayChanges::movesMoreWithTheSeverity_data()
+{
+    QTest::addColumn<AirwayEventKind>("kind");
+    for (int kind = 0; kind < kAirwayEventKinds; ++kind) {
+        const auto each = static_cast<AirwayEventKind>(kind);
+        QTest::newRow(eventName(each)) << each;
+    }
+}
+
+void TestAirwayChanges::movesMoreWithTheSeverity()
+{
+    QFETCH(AirwayEventKind, kind);
+    const Person person{QStringLiteral("adult")};
+    const auto farthest = [&](double severity) {
+        const AirwayField field = person.field(kind, severity);
+        double most = 0.0;
+        for (const AnatomyPart& part : person.anatomy.parts)
+            if (const auto tissue = airwayTissueOf(regionOf(part.role)))
+                for (const Vec3f& p : part.levels.back().positions)
+                    most = std::max(
+                        most,
+                        airwayPull<double>(field.frame(), *tissue, p.cast<double>()).d.norm());
+        return most;
+    };
+    double last = 0.0;
+    for (const double severity : {0.1, 0.4, 0.7, 1.0}) {
+        const double most = farthest(severity);
+        QVERIFY(most > last + 0.2 * kMillimetre);
+        last = most;
+    }
+    QVERIFY2(last < 20.0 * kMillimetre, qPrintable(QString::number(1e3 * last)));
+}
+
+void TestAirwayChanges::foldsNowhereWithAllEventsAtOnce()
+{
+    QFETCH(QString, name);
+    const Person person{name};
+    AirwayEvents all;
+    for (int kind = 0; kind < kAirwayEventKinds; ++kind)
+        all.push_back({static_cast<AirwayEventKind>(kind), 1.0});
+    const AirwayField field = airwayChanges(person.airway, all, 0.0);
+    double least = 1.0;
+    for (const AnatomyPart& part : person.anatomy.parts)
+        if (const auto tissue = airwayTissueOf(regionOf(part.role)))
+            for (const Vec3f& p : part.levels.front().positions) {
+                const Mat3 gradient =
+                    airwayPull<double>(field.frame(), *tissue, p.cast<double>()).gradient;
+                least = std::min(least, (Mat3::Identity() + gradient).determinant());
+            }
+    qInfo("least determinant %.4f", least);
+    QVERIFY(least > 0.0);
+}
+
+void TestAirwayChanges::saysWhatASetCannotShow()
+{
+    Person person{QStringLiteral("adult")};
+    for (int kind = 0; kind < kAirwayEventKinds; ++kind)
+        QVERIFY(canShow(person.airway, static_cast<AirwayEventKind>(kind)));
+    person.airway.p_A_tongue.reset();
+    QVERIFY(!canShow(person.airway, AirwayEventKind::TongueOedema));
+    QVERIFY(!person.field(AirwayEventKind::TongueOedema, 1.0).isThere());
+    person.airway.p_A_epiglottisTip = person.airway.p_A_epiglottisBase;
+    QVERIFY(!canShow(person.airway, AirwayEventKind::Epiglottitis));
+    QVERIFY(!person.field(AirwayEventKind::Epiglottitis, 1.0).isThere());
+    QVERIFY(canShow(person.airway, AirwayEventKind::Laryngospasm));
+    person.airway.p_A_notch = person.airway.p_A_commissure;
+    QVERIFY(!airwayChanges(person.airway, {{AirwayEventKind::Laryngospasm, 1.0}}, 0.0).isThere());
+}
+
+CARINA_TEST(TestAirwayChanges)
+
+} // namespace carina::airway_changes_test
+
+#include "tst_airway_changes.moc"

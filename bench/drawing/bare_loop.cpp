@@ -26,7 +26,8 @@ namespace
 {
 
 /// What they need of the shader.
-constexpr OrganShader kOpaque{.hasManyRegions = false, .movesJaw = false, .pushesTissue = false};
+constexpr OrganShader kOpaque{
+    .hasManyRegions = false, .movesJaw = false, .pushesTissue = false, .changesAirway = false};
 
 std::vector<MergedSurface> opaqueSurfaces(const PatientScene& patient)
 {

@@ -16,7 +16,7 @@ bool isOfThroat(PartRole role)
 {
     return role == PartRole::Epiglottis || role == PartRole::Larynx
            || role == PartRole::LaryngealMucosa || role == PartRole::VocalFold
-           || role == PartRole::Pharynx;
+           || role == PartRole::Pharynx || role == PartRole::Tongue;
 }
 
 /// The parts by which upperAirwayOf finds its places.
@@ -66,14 +66,21 @@ Result<Laryngoscopy> Laryngoscopy::of(const PatientModel& patient, const Blade& 
             made.m_patient = &patient;
             made.m_blade = blade;
             made.m_airway = std::move(airway);
+            made.m_changed = made.m_airway;
             return made;
         });
+}
+
+void Laryngoscopy::changeAirway(const AirwayEvents& events, double inspiration)
+{
+    m_changes = airwayChanges(m_airway, events, inspiration);
+    m_changed = changed(m_airway, m_changes);
 }
 
 LaryngoscopyPose Laryngoscopy::pose(LaryngoscopyStep step, Length lift) const
 {
     const LaryngoscopyScript all = script();
-    return laryngoscopyPose(all.airway, all.throat, m_blade, step, lift, all.held);
+    return laryngoscopyPose(m_changed, all.throat, m_blade, step, lift, all.held);
 }
 
 /// What the mandible is moved by when the mouth shuts is the inverse of how it is held.
@@ -86,17 +93,17 @@ LaryngoscopyScript Laryngoscopy::script() const
 
 BladeField Laryngoscopy::tissueAt(const RigidTransform& X_AL, const FollowingThroat& throat) const
 {
-    return bladeInTissue(followed(m_airway, throat), m_blade, X_AL);
+    return bladeInTissue(followed(m_changed, throat), m_blade, X_AL);
 }
 
 bool Laryngoscopy::isInMouth(const RigidTransform& X_AL, const FollowingThroat& throat) const
 {
-    return carina::isInMouth(followed(m_airway, throat), m_blade, X_AL);
+    return carina::isInMouth(followed(m_changed, throat), m_blade, X_AL);
 }
 
 GlotticLine Laryngoscopy::glottisAt(const FollowingThroat& throat, const BladeField& tissue) const
 {
-    const UpperAirway moved = followed(m_airway, throat);
+    const UpperAirway moved = followed(m_changed, throat);
     const auto drawn = [&tissue](const Vec3& p_A) {
         return Vec3{p_A + larynxTilt<double>(tissue.frame(), p_A).d};
     };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/anatomy/events/airway_changes.h"
 #include "engine/anatomy/laryngoscopy/glottic_view.h"
 #include "engine/anatomy/laryngoscopy/laryngoscopy_path.h"
 #include "engine/registration/calibration/blade_calibration.h"
@@ -40,6 +41,17 @@ public:
     [[nodiscard]] const Blade& blade() const { return m_blade; }
     /// The same patient and another blade from now on.
     void takeBlade(const Blade& blade) { m_blade = blade; }
+    /// The airway is changed by these events from now on, and by the breath; blade, views and
+    /// glottis are those of the changed airway, but the script's.
+    /// @pre as airwayChanges
+    void changeAirway(const AirwayEvents& events, double inspiration = kInspirationAsMade);
+    /// How it is changed now: to be drawn before tissue follows the jaw.
+    [[nodiscard]] const AirwayField& changes() const { return m_changes; }
+    /// Whether the patient's surfaces have what an event changes.
+    [[nodiscard]] bool canShow(AirwayEventKind kind) const
+    {
+        return carina::canShow(m_airway, kind);
+    }
     /// Blade, jaw and tissue in one step; see laryngoscopyPose.
     [[nodiscard]] LaryngoscopyPose pose(LaryngoscopyStep step, Length lift) const;
     /// The whole of it, for a simulated tracker.
@@ -63,7 +75,9 @@ private:
 
     const PatientModel* m_patient = nullptr;
     Blade m_blade;
-    UpperAirway m_airway;
+    UpperAirway m_airway;  ///< as in the surfaces
+    UpperAirway m_changed; ///< and changed
+    AirwayField m_changes;
 };
 
 } // namespace carina

@@ -6,7 +6,8 @@
 // out in engine/geometry/deformation/throat_formula.h, and what gives way to a laryngoscope's blade by that of
 // engine/geometry/deformation/blade_formula.h. The names here are theirs. Nothing is uploaded meanwhile
 // but a matrix for each region, and one for the jaw. widgets/scene/look/organ_shader.h tells when what is
-// written between #ifdef and #endif is there.
+// written between #ifdef and #endif is there. Before the jaw moves it, tissue is changed as engine/geometry/
+// deformation/airway_formula.h has it.
 
 in vec3 vertexPosition;
 in vec3 vertexNormal;
@@ -32,6 +33,18 @@ uniform mat4 motion;
 #ifdef JAW_MOVES
 uniform mat4 throat; // columns: up and upFrom; incisors and perLength; anchor
 uniform mat4 jaw;    // columns: turn; shift; all 0 while the mouth is closed
+#endif
+#ifdef AIRWAY_CHANGES
+// Columns: across and acrossFrom; along and alongFrom; up and upFrom; closing, front, wider, outer; all 0 while
+// a lumen is as wide as in the surfaces.
+uniform mat4 cords;
+uniform mat4 vestibule;
+uniform mat4 pharynx;
+// Columns: centre and perAcross2; axis and perAlong2; shift and outward; soft2, isFlat, tissues.
+struct Swelling {
+    mat4 form;
+};
+uniform Swelling swellings[6];
 #endif
 #ifdef BLADE_PUSHES
 // Columns: across and acrossFrom; out and outFrom; along and alongFrom; rise, sag, halfWidth.
@@ -93,6 +106,15 @@ const float kArch = 7.0;
 const float kArchEnd = 12.0;
 const vec3 kReachOfAirway = vec3(1.40, 0.17, 0.69); // back, roofFrom, roofTo
 const vec3 kReachOfPharynx = vec3(1.075, -0.17, 0.08);
+
+const float kPerNarrowFront = 1.0 / 0.15;
+const float kNarrowBack = 1.65;
+const float kPerNarrowBack = 1.0 / 0.55;
+const float kNarrowLevel = 0.18;
+const float kPerNarrowAbove = 1.0 / 0.97;
+const float kNarrowBelow = 0.8;
+const float kPerNarrowBelow = 1.0 / 0.62;
+const float kNarrowBend = 0.1;
 
 const float kSoftContact = 5e-3;
 const float kPerBesideBlade = 1.0 / 20e-3;
@@ -248,7 +270,7 @@ void followJaw(inout vec3 position, inout vec3 normal)
 }
 #endif
 
-#ifdef BLADE_PUSHES
+#if defined(AIRWAY_CHANGES) || defined(BLADE_PUSHES)
 // The normal that a surface has after a displacement with this gradient.
 vec3 turnedNormal(mat3 gradient, vec3 n)
 {
@@ -256,6 +278,83 @@ vec3 turnedNormal(mat3 gradient, vec3 n)
     return normalize(n.x * cross(j[1], j[2]) + n.y * cross(j[2], j[0]) + n.z * cross(j[0], j[1]));
 }
 
+#endif
+
+#ifdef AIRWAY_CHANGES
+void narrow(mat4 lumen, inout vec3 position, inout vec3 normal)
+{
+    if (lumen[3].x == 0.0)
+        return;
+    float across = dot(lumen[0].xyz, position) + lumen[0].w;
+    float along = dot(lumen[1].xyz, position) + lumen[1].w;
+    float up = dot(lumen[2].xyz, position) + lumen[2].w;
+    vec2 front = step3(along * kPerNarrowFront);
+    vec2 back = step3((along - kNarrowBack) * kPerNarrowBack);
+    vec2 above = step3((up - kNarrowLevel) * kPerNarrowAbove);
+    vec2 below = step3((up + kNarrowBelow) * kPerNarrowBelow);
+    float byLength = front.x * (1.0 - back.x);
+    float byHeight = (1.0 - above.x) * below.x;
+    float there = byLength * byHeight;
+    if (there == 0.0)
+        return;
+    float thereAlong =
+        byHeight * (front.y * kPerNarrowFront * (1.0 - back.x) - front.x * back.y * kPerNarrowBack);
+    float thereUp =
+        byLength * (below.y * kPerNarrowBelow * (1.0 - above.x) - below.x * above.y * kPerNarrowAbove);
+    float over = along - 1.0;
+    float root = sqrt(over * over + 4.0 * kNarrowBend * kNarrowBend);
+    vec2 wider = vec2(along - 0.5 * (over + root), 0.5 * (1.0 - over / root));
+    float perHalf = 1.0 / (lumen[3].y + lumen[3].z * wider.x);
+    float ratio = abs(across) * perHalf;
+    float perOuter = 1.0 / (lumen[3].w - 1.0);
+    vec2 beside = step3((ratio - 1.0) * perOuter);
+    float share = (1.0 - beside.x) * there;
+    float steep = beside.y * perOuter * ratio * there;
+    float byAlong = (1.0 - beside.x) * thereAlong + steep * perHalf * lumen[3].z * wider.y;
+    float byUp = (1.0 - beside.x) * thereUp;
+    vec3 slope = (share - steep) * lumen[0].xyz + across * (byAlong * lumen[1].xyz + byUp * lumen[2].xyz);
+    position -= lumen[3].x * across * share * lumen[0].xyz;
+    normal = turnedNormal(outerProduct(-lumen[3].x * lumen[0].xyz, slope), normal);
+}
+
+void swell(mat4 swelling, inout vec3 position, inout vec3 normal)
+{
+    vec3 axis = swelling[1].xyz;
+    vec3 from = position - swelling[0].xyz;
+    float along = dot(axis, from);
+    vec3 aside = from - along * axis;
+    float rest = 1.0 - swelling[0].w * dot(aside, aside) - swelling[1].w * along * along;
+    if (rest <= 0.0)
+        return;
+    float share = rest * rest;
+    vec3 slope = -4.0 * rest * (swelling[0].w * aside + swelling[1].w * along * axis);
+    float isFlat = swelling[3].y;
+    float ball = 1.0 - isFlat;
+    vec3 outward = ball * aside + along * axis;
+    float per = 1.0 / sqrt(dot(outward, outward) + swelling[3].x);
+    vec3 whole = swelling[2].w * per * outward + swelling[2].xyz;
+    mat3 outSlope = mat3(ball) + isFlat * outerProduct(axis, axis)
+                    - per * per * outerProduct(outward, outward);
+    position += share * whole;
+    normal = turnedNormal(outerProduct(whole, slope) + share * swelling[2].w * per * outSlope, normal);
+}
+
+void changeAirway(inout vec3 position, inout vec3 normal)
+{
+    if (vertexPart.y < kThroat)
+        return;
+    if (vertexPart.y == kLarynx)
+        narrow(cords, position, normal);
+    narrow(vestibule, position, normal);
+    narrow(pharynx, position, normal);
+    int tissue = 1 << int(vertexPart.y - kThroat);
+    for (int i = 0; i < 6; ++i)
+        if ((int(swellings[i].form[3].z) & tissue) != 0)
+            swell(swellings[i].form, position, normal);
+}
+#endif
+
+#ifdef BLADE_PUSHES
 void pushByBlade(inout vec3 position, inout vec3 normal)
 {
     float across = dot(blade[0].xyz, position) + blade[0].w;
@@ -397,6 +496,9 @@ void main()
     vec3 position;
     vec3 normal;
     deform(position, normal);
+#ifdef AIRWAY_CHANGES
+    changeAirway(position, normal);
+#endif
 #ifdef JAW_MOVES
     followJaw(position, normal);
 #endif

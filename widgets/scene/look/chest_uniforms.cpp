@@ -10,6 +10,26 @@ namespace
 QVector4D column(const Shares<float>& s, float last = 0.0F) { return {s.u, s.v, s.h, last}; }
 QVector4D column(const Vec3f& v, float last = 0.0F) { return {v.x(), v.y(), v.z(), last}; }
 
+QMatrix4x4 narrowingUniform(const NarrowingFrame<float>& frame)
+{
+    QMatrix4x4 uniform;
+    uniform.setColumn(0, column(frame.across, frame.acrossFrom));
+    uniform.setColumn(1, column(frame.along, frame.alongFrom));
+    uniform.setColumn(2, column(frame.up, frame.upFrom));
+    uniform.setColumn(3, {frame.closing, frame.front, frame.wider, frame.outer});
+    return uniform;
+}
+
+QMatrix4x4 swellingUniform(const SwellingFrame<float>& frame)
+{
+    QMatrix4x4 uniform;
+    uniform.setColumn(0, column(frame.centre, frame.perAcross2));
+    uniform.setColumn(1, column(frame.axis, frame.perAlong2));
+    uniform.setColumn(2, column(frame.shift, frame.outward));
+    uniform.setColumn(3, {frame.soft2, frame.isFlat, frame.tissues, 0.0F});
+    return uniform;
+}
+
 } // namespace
 
 QMatrix4x4 chestUniform(const ChestField& field)
@@ -74,6 +94,21 @@ QMatrix4x4 tiltUniform(const BladeField& field)
     uniform.setColumn(1, column(frame.up, frame.upFrom));
     uniform.setColumn(2, column(frame.back, frame.backFrom));
     return uniform;
+}
+
+std::array<AirwayUniform, kAirwayUniforms> airwayUniforms(const AirwayField& field)
+{
+    constexpr std::array kSwellings{"swellings[0].form", "swellings[1].form", "swellings[2].form",
+                                    "swellings[3].form", "swellings[4].form", "swellings[5].form"};
+    static_assert(kSwellings.size() == kMostSwellings);
+    const AirwayFrame<float> frame = inSingle(field.frame());
+    std::array<AirwayUniform, kAirwayUniforms> all;
+    all[0] = {"cords", narrowingUniform(frame.cords)};
+    all[1] = {"vestibule", narrowingUniform(frame.vestibule)};
+    all[2] = {"pharynx", narrowingUniform(frame.pharynx)};
+    for (std::size_t n = 0; n < kMostSwellings; ++n)
+        all[3 + n] = {kSwellings[n], swellingUniform(frame.swellings[n])};
+    return all;
 }
 
 bool isJawMoved(const RigidTransform& X_AJ)

@@ -1,9 +1,12 @@
 #pragma once
 
+#include "engine/geometry/deformation/airway_field.h"
 #include "engine/geometry/deformation/blade_field.h"
 #include "engine/geometry/deformation/throat_field.h"
 
 #include <QMatrix4x4>
+
+#include <array>
 
 namespace carina
 {
@@ -20,6 +23,14 @@ namespace carina
 /// tilts. All 0 without a blade.
 [[nodiscard]] QMatrix4x4 bladeUniform(const BladeField& field);
 [[nodiscard]] QMatrix4x4 tiltUniform(const BladeField& field);
+/// The uniforms for what events change of an airway, each by the name that it has in the shader.
+/// All 0 where nothing is changed.
+struct AirwayUniform {
+    const char* name;
+    QMatrix4x4 value;
+};
+inline constexpr std::size_t kAirwayUniforms = 3 + kMostSwellings;
+[[nodiscard]] std::array<AirwayUniform, kAirwayUniforms> airwayUniforms(const AirwayField& field);
 /// Whether the jaw is displaced: jawUniform is not all 0.
 [[nodiscard]] bool isJawMoved(const RigidTransform& X_AJ);
 

@@ -197,6 +197,14 @@ void OrganEffects::letBladePush()
     askForPrograms();
 }
 
+void OrganEffects::letAirwayChange()
+{
+    if (m_needs.changesAirway)
+        return;
+    m_needs.changesAirway = true;
+    askForPrograms();
+}
+
 void OrganEffects::setSpotlight(const std::optional<Spotlight>& lamp)
 {
     if (lamp.has_value() != m_needs.isSpotlit) {

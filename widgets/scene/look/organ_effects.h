@@ -75,6 +75,8 @@ public:
     void letJawMove();
     /// Enables what a laryngoscope's blade does to tissue, and the motion of the jaw.
     void letBladePush();
+    /// Enables what events change of an airway.
+    void letAirwayChange();
     /// Lights the scene by a lamp beside the eye alone; std::nullopt: as usual. Of two lamps only
     /// the uniform differs.
     void setSpotlight(const std::optional<Spotlight>& lamp);
@@ -105,7 +107,9 @@ private:
     SectionUniforms m_cut{};
     ErrorUniforms m_error{};
     Qt3DRender::QParameter* m_spot;
-    OrganShader m_needs{.movesJaw = false, .pushesTissue = false}; ///< of each layer, but regions
+    OrganShader m_needs{.movesJaw = false,
+                        .pushesTissue = false,
+                        .changesAirway = false}; ///< of each layer, but regions
     bool m_isMapped = false;
     int m_framesToCome = 0; ///< until the requested programs are used; 0 if none are requested
 };

@@ -14,6 +14,8 @@ QByteArray organVertexShader(const OrganShader& needs)
         defined += "#define JAW_MOVES\n";
     if (needs.pushesTissue)
         defined += "#define BLADE_PUSHES\n";
+    if (needs.changesAirway)
+        defined += "#define AIRWAY_CHANGES\n";
     if (needs.isSpotlit)
         defined += "#define SPOTLIGHT\n";
     QByteArray source = resource("shaders/organ.vert");

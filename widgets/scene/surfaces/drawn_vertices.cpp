@@ -78,7 +78,8 @@ public:
 
     Result<void> start(const TriangleMesh& mesh, ChestRegion region, const OrganShader& shader);
     Result<Vertices> draw(const ChestField& field, const ChestMotion& motion,
-                          const FollowingThroat& throat, const BladeField& blade);
+                          const FollowingThroat& throat, const BladeField& blade,
+                          const AirwayField& airway);
 
 private:
     struct Objects {
@@ -92,7 +93,8 @@ private:
     void upload(const char* attribute, const std::vector<Vec3f>& values);
     bool read(std::size_t captured, std::vector<Vec3f>& values);
     void runShader(const ChestField& field, const ChestMotion& motion,
-                   const FollowingThroat& throat, const BladeField& blade);
+                   const FollowingThroat& throat, const BladeField& blade,
+                   const AirwayField& airway);
 
     QOffscreenSurface m_surface;
     QOpenGLContext m_context;
@@ -164,7 +166,8 @@ void DrawnVertices::Card::upload(const char* attribute, const std::vector<Vec3f>
 }
 
 void DrawnVertices::Card::runShader(const ChestField& field, const ChestMotion& motion,
-                                    const FollowingThroat& throat, const BladeField& blade)
+                                    const FollowingThroat& throat, const BladeField& blade,
+                                    const AirwayField& airway)
 {
     QOpenGLShaderProgram& program = m_objects->program;
     QOpenGLExtraFunctions& gl = *m_context.extraFunctions();
@@ -183,6 +186,8 @@ void DrawnVertices::Card::runShader(const ChestField& field, const ChestMotion& 
     program.setUniformValue("jaw", jawUniform(throat.X_AJ));
     program.setUniformValue("blade", bladeUniform(blade));
     program.setUniformValue("tilt", tiltUniform(blade));
+    for (const AirwayUniform& uniform : airwayUniforms(airway))
+        program.setUniformValue(uniform.name, uniform.value);
     program.setAttributeValue("vertexPart", 0.0F, static_cast<float>(region), 0.0F);
     for (std::size_t k = 0; k < kCaptured.size(); ++k) {
         gl.glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, static_cast<GLuint>(k),
@@ -211,12 +216,13 @@ bool DrawnVertices::Card::read(std::size_t captured, std::vector<Vec3f>& values)
 Result<DrawnVertices::Vertices> DrawnVertices::Card::draw(const ChestField& field,
                                                           const ChestMotion& motion,
                                                           const FollowingThroat& throat,
-                                                          const BladeField& blade)
+                                                          const BladeField& blade,
+                                                          const AirwayField& airway)
 {
     const CurrentFor current{m_context, m_surface};
     if (!current)
         return fail(Errc::NoGraphics, "the OpenGL context was lost");
-    runShader(field, motion, throat, blade);
+    runShader(field, motion, throat, blade, airway);
     Vertices drawn;
     const bool wasRead = read(kPositions, drawn.positions) && read(kNormals, drawn.normals);
     if (!wasRead || m_context.functions()->glGetError() != GL_NO_ERROR)
@@ -239,12 +245,11 @@ Result<DrawnVertices> DrawnVertices::of(const TriangleMesh& mesh, ChestRegion re
     return DrawnVertices{std::move(card)};
 }
 
-Result<DrawnVertices::Vertices> DrawnVertices::at(const ChestField& field,
-                                                  const ChestMotion& motion,
-                                                  const FollowingThroat& throat,
-                                                  const BladeField& blade)
+Result<DrawnVertices::Vertices>
+DrawnVertices::at(const ChestField& field, const ChestMotion& motion, const FollowingThroat& throat,
+                  const BladeField& blade, const AirwayField& airway)
 {
-    return m_card->draw(field, motion, throat, blade);
+    return m_card->draw(field, motion, throat, blade, airway);
 }
 
 } // namespace carina

@@ -2,6 +2,7 @@
 
 #include "engine/anatomy/chest/chest_region.h"
 #include "engine/core/result.h"
+#include "engine/geometry/deformation/airway_field.h"
 #include "engine/geometry/deformation/blade_field.h"
 #include "engine/geometry/deformation/chest_field.h"
 #include "engine/geometry/deformation/throat_field.h"
@@ -21,7 +22,7 @@ namespace carina
 class DrawnVertices
 {
 public:
-    /// @param region by which the mesh follows the jaw and gives way to a blade
+    /// @param region by which the mesh follows the jaw, gives way to a blade and is changed
     /// @returns NoGraphics if there is no OpenGL 3.3 core context or the shader does not run.
     /// @pre there is a QGuiApplication, this is its thread, and the mesh has vertices.
     [[nodiscard]] static Result<DrawnVertices> of(const TriangleMesh& mesh,
@@ -41,7 +42,7 @@ public:
     /// @returns NoGraphics when the context is lost.
     [[nodiscard]] Result<Vertices> at(const ChestField& field, const ChestMotion& motion,
                                       const FollowingThroat& throat = {},
-                                      const BladeField& blade = {});
+                                      const BladeField& blade = {}, const AirwayField& airway = {});
 
 private:
     class Card;

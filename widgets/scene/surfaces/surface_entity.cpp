@@ -27,6 +27,15 @@ std::vector<Qt3DRender::QParameter*> motionParameters(bool hasManyRegions)
     return parameters;
 }
 
+std::vector<Qt3DRender::QParameter*> airwayParameters()
+{
+    std::vector<Qt3DRender::QParameter*> parameters;
+    for (const AirwayUniform& uniform : airwayUniforms({}))
+        parameters.push_back(
+            new Qt3DRender::QParameter(QString::fromLatin1(uniform.name), uniform.value));
+    return parameters;
+}
+
 } // namespace
 
 SurfaceEntity::SurfaceEntity(MergedSurface surface, Qt3DRender::QEffect* effect,
@@ -39,6 +48,7 @@ SurfaceEntity::SurfaceEntity(MergedSurface surface, Qt3DRender::QEffect* effect,
       m_columns(surfaceColumns(surface.vertices, m_entity.get())),
       m_chest(new Qt3DRender::QParameter(QStringLiteral("chest"), QMatrix4x4{})),
       m_motions(motionParameters(!m_key.region)),
+      m_airway(airwayParameters()),
       m_throat(new Qt3DRender::QParameter(QStringLiteral("throat"), throatUniform({}))),
       m_jaw(new Qt3DRender::QParameter(QStringLiteral("jaw"), jawUniform({}))),
       m_blade(new Qt3DRender::QParameter(QStringLiteral("blade"), bladeUniform({}))),
@@ -52,6 +62,8 @@ SurfaceEntity::SurfaceEntity(MergedSurface surface, Qt3DRender::QEffect* effect,
     m_material->addParameter(m_chest);
     for (Qt3DRender::QParameter* motion : m_motions)
         m_material->addParameter(motion);
+    for (Qt3DRender::QParameter* change : m_airway)
+        m_material->addParameter(change);
     for (Qt3DRender::QParameter* parameter : {m_throat, m_jaw, m_blade, m_tilt})
         m_material->addParameter(parameter);
     m_shares.push_back(
@@ -68,6 +80,17 @@ void SurfaceEntity::setMotion(const BreathingChest& chest)
     }
     for (std::size_t region = 0; region < kChestRegions; ++region)
         m_motions[region]->setValue(motionUniform(chest.motion[region]));
+}
+
+/// Not for each frame anew where there is nothing to change.
+void SurfaceEntity::setAirway(const AirwayField& airway)
+{
+    if (!airway.isThere() && !m_isAirwayChanged)
+        return;
+    m_isAirwayChanged = airway.isThere();
+    const auto uniforms = airwayUniforms(airway);
+    for (std::size_t i = 0; i < uniforms.size(); ++i)
+        m_airway[i]->setValue(uniforms[i].value);
 }
 
 /// Gives each group that is lifted out, and of which parts are here, a share of its own.
@@ -99,6 +122,7 @@ void SurfaceEntity::apply(const SceneFrame& frame)
     }
     m_chest->setValue(chestUniform(frame.chest.field));
     setMotion(frame.chest);
+    setAirway(frame.airway);
     m_throat->setValue(throatUniform(frame.throat.field));
     m_jaw->setValue(jawUniform(frame.throat.X_AJ));
     m_blade->setValue(bladeUniform(frame.blade));

@@ -41,6 +41,7 @@ public:
 
 private:
     void setMotion(const BreathingChest& chest);
+    void setAirway(const AirwayField& airway);
     void liftShares(const SceneFrame& frame);
     [[nodiscard]] std::vector<SurfacePiece> piecesOf(const SurfaceShare& share) const;
 
@@ -58,6 +59,8 @@ private:
     /// Of its region, or of each region, by ChestRegion. One parameter for each matrix: Qt 6.4
     /// leaks a list each time it is set.
     std::vector<Qt3DRender::QParameter*> m_motions;
+    std::vector<Qt3DRender::QParameter*> m_airway; ///< in the order of airwayUniforms
+    bool m_isAirwayChanged = false;                ///< by the latest frame
     Qt3DRender::QParameter* m_throat;
     Qt3DRender::QParameter* m_jaw;
     Qt3DRender::QParameter* m_blade;

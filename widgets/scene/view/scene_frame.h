@@ -3,6 +3,7 @@
 #include "engine/anatomy/chest/chest_region.h"
 #include "engine/core/session_time.h"
 #include "engine/display/eye_picture.h"
+#include "engine/geometry/deformation/airway_field.h"
 #include "engine/geometry/deformation/blade_field.h"
 #include "engine/geometry/deformation/chest_field.h"
 #include "engine/geometry/deformation/throat_field.h"
@@ -59,6 +60,7 @@ struct SceneFrame {
     SessionTime time{}; ///< the time of this state
 
     BreathingChest chest;
+    AirwayField airway; ///< what events change of the throat's tissue before it follows the jaw
     FollowingThroat throat;
     BladeField blade; ///< which pushes tissue that has followed the jaw
 

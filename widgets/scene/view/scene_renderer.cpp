@@ -159,6 +159,8 @@ void SceneRenderer::apply(const SceneFrame& frame, std::span<const int> levels)
 {
     if (isJawMoved(frame.throat.X_AJ))
         m_effects.letJawMove();
+    if (frame.airway.isThere())
+        m_effects.letAirwayChange();
     if (frame.blade.isThere())
         m_effects.letBladePush();
     m_effects.setSpotlight(m_spotlight ? std::optional{Spotlight{m_forward_A, *m_spotlight}}

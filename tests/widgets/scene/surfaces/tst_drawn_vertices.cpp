@@ -22,6 +22,8 @@ constexpr double kNormalTolerance = 1e-6;
 constexpr double kTurnedTwiceTolerance = 2e-5;  ///< likewise, by the chest and by the jaw
 constexpr double kPushedTolerance_m = 2e-7;     ///< a few more of them
 constexpr double kPushedNormalTolerance = 2e-4; ///< where tissue is pressed thin
+constexpr double kChangedTolerance_m = 4e-7;    ///< one deformation more
+constexpr double kChangedNormalTolerance = 5e-4;
 constexpr double kVolumeTolerance_ml = 0.1;
 
 TriangleMesh lung(double x, std::uint32_t rings)
@@ -55,6 +57,37 @@ BladeField bladeInLungs()
     return blade;
 }
 
+/// An airway that is changed in every way, as large as both lungs.
+AirwayField changesInLungs()
+{
+    const Lumen lumen{.p_A_front = {0.0, -0.06, -0.02},
+                      .toWidest = millimetres(60.0),
+                      .halfInFront = millimetres(40.0),
+                      .halfAtWidest = millimetres(55.0),
+                      .outer = 2.0};
+    AirwayField airway;
+    airway.closeCords(lumen, 0.2);
+    airway.narrowVestibule(lumen, 0.1);
+    airway.narrowPharynx(lumen, 0.3);
+    airway.swell({.p_A_centre = {0.05, 0.01, -0.03},
+                  .axis_A = Vec3{1.0, 2.0, 3.0}.normalized(),
+                  .across = millimetres(60.0),
+                  .along = millimetres(80.0),
+                  .outward = millimetres(15.0),
+                  .shift_A = {0.004, 0.008, -0.01},
+                  .depth = millimetres(5.0)});
+    airway.swell(
+        {.p_A_centre = {-0.06, 0.0, 0.0},
+         .axis_A = Vec3::UnitY(),
+         .across = millimetres(70.0),
+         .along = millimetres(50.0),
+         .outward = millimetres(20.0),
+         .depth = millimetres(8.0),
+         .isFlat = true,
+         .tissues = AirwayTissues(only(AirwayTissue::Throat) | only(AirwayTissue::Larynx))});
+    return airway;
+}
+
 } // namespace
 
 class TestDrawnVertices : public QObject
@@ -68,10 +101,13 @@ private Q_SLOTS:
     void drawsTheThroatAsTheReferenceFollows();
     void drawsWhatABladePushesAsTheReference_data();
     void drawsWhatABladePushesAsTheReference();
+    void drawsWhatEventsChangeAsTheReference_data();
+    void drawsWhatEventsChangeAsTheReference();
     void movesAlikeInEveryForm_data();
     void movesAlikeInEveryForm();
     void leavesRestExactlyAsItIs();
     void keepsEveryOtherRegionFromTheJaw();
+    void keepsEveryOtherRegionFromEvents();
     void followsTheCommandedVolume();
     void leavesTheContextThatWasCurrent();
     void movesWithItsUploadedMesh();
@@ -177,6 +213,43 @@ void TestDrawnVertices::drawsWhatABladePushesAsTheReference()
     }
 }
 
+void TestDrawnVertices::drawsWhatEventsChangeAsTheReference_data()
+{
+    QTest::addColumn<ChestRegion>("region");
+    QTest::newRow("tongue") << ChestRegion::Throat;
+    QTest::newRow("pharynx") << ChestRegion::Pharynx;
+    QTest::newRow("larynx and epiglottis") << ChestRegion::Larynx;
+}
+
+// Changed first, then moved by the jaw and by a blade.
+void TestDrawnVertices::drawsWhatEventsChangeAsTheReference()
+{
+    constexpr float kMoved_m = 0.005F;
+    QFETCH(ChestRegion, region);
+    const LungPair lungs = LungPair::of(patient()).value();
+    const FollowingThroat following{throat(), openJaw()};
+    const BladeField blade = bladeInLungs();
+    const AirwayField airway = changesInLungs();
+    for (const BreathingPart& part : lungs.parts()) {
+        const TriangleMesh& mesh = part.levels.front();
+        DrawnVertices drawn = DrawnVertices::of(mesh, region).value();
+        const TriangleMesh changed = deformed(mesh, airway, *airwayTissueOf(region));
+        TriangleMesh reference = deformed(changed, following, *tissueOf(region));
+        if (const auto tissue = bladeTissueOf(region))
+            reference = deformed(reference, blade, *tissue);
+        const auto [positions, normals] =
+            drawn.at(lungs.field(), {}, following, blade, airway).value();
+        float furthest = 0.0F;
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            QVERIFY((positions[i] - reference.positions[i]).cwiseAbs().maxCoeff()
+                    < kChangedTolerance_m);
+            QVERIFY((normals[i] - reference.normals[i]).norm() < kChangedNormalTolerance);
+            furthest = std::max(furthest, (changed.positions[i] - mesh.positions[i]).norm());
+        }
+        QVERIFY(furthest > kMoved_m);
+    }
+}
+
 void TestDrawnVertices::movesAlikeInEveryForm_data()
 {
     QTest::addColumn<bool>("many");
@@ -237,6 +310,21 @@ void TestDrawnVertices::keepsEveryOtherRegionFromTheJaw()
         const ChestMotion motion = motionOf(region, breath, lungs.field());
         QVERIFY(drawn.at(lungs.field(), motion, {throat(), openJaw()}).value().positions
                 == drawn.at(lungs.field(), motion).value().positions);
+    }
+}
+
+void TestDrawnVertices::keepsEveryOtherRegionFromEvents()
+{
+    const LungPair lungs = LungPair::of(patient()).value();
+    const TriangleMesh& mesh = lungs.parts().front().levels.front();
+    for (std::size_t n = 0; n < kChestRegions; ++n) {
+        const auto region = static_cast<ChestRegion>(n);
+        DrawnVertices drawn = DrawnVertices::of(mesh, region).value();
+        const auto changed = drawn.at(lungs.field(), {}, {}, {}, changesInLungs()).value();
+        QCOMPARE(changed.positions != mesh.positions, airwayTissueOf(region).has_value());
+        DrawnVertices without = DrawnVertices::of(mesh, region, {.changesAirway = false}).value();
+        QVERIFY(without.at(lungs.field(), {}, {}, {}, changesInLungs()).value().positions
+                == mesh.positions);
     }
 }
 

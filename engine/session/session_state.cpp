@@ -273,6 +273,13 @@ struct SessionState::Applier {
     {
         forStations([&](Station& station) {
             station.respiration.addCheckpoint({body.at, body.state});
+            station.airwayEvents.forgetBefore(station.respiration.keptFrom());
+        });
+    }
+    void operator()(const fact::AirwayEventsSet& body) const
+    {
+        forStations([&](Station& station) {
+            station.airwayEvents.set(around.effect, body.events, body.over);
         });
     }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/session/airway/airway_event_timeline.h"
 #include "engine/session/facts/facts.h"
 #include "engine/session/parameter_timeline.h"
 #include "engine/session/respiration/respiration_timeline.h"
@@ -82,6 +83,7 @@ struct Station {
     std::string anatomyHash;
     std::string anatomyName;
     RespirationTimeline respiration;
+    AirwayEventTimeline airwayEvents;
     ParticipantId worker = kNobody; ///< who took up the work last, and may have gone
     std::optional<ShownLesson> lesson{};
     /// The last one that broke off, of an author who is away or came back since and has not gone

@@ -22,7 +22,7 @@ bool changesPatient(const FactBody& body)
     return isAnyOf<fact::AnatomyChosen, fact::BreathingRateSet, fact::TidalVolumeSet,
                    fact::InspiratoryFractionSet, fact::PatientBuildSet, fact::LungConditionsSet,
                    fact::VentilatorSet, fact::TubePlaced, fact::BodyPositionSet,
-                   fact::BreathingStopped, fact::BagSqueezed>(body);
+                   fact::BreathingStopped, fact::BagSqueezed, fact::AirwayEventsSet>(body);
 }
 
 bool isOfNoStation(const FactBody& body)

@@ -173,7 +173,10 @@ std::vector<std::string> factBodies()
                            true,
                            {{1, 3, LessonStyle::Ghost}, {7, 7, LessonStyle::Solid, true, true}}}},
         fact::LessonEnded{},
-        fact::ParticipantFellSilent{self}};
+        fact::ParticipantFellSilent{self},
+        fact::AirwayEventsSet{
+            {{AirwayEventKind::TongueOedema, 0.5}, {AirwayEventKind::Laryngospasm, 1.0}},
+            std::chrono::seconds{30}}};
     static_assert(std::size(bodies) == std::variant_size_v<FactBody>, "one of each kind");
     std::vector<std::string> all;
     const auto add = [&all](const FactBody& body) {

@@ -114,34 +114,46 @@ void getField(ByteReader& in, std::array<Part, count>& parts)
         getField(in, part);
 }
 
+// A list is preceded by how many there are.
+template <class Part>
+void putList(ByteWriter& out, const std::vector<Part>& parts, std::size_t most)
+{
+    CARINA_EXPECTS(parts.size() <= most);
+    out.number(static_cast<std::uint8_t>(parts.size()));
+    for (const Part& part : parts)
+        putField(out, part);
+}
+template <class Part>
+void getList(ByteReader& in, std::vector<Part>& parts, std::size_t most, const char* rule)
+{
+    const auto count = in.number<std::uint8_t>();
+    in.require(count <= most, rule);
+    for (std::size_t i = 0; in.ok() && i < count; ++i)
+        getField(in, parts.emplace_back());
+}
+
 void putField(ByteWriter& out, const LungConditions& conditions)
 {
-    CARINA_EXPECTS(conditions.size() <= kMostConditions);
-    out.number(static_cast<std::uint8_t>(conditions.size()));
-    for (const LungCondition& condition : conditions)
-        putField(out, condition);
+    putList(out, conditions, kMostConditions);
 }
 void getField(ByteReader& in, LungConditions& conditions)
 {
-    const auto count = in.number<std::uint8_t>();
-    in.require(count <= kMostConditions, "number of conditions");
-    for (std::size_t i = 0; in.ok() && i < count; ++i)
-        getField(in, conditions.emplace_back());
+    getList(in, conditions, kMostConditions, "number of conditions");
 }
 
-void putField(ByteWriter& out, const LessonLooks& looks)
-{
-    CARINA_EXPECTS(looks.size() <= kMostLessonLooks);
-    out.number(static_cast<std::uint8_t>(looks.size()));
-    for (const LessonLook& look : looks)
-        putField(out, look);
-}
+void putField(ByteWriter& out, const LessonLooks& looks) { putList(out, looks, kMostLessonLooks); }
 void getField(ByteReader& in, LessonLooks& looks)
 {
-    const auto count = in.number<std::uint8_t>();
-    in.require(count <= kMostLessonLooks, "number of looks");
-    for (std::size_t i = 0; in.ok() && i < count; ++i)
-        getField(in, looks.emplace_back());
+    getList(in, looks, kMostLessonLooks, "number of looks");
+}
+
+void putField(ByteWriter& out, const AirwayEvents& events)
+{
+    putList(out, events, kAirwayEventKinds);
+}
+void getField(ByteReader& in, AirwayEvents& events)
+{
+    getList(in, events, kAirwayEventKinds, "number of airway events");
 }
 
 template <OfFields Whole> void putField(ByteWriter& out, const Whole& whole)

@@ -123,6 +123,12 @@ inline constexpr std::tuple kFields<LessonLook>{&LessonLook::first,   &LessonLoo
                                                 &LessonLook::style,   &LessonLook::isHighlighted,
                                                 &LessonLook::isNamed, &LessonLook::isPlain};
 
+template <>
+inline constexpr std::tuple kFields<fact::AirwayEventsSet>{&fact::AirwayEventsSet::events,
+                                                           &fact::AirwayEventsSet::over};
+template <>
+inline constexpr std::tuple kFields<AirwayEvent>{&AirwayEvent::kind, &AirwayEvent::severity};
+
 template <> inline constexpr std::tuple kFields<fact::TubePlaced>{&fact::TubePlaced::innerDiameter};
 template <>
 inline constexpr std::tuple kFields<fact::BodyPositionSet>{&fact::BodyPositionSet::position};
@@ -214,6 +220,8 @@ template <> inline constexpr Sex kLastEnumerator<Sex> = Sex::Male;
 template <>
 inline constexpr ConditionKind kLastEnumerator<ConditionKind> = ConditionKind::StiffChest;
 template <> inline constexpr ConditionSide kLastEnumerator<ConditionSide> = ConditionSide::Left;
+template <>
+inline constexpr AirwayEventKind kLastEnumerator<AirwayEventKind> = AirwayEventKind::Laryngospasm;
 template <> inline constexpr BodyPosition kLastEnumerator<BodyPosition> = BodyPosition::LeftLateral;
 template <>
 inline constexpr VentilationMode kLastEnumerator<VentilationMode> =

@@ -1,5 +1,6 @@
 #include "engine/session/facts/fact_rules.h"
 
+#include "engine/session/airway/airway_rules.h"
 #include "engine/session/facts/number_check.h"
 #include "engine/session/facts/utf8.h"
 #include "engine/session/lesson_rules.h"
@@ -131,6 +132,7 @@ struct BodyCheck {
     }
     Result<void> operator()(const fact::LessonShown& f) const { return checkLesson(f.lesson); }
     Result<void> operator()(const fact::LessonEnded&) const { return {}; }
+    Result<void> operator()(const fact::AirwayEventsSet& f) const { return checkAirway(f); }
     template <class Fact> Result<void> operator()(const Fact& f) const
     {
         return checkRespiration(f);

@@ -3,6 +3,7 @@
 #include "engine/core/ids.h"
 #include "engine/core/session_time.h"
 #include "engine/core/units.h"
+#include "engine/session/airway/airway_facts.h"
 #include "engine/session/facts/conduct_facts.h"
 #include "engine/session/facts/lesson_facts.h"
 #include "engine/session/facts/people_facts.h"
@@ -158,7 +159,7 @@ using FactBody = std::variant<
     fact::RoleCodeChanged, fact::TokenReplaced, fact::StrategyChosen, fact::RegistrationStated,
     fact::StationRenamed, fact::StationClosed, fact::ParticipantMoved, fact::WorkTaken,
     fact::PlaceChosen, fact::BreathingStopped, fact::BagSqueezed, fact::LessonShown,
-    fact::LessonEnded, fact::ParticipantFellSilent>;
+    fact::LessonEnded, fact::ParticipantFellSilent, fact::AirwayEventsSet>;
 
 /// Whether programs propose such facts automatically, so that no person waits for the result.
 [[nodiscard]] inline bool isByItself(const FactBody& body)

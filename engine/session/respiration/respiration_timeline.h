@@ -64,6 +64,14 @@ public:
     /// copied with each fact, and who draws looks back for seconds.
     void addCheckpoint(const RespirationState& checkpoint);
 
+    /// Nobody looks back further than to this time: the first checkpoint that is kept, once earlier
+    /// ones were dropped; SessionTime::min() until then.
+    [[nodiscard]] SessionTime keptFrom() const
+    {
+        return m_checkpoints.size() < kMostCheckpoints ? SessionTime::min()
+                                                       : m_checkpoints.front().at;
+    }
+
     /// The settings in force at t (what a console shows), which is no earlier than the first
     /// checkpoint that is kept.
     [[nodiscard]] RespiratorySettings settingsAt(SessionTime t) const;

@@ -92,6 +92,9 @@ void TestSessionPermissions::permitsByRole_data()
     row("turns the patient", "yynnnn", [](auto) { return fact::BodyPositionSet{}; });
     row("stops the breathing", "yynnnn", [](auto) { return fact::BreathingStopped{}; });
     row("squeezes a bag", "yynnnn", [](auto) { return fact::BagSqueezed{}; });
+    row("makes the cords shut", "yynnnn", [](auto) {
+        return fact::AirwayEventsSet{{{AirwayEventKind::Laryngospasm, 1.0}}, {}};
+    });
     row("shows something", "yynnnn", [](auto) { return fact::LessonShown{}; });
     row("shares a view to show", "yynnnn", [](auto id) {
         return fact::ObjectShared{{}, id, ObjectKind::View, "view"};

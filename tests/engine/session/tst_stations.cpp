@@ -383,6 +383,7 @@ void TestStations::changeTogetherInThePatientOnly_data()
     row("position", fact::BodyPositionSet{BodyPosition::Prone}, "fine");
     row("apnoea", fact::BreathingStopped{}, "fine");
     row("bag", fact::BagSqueezed{}, "fine");
+    row("airway", fact::AirwayEventsSet{}, "fine");
     row("anatomy", fact::AnatomyChosen{"aa", "A"}, "fine");
     row("phase", fact::PhaseChanged{SessionPhase::Running}, "fine"); // of no station
     row("breath", fact::ManikinBreathed{kNow}, "station unknown");

@@ -142,7 +142,7 @@ private:
     FactBody body()
     {
         const double share = 0.01 * double(anyNumber() % 100);
-        switch (anyNumber() % 4) {
+        switch (anyNumber() % 5) {
         case 0:
             return chosen(anyNumber() % 2 == 0 ? BuiltinPatient::Adult
                                                : BuiltinPatient::TwelveYears);
@@ -150,6 +150,9 @@ private:
             return fact::BreathingRateSet{perMinute(10.0 + 30.0 * share)};
         case 2:
             return fact::LungConditionsSet{{{ConditionKind::Asthma, share, ConditionSide::Both}}};
+        case 3:
+            return fact::AirwayEventsSet{{{AirwayEventKind::TongueOedema, share}},
+                                         std::chrono::seconds{1}};
         default:
             return fact::TidalVolumeSet{millilitres(200.0 + 300.0 * share)};
         }

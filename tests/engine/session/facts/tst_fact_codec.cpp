@@ -107,6 +107,12 @@ std::vector<Golden> goldenFacts()
          "00"},
         {"lesson ended", fact::LessonEnded{}, "24"},
         {"participant fell silent", fact::ParticipantFellSilent{ParticipantId{0x0102}}, "25 0201"},
+        {"airway clear", fact::AirwayEventsSet{}, "26 00 0000000000000000"},
+        {"airway events set",
+         fact::AirwayEventsSet{
+             {{AirwayEventKind::TongueOedema, 0.5}, {AirwayEventKind::Laryngospasm, 1.0}},
+             Duration{0x0304}},
+         "26 02 00 000000000000e03f 04 000000000000f03f 0403000000000000"},
         {"pointer shared",
          fact::ObjectShared{ObjectId{1}, ParticipantId{2}, ObjectKind::Pointer, ""},
          "06 0100 0200 0a 00"},
@@ -167,13 +173,16 @@ void TestFactCodec::refusesBadBytes_data()
         QTest::newRow(name) << hex.replace(' ', "") << QString::fromUtf8(detail);
     };
     row("kind 0", "00", "kind of fact 0");
-    row("kind 38", "26", "kind of fact 38");
+    row("kind 39", "27", "kind of fact 39");
     row("kind 255", "ff", "kind of fact 255");
     row("phase 4", "02 04", "fact of kind 2: enumerator");
     row("role 3", "04 0100 03 00", "fact of kind 4: enumerator");
     row("object kind 11", "06 0100 0100 0b 00", "fact of kind 6: enumerator");
     row("locked twice", "17 02", "fact of kind 23: flag");
     row("code of role 3", "18 03", "fact of kind 24: enumerator");
+    row("airway event 5", "26 01 05 0000000000000000 0000000000000000",
+        "fact of kind 38: enumerator");
+    row("six airway events", "26 06", "fact of kind 38: number of airway events");
     row("wanted twice", "0c 0100 02", "fact of kind 12: flag");
     row("infinite rate", "08 000000000000f07f", "fact of kind 8: finite number");
     row("negative infinite volume", "09 000000000000f0ff", "fact of kind 9: finite number");

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "engine/anatomy/events/airway_event.h"
+#include "engine/core/session_time.h"
+
+namespace carina::fact
+{
+
+/// The events of the patient's airway; they replace the previous ones. Each severity, that of what
+/// is left out being 0, goes evenly over a time from what it is to what is said here.
+struct AirwayEventsSet {
+    AirwayEvents events;
+    Duration over{};
+
+    friend bool operator==(const AirwayEventsSet&, const AirwayEventsSet&) = default;
+};
+
+} // namespace carina::fact

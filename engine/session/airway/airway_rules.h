@@ -1,0 +1,17 @@
+#pragma once
+
+#include "engine/core/result.h"
+#include "engine/session/airway/airway_facts.h"
+
+namespace carina
+{
+
+/// The longest time over which the events of an airway may change.
+inline constexpr Duration kLongestAirwayChange = std::chrono::minutes{10};
+
+/// Whether the values of a fact about the airway are possible for any patient.
+/// @returns OutOfRange for a severity or time outside its range, and for events that are not in the
+///          order of their kinds, each once; NotFinite.
+[[nodiscard]] Result<void> checkAirway(const fact::AirwayEventsSet& fact);
+
+} // namespace carina

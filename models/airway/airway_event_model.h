@@ -1,0 +1,109 @@
+#pragma once
+
+#include "engine/session/airway/airway_rules.h"
+#include "models/respiration/addressed_stations.h"
+#include "models/respiration/change_steps.h"
+#include "models/session/session_model.h"
+
+#include <optional>
+#include <vector>
+
+namespace carina
+{
+
+/// The events of one station's airway, as an instructor sees and changes them.
+///
+/// A change is sent to every site before it takes effect; until then the getters already return it
+/// and `travellingText` tells it. While one change is pending, only the latest further one is kept,
+/// so that dragging a severity does not flood the session with facts. Only instructors can change
+/// anything; what others set is ignored.
+class AirwayEventModel : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// @pre session outlives this.
+    AirwayEventModel(SessionModel& session, StationId station, QObject* parent = nullptr);
+
+    /// Shows the patient of another station from now on. What was changed before is undone where it
+    /// was changed.
+    void setStation(StationId station);
+    /// Adds its changes to a history from now on, by which alone they are to be undone.
+    void setHistory(ChangeHistory& history) { m_steps.setHistory(history); }
+    /// Whether a change is for the patients of all open stations, by one fact with one effect time.
+    void setForAll(bool all) { m_stations.all = all; }
+
+    /// The severity that was set: requested or, if no change is pending, decided; 0 without one.
+    [[nodiscard]] double severity(AirwayEventKind kind) const;
+    /// The severity that is to be seen now, while it changes.
+    [[nodiscard]] double present(AirwayEventKind kind) const;
+    /// Whether nothing is set.
+    [[nodiscard]] bool isClear() const { return shown().empty(); }
+
+    /// Sets the severity of one event, 0 to 1, and leaves the others as they are set.
+    void setSeverity(AirwayEventKind kind, double severity);
+    /// Sets no event at all.
+    void clear() { set({}); }
+    /// The time over which severities change, from the next change on; at once at first.
+    /// @pre 0 to kLongestAirwayChange
+    void setChangeTime(Duration over) { m_over = over; }
+
+    /// The events to be seen now: "Tongue oedema 60 %"; "Clear".
+    [[nodiscard]] QString inForceText() const;
+    /// The pending change: "Airway → Laryngospasm 100 %"; empty if there is none.
+    [[nodiscard]] QString travellingText() const;
+    /// One sentence: why this person cannot change anything; empty if they can.
+    [[nodiscard]] QString obstacle() const;
+
+    [[nodiscard]] bool canUndo() const { return !m_steps.isEmpty(); }
+    /// Reverts the last change, at each station where nobody decided otherwise since; at once, also
+    /// where it was one over a time.
+    void undo();
+
+Q_SIGNALS:
+    /// Anything of the above changed.
+    void changed();
+
+private:
+    /// What is set at a station, or at all.
+    struct Setting {
+        StationId station;
+        AirwayEvents events;
+        Duration over{};
+    };
+    struct Shown {
+        AirwayEvents set;
+        AirwayEvents present;
+        bool isPending = false;
+        QString obstacle;
+        bool canUndo = false;
+
+        friend bool operator==(const Shown&, const Shown&) = default;
+    };
+
+    [[nodiscard]] SessionTime now() const;
+    [[nodiscard]] AirwayEvents presentEvents() const;
+    [[nodiscard]] AirwayEvents decidedAt(StationId station, SessionTime t) const;
+    [[nodiscard]] const std::optional<Setting>& pending() const;
+    [[nodiscard]] AirwayEvents shown() const;
+    [[nodiscard]] std::vector<Setting> before() const;
+    [[nodiscard]] bool isUnderWay(const AirwayEvents& sent) const;
+    [[nodiscard]] bool isDecided(StationId station, const AirwayEvents& events) const;
+    [[nodiscard]] static QString textOf(const AirwayEvents& events);
+    void set(const AirwayEvents& events);
+    void goBackTo(const std::vector<Setting>& before);
+    void ask(const Setting& setting);
+    void propose(const Setting& setting);
+    void goOn();
+    void refresh();
+
+    SessionModel& m_session;
+    AddressedStations m_stations;
+    std::optional<Setting> m_sent;   ///< proposed, not in force yet
+    std::optional<Setting> m_latest; ///< to be proposed once m_sent is in force
+    ChangeSteps<Setting> m_steps{*this};
+    Duration m_over{};
+    Shown m_shown; ///< at the latest changed()
+};
+
+} // namespace carina

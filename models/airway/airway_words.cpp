@@ -1,0 +1,67 @@
+#include "models/airway/airway_words.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace carina
+{
+namespace
+{
+
+QString airwayWords(const char* text) { return QCoreApplication::translate("Airway", text); }
+
+} // namespace
+
+QString eventText(AirwayEventKind kind)
+{
+    switch (kind) {
+    case AirwayEventKind::TongueOedema:
+        return airwayWords(QT_TRANSLATE_NOOP("Airway", "Tongue oedema"));
+    case AirwayEventKind::PharyngealSwelling:
+        return airwayWords(QT_TRANSLATE_NOOP("Airway", "Pharyngeal swelling"));
+    case AirwayEventKind::Epiglottitis:
+        return airwayWords(QT_TRANSLATE_NOOP("Airway", "Epiglottitis"));
+    case AirwayEventKind::LaryngealOedema:
+        return airwayWords(QT_TRANSLATE_NOOP("Airway", "Laryngeal oedema"));
+    case AirwayEventKind::Laryngospasm:
+        return airwayWords(QT_TRANSLATE_NOOP("Airway", "Laryngospasm"));
+    }
+    return {};
+}
+
+QString eventEffect(AirwayEventKind kind)
+{
+    switch (kind) {
+    case AirwayEventKind::TongueOedema:
+        return airwayWords(QT_TRANSLATE_NOOP(
+            "Airway",
+            "The tongue swells towards palate and pharynx, and leaves a blade less room"));
+    case AirwayEventKind::PharyngealSwelling:
+        return airwayWords(QT_TRANSLATE_NOOP(
+            "Airway", "The side walls of the pharynx come inward, in front of the larynx"));
+    case AirwayEventKind::Epiglottitis:
+        return airwayWords(
+            QT_TRANSLATE_NOOP("Airway", "The epiglottis swells to a ball, and hides the glottis"));
+    case AirwayEventKind::LaryngealOedema:
+        return airwayWords(QT_TRANSLATE_NOOP(
+            "Airway", "Arytenoids and aryepiglottic folds swell over the glottis"));
+    case AirwayEventKind::Laryngospasm:
+        return airwayWords(QT_TRANSLATE_NOOP(
+            "Airway", "The vocal cords shut: in part they leave a slit, at 100 % nothing"));
+    }
+    return {};
+}
+
+QString eventsText(const AirwayEvents& events)
+{
+    QStringList texts;
+    for (const AirwayEvent& event : events)
+        texts += QCoreApplication::translate("Airway", "%1 %2\u00a0%",
+                                             "event of the airway; severity in per cent")
+                     .arg(eventText(event.kind))
+                     .arg(qRound(100.0 * event.severity));
+    return texts.isEmpty() ? airwayWords(QT_TRANSLATE_NOOP("Airway", "Clear"))
+                           : texts.join(QStringLiteral(" + "));
+}
+
+} // namespace carina

@@ -1,0 +1,293 @@
+#include "models/airway/airway_event_model.h"
+#include "models/airway/airway_words.h"
+#include "tests/models/fake_session_node.h"
+#include "tests/support/test_class.h"
+
+#include <QSignalSpy>
+
+#include <set>
+
+namespace carina::airway_event_model_test
+{
+
+using test::FakeSessionNode;
+using enum AirwayEventKind;
+
+class TestAirwayEventModel : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void isClearAtFirst();
+    void setsOneEventAndLeavesTheOthers();
+    void tellsTheSeverityToBeSeenWhileItChanges();
+    void clearsAllOverTheTime();
+    void keepsOneProposalUnderWayWhileASeverityIsDragged();
+    void doesNotProposeWhatIsAlreadySo();
+    void undoesADragAtOnceAndThenWhatWasBefore();
+    void undoesAChangeInItsMidstAtOnce();
+    void undoesNotWhatSomebodyDecidedSince();
+    void undoesThroughTheHistory();
+    void changesAllStationsAndUndoesEach();
+    void followsAnotherInstructor();
+    void letsOnlyAnInstructorChange_data();
+    void letsOnlyAnInstructorChange();
+    void saysThatTheSessionHasEnded();
+    void hasAWordForEverything();
+};
+
+namespace
+{
+
+constexpr std::chrono::milliseconds kLead{100};
+constexpr double kRounding = 1e-9; ///< of a severity
+
+struct Console {
+    FakeSessionNode node;
+    SessionModel session{node};
+    AirwayEventModel model{session, FakeSessionNode::kStation};
+
+    explicit Console(ParticipantId self = FakeSessionNode::kInstructor) : node{self} {}
+    void deliver()
+    {
+        node.announce();
+        QCoreApplication::sendPostedEvents();
+    }
+    void settle(Duration time = kLead)
+    {
+        node.advance(time);
+        deliver();
+    }
+    [[nodiscard]] AirwayEvents decided(StationId station = FakeSessionNode::kStation) const
+    {
+        return node.state()->stations().at(station).airwayEvents.decidedAt(SessionTime::max());
+    }
+    [[nodiscard]] bool showsNow(AirwayEventKind kind, double severity) const
+    {
+        return std::abs(model.present(kind) - severity) < kRounding;
+    }
+};
+
+} // namespace
+
+void TestAirwayEventModel::isClearAtFirst()
+{
+    const Console console;
+    QVERIFY(console.model.isClear());
+    QCOMPARE(console.model.severity(Epiglottitis), 0.0);
+    QCOMPARE(console.model.inForceText(), QStringLiteral("Clear"));
+    QVERIFY(console.model.travellingText().isEmpty());
+    QVERIFY(!console.model.canUndo());
+}
+
+void TestAirwayEventModel::setsOneEventAndLeavesTheOthers()
+{
+    Console console;
+    console.model.setSeverity(Laryngospasm, 1.0);
+    QCOMPARE(console.model.severity(Laryngospasm), 1.0);
+    QCOMPARE(console.model.present(Laryngospasm), 0.0); // not in force yet
+    QCOMPARE(console.model.travellingText(), QStringLiteral("Airway → Laryngospasm 100\u00a0%"));
+    console.settle();
+    QVERIFY(console.model.travellingText().isEmpty());
+    QCOMPARE(console.model.present(Laryngospasm), 1.0);
+    console.model.setSeverity(TongueOedema, 0.6);
+    console.settle();
+    QVERIFY(console.decided() == (AirwayEvents{{TongueOedema, 0.6}, {Laryngospasm, 1.0}}));
+    QCOMPARE(console.model.inForceText(),
+             QStringLiteral("Tongue oedema 60\u00a0% + Laryngospasm 100\u00a0%"));
+    console.model.setSeverity(Laryngospasm, 0.0);
+    console.settle();
+    QVERIFY(console.decided() == (AirwayEvents{{TongueOedema, 0.6}}));
+}
+
+/// 0.8 over 20 s: a quarter of it after five.
+void TestAirwayEventModel::tellsTheSeverityToBeSeenWhileItChanges()
+{
+    Console console;
+    console.model.setChangeTime(std::chrono::seconds{20});
+    console.model.setSeverity(TongueOedema, 0.8);
+    console.settle();
+    QCOMPARE(console.model.severity(TongueOedema), 0.8);
+    QVERIFY(console.showsNow(TongueOedema, 0.0));
+    const QSignalSpy changed{&console.model, &AirwayEventModel::changed};
+    console.settle(std::chrono::seconds{5});
+    QVERIFY(console.showsNow(TongueOedema, 0.2));
+    QVERIFY(!changed.isEmpty());
+    console.model.setSeverity(TongueOedema, 0.0); // and back over 20 s
+    console.settle();
+    console.settle(std::chrono::seconds{10});
+    QVERIFY(console.showsNow(TongueOedema, 0.5 * (0.2 + 0.8 * 0.1 / 20.0)));
+    console.settle(std::chrono::seconds{10});
+    QVERIFY(console.showsNow(TongueOedema, 0.0));
+    QVERIFY(console.model.isClear());
+}
+
+void TestAirwayEventModel::clearsAllOverTheTime()
+{
+    Console console;
+    console.node.decide(fact::AirwayEventsSet{{{TongueOedema, 1.0}, {Epiglottitis, 0.5}}, {}});
+    console.settle();
+    console.model.setChangeTime(std::chrono::seconds{10});
+    console.model.clear();
+    console.settle();
+    QVERIFY(console.model.isClear());
+    console.settle(std::chrono::seconds{5});
+    QVERIFY(console.showsNow(TongueOedema, 0.5) && console.showsNow(Epiglottitis, 0.25));
+    console.settle(std::chrono::seconds{5});
+    QCOMPARE(console.model.inForceText(), QStringLiteral("Clear"));
+}
+
+void TestAirwayEventModel::keepsOneProposalUnderWayWhileASeverityIsDragged()
+{
+    Console console;
+    for (int percent = 1; percent <= 50; ++percent)
+        console.model.setSeverity(Epiglottitis, 0.01 * percent);
+    QCOMPARE(console.node.proposed, 1);
+    console.settle();
+    QCOMPARE(console.node.proposed, 2);
+    console.settle();
+    QVERIFY(console.decided() == (AirwayEvents{{Epiglottitis, 0.5}}));
+    QCOMPARE(console.node.proposed, 2);
+}
+
+void TestAirwayEventModel::doesNotProposeWhatIsAlreadySo()
+{
+    Console console;
+    console.model.clear();
+    console.model.setSeverity(Epiglottitis, 0.0);
+    QCOMPARE(console.node.proposed, 0);
+    QVERIFY(!console.model.canUndo());
+}
+
+void TestAirwayEventModel::undoesADragAtOnceAndThenWhatWasBefore()
+{
+    Console console;
+    console.model.setSeverity(TongueOedema, 0.3);
+    console.settle();
+    for (const double severity : {0.4, 0.5, 0.6})
+        console.model.setSeverity(TongueOedema, severity);
+    console.settle();
+    console.settle();
+    console.model.undo();
+    console.settle();
+    QVERIFY(console.decided() == (AirwayEvents{{TongueOedema, 0.3}}));
+    console.model.undo();
+    console.settle();
+    QVERIFY(console.decided().empty());
+    QVERIFY(!console.model.canUndo());
+}
+
+void TestAirwayEventModel::undoesAChangeInItsMidstAtOnce()
+{
+    Console console;
+    console.model.setSeverity(TongueOedema, 0.4);
+    console.settle();
+    console.model.setChangeTime(std::chrono::minutes{10});
+    console.model.setSeverity(TongueOedema, 1.0);
+    console.settle(std::chrono::minutes{5});
+    QVERIFY(console.model.present(TongueOedema) > 0.6);
+    console.model.undo();
+    console.settle();
+    QCOMPARE(console.model.present(TongueOedema), 0.4);
+}
+
+void TestAirwayEventModel::undoesNotWhatSomebodyDecidedSince()
+{
+    Console console;
+    console.model.setSeverity(TongueOedema, 0.4);
+    console.settle();
+    console.node.decide(fact::AirwayEventsSet{{{Laryngospasm, 0.9}}, {}});
+    console.settle();
+    QVERIFY(!console.model.canUndo());
+    console.model.undo();
+    console.settle();
+    QVERIFY(console.decided() == (AirwayEvents{{Laryngospasm, 0.9}}));
+}
+
+void TestAirwayEventModel::undoesThroughTheHistory()
+{
+    Console console;
+    ChangeHistory history;
+    console.model.setHistory(history);
+    console.model.setSeverity(Laryngospasm, 0.5);
+    console.settle();
+    QCOMPARE(history.texts(), QStringList{QStringLiteral("Airway → Laryngospasm 50\u00a0%")});
+    history.undo();
+    console.settle();
+    QVERIFY(console.decided().empty());
+    QVERIFY(history.isEmpty());
+}
+
+void TestAirwayEventModel::changesAllStationsAndUndoesEach()
+{
+    constexpr StationId kRoom{1};
+    Console console;
+    console.node.addStation("Room 5");
+    console.model.setSeverity(Epiglottitis, 0.2);
+    console.settle();
+    console.model.setForAll(true);
+    console.model.setSeverity(Epiglottitis, 0.7);
+    console.settle();
+    const AirwayEvents swollen{{Epiglottitis, 0.7}};
+    QVERIFY(console.decided() == swollen);
+    QVERIFY(console.decided(kRoom) == swollen);
+    console.model.setForAll(false);
+    console.model.setStation(kRoom);
+    QCOMPARE(console.model.severity(Epiglottitis), 0.7);
+    console.model.undo();
+    console.settle();
+    QVERIFY(console.decided() == (AirwayEvents{{Epiglottitis, 0.2}}));
+    QVERIFY(console.decided(kRoom).empty());
+}
+
+void TestAirwayEventModel::followsAnotherInstructor()
+{
+    Console console;
+    const QSignalSpy changed{&console.model, &AirwayEventModel::changed};
+    console.node.decide(fact::AirwayEventsSet{{{LaryngealOedema, 0.25}}, {}});
+    console.settle();
+    QCOMPARE(console.model.severity(LaryngealOedema), 0.25);
+    QVERIFY(!changed.isEmpty());
+}
+
+void TestAirwayEventModel::letsOnlyAnInstructorChange_data()
+{
+    QTest::addColumn<int>("self");
+    QTest::newRow("trainee") << int(FakeSessionNode::kTrainee.value);
+    QTest::newRow("observer") << int(FakeSessionNode::kObserver.value);
+}
+
+void TestAirwayEventModel::letsOnlyAnInstructorChange()
+{
+    QFETCH(const int, self);
+    Console console{ParticipantId{static_cast<std::uint16_t>(self)}};
+    QCOMPARE(console.model.obstacle(), QStringLiteral("Only an instructor changes the patient."));
+    console.model.setSeverity(Laryngospasm, 1.0);
+    QCOMPARE(console.node.proposed, 0);
+    QVERIFY(console.model.isClear());
+}
+
+void TestAirwayEventModel::saysThatTheSessionHasEnded()
+{
+    Console console;
+    console.node.decide(fact::PhaseChanged{SessionPhase::Ended});
+    console.settle();
+    QCOMPARE(console.model.obstacle(), QStringLiteral("The session has ended."));
+}
+
+void TestAirwayEventModel::hasAWordForEverything()
+{
+    std::set<QString> words;
+    for (int kind = 0; kind < kAirwayEventKinds; ++kind) {
+        words.insert(eventText(static_cast<AirwayEventKind>(kind)));
+        words.insert(eventEffect(static_cast<AirwayEventKind>(kind)));
+    }
+    QCOMPARE(words.size(), std::size_t{2 * kAirwayEventKinds});
+    QVERIFY(!words.contains(QString{}));
+}
+
+CARINA_TEST(TestAirwayEventModel)
+
+} // namespace carina::airway_event_model_test
+
+#include "tst_airway_event_model.moc"

@@ -47,6 +47,7 @@ ConsoleSession::ConsoleSession(HostedSession hosted, const program::ChosenPatien
       m_lesson{m_session, m_stations.shown()},
       m_actions{m_object},
       m_respiration{m_session, m_stations.shown()},
+      m_airway{m_session, m_stations.shown()},
       m_trace{m_session, m_stations.shown()},
       m_attention{m_session},
       m_checkpoints{*m_hosted.node},
@@ -55,8 +56,9 @@ ConsoleSession::ConsoleSession(HostedSession hosted, const program::ChosenPatien
           return OfferGiver::Shown{m_shown.view(), m_shown.drawn()};
       }},
       m_kept{folder},
-      m_window{{m_session, m_breathing, m_respiration, m_trace, m_participants, m_conduct, m_people,
-                m_network, m_actions, m_stations, m_lesson, m_shown.patient(), m_attention},
+      m_window{{m_session, m_breathing, m_respiration, m_airway, m_trace, m_participants, m_conduct,
+                m_people, m_network, m_actions, m_stations, m_lesson, m_shown.patient(),
+                m_attention},
                m_kept,
                m_shown.view(),
                program::programTracker(m_tools, m_recording, m_offer, true, folder)}
@@ -70,6 +72,7 @@ ConsoleSession::ConsoleSession(HostedSession hosted, const program::ChosenPatien
     QObject::connect(&m_stations, &StationsModel::forAllChanged, &m_window, [this](bool all) {
         m_breathing.setForAll(all);
         m_respiration.setForAll(all);
+        m_airway.setForAll(all);
     });
 }
 
@@ -147,6 +150,7 @@ void ConsoleSession::setStation(StationId station)
     m_lesson.setStation(station);
     m_people.setStation(station);
     m_respiration.setStation(station);
+    m_airway.setStation(station);
     m_trace.setStation(station);
     m_shown.setStation(station);
     if (m_journal)

@@ -78,6 +78,7 @@ private:
     LessonModel m_lesson;
     ObjectActionModel m_actions;
     RespirationModel m_respiration;
+    AirwayEventModel m_airway;
     BreathTrace m_trace;
     AttentionModel m_attention;
     CheckpointKeeper m_checkpoints;

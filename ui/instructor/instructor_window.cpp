@@ -43,6 +43,7 @@ InstructorWindow::InstructorWindow(const ConsoleModels& models, KeptConsole& kep
     m_ui->setupUi(this);
     m_models.breathing.setHistory(m_history);
     m_models.respiration.setHistory(m_history);
+    m_models.airway.setHistory(m_history);
     m_models.actions.setHistory(m_history);
     m_models.lesson.setHistory(m_history);
     m_models.conduct.setHistory(m_history);
@@ -86,6 +87,7 @@ void InstructorWindow::fillPanels(const ProgramTracker& tracker)
 {
     m_ui->breathing->setModel(m_models.breathing);
     m_ui->condition->setModel(m_models.respiration);
+    m_ui->airway->setModel(m_models.airway);
     m_ui->waveforms->setTrace(m_models.trace);
     m_ui->laryngoscope->setStation(stationScene());
     m_ui->participants->setModel(m_models.participants, m_models.conduct, m_models.stations,
@@ -165,8 +167,8 @@ void InstructorWindow::layPanels()
     using Group = PanelDocks::Group;
     m_docks = std::make_unique<PanelDocks>(
         *this,
-        QList<Group>{Group{m_ui->breathingDock, m_ui->conditionDock, m_ui->actionsDock,
-                           m_ui->partsDock, m_ui->trackerDock},
+        QList<Group>{Group{m_ui->breathingDock, m_ui->conditionDock, m_ui->airwayDock,
+                           m_ui->actionsDock, m_ui->partsDock, m_ui->trackerDock},
                      Group{m_ui->waveformDock, m_ui->laryngoscopeDock},
                      Group{m_ui->participantsDock, m_ui->invitationDock, m_ui->networkDock}});
     offerPanels();
@@ -186,6 +188,8 @@ void InstructorWindow::offerPanels()
           tr("Rate, volume and stop of the patient's own breathing, and a bag by hand"));
     offer(m_ui->conditionDock, "showCondition", tr("Conditio&n"), QStringLiteral("Ctrl+D"),
           tr("Conditions of the lungs, position and ventilator"));
+    offer(m_ui->airwayDock, "showAirway", tr("Airwa&y"), QStringLiteral("Ctrl+Y"),
+          tr("Swellings and spasm that make the airway difficult, and how severe each is"));
     offer(m_ui->actionsDock, "showActions", tr("&Move"), QStringLiteral("Ctrl+M"),
           tr("Turn, move or scale the patient, or organs lifted out of it, and see who has them"));
     offer(m_ui->partsDock, "showParts", tr("Par&ts"), QStringLiteral("Ctrl+T"),
@@ -394,7 +398,7 @@ QStringList InstructorWindow::unusual(const StationMoment& moment) const
 {
     QStringList told;
     if (m_models.stations.isForAll())
-        told += tr("▲ Changes of breathing and condition are for all %1 stations")
+        told += tr("▲ Changes of breathing, condition and airway are for all %1 stations")
                     .arg(m_models.stations.open().size());
     if (isAway(moment))
         told += tr("▲ patient not in its original place");
@@ -425,6 +429,8 @@ void InstructorWindow::refreshStatus()
     if (const auto& eyes = scene.throughEyesOf())
         told += throughEyesText(*node.state(), moment, *eyes);
     told += tr("● Condition: %1").arg(m_models.respiration.inForceText());
+    if (!m_models.airway.isClear())
+        told += tr("● Airway: %1").arg(m_models.airway.inForceText());
     told += m_models.people.workText();
     told += tr("Patient: %1").arg(QString::fromStdString(scene.patient().name()));
     const auto oldest = m_models.participants.oldestSample_ms();

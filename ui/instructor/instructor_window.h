@@ -1,5 +1,6 @@
 #pragma once
 
+#include "models/airway/airway_event_model.h"
 #include "models/attention/attention_model.h"
 #include "models/console/kept_console.h"
 #include "models/lesson/lesson_model.h"
@@ -45,6 +46,7 @@ struct ConsoleModels {
     SessionModel& session;
     BreathingModel& breathing;
     RespirationModel& respiration;
+    AirwayEventModel& airway;
     BreathTrace& trace;
     ParticipantsModel& participants;
     ConductModel& conduct;
@@ -59,8 +61,8 @@ struct ConsoleModels {
 
 /// The instructor's console: session control, what needs attention, and a 3-D view of the patient
 /// of the station that is shown, which has most of the window; beside it panels with the patient's
-/// breathing and disease, waveforms, the view of the laryngoscope, shared objects, participants and
-/// network, and the tools of the console's own tracker.
+/// breathing, disease and airway, waveforms, the view of the laryngoscope, shared objects,
+/// participants and network, and the tools of the console's own tracker.
 class InstructorWindow : public QMainWindow
 {
     Q_OBJECT

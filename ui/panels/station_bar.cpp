@@ -84,8 +84,8 @@ StationBar::StationBar(QWidget* parent)
     m_list->hide();
     m_forAll->setObjectName(QStringLiteral("forAll"));
     m_forAll->setAccessibleName(tr("All stations"));
-    m_forAll->setToolTip(tr("What is changed about breathing and condition is changed at all "
-                            "stations, at the same time"));
+    m_forAll->setToolTip(tr("What is changed about breathing, condition and airway is changed "
+                            "at all stations, at the same time"));
     m_place->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     auto* chooser = new QHBoxLayout{m_place};
     chooser->setContentsMargins({});

@@ -25,8 +25,8 @@ using test::faultsOfControls;
 using test::soon;
 using test::verifyControls;
 
-constexpr std::array kChange{"breathingDock", "conditionDock", "actionsDock", "partsDock",
-                             "trackerDock"};
+constexpr std::array kChange{"breathingDock", "conditionDock", "airwayDock",
+                             "actionsDock",   "partsDock",     "trackerDock"};
 constexpr std::array kPeople{"waveformDock", "participantsDock", "invitationDock", "networkDock"};
 constexpr const char* kWithoutControl = "laryngoscopeDock"; ///< only looked at
 

@@ -27,6 +27,7 @@ struct ConsoleDesk {
     StationsModel stations{session};
     BreathingModel breathing{session, FakeSessionNode::kStation};
     RespirationModel respiration{session, FakeSessionNode::kStation};
+    AirwayEventModel airway{session, FakeSessionNode::kStation};
     BreathTrace trace{session, FakeSessionNode::kStation};
     ParticipantsModel participants{session};
     ConductModel conduct{session};
@@ -42,8 +43,8 @@ struct ConsoleDesk {
     std::optional<TrackerSight> sight;
     PoseRecording recording{[this] { return node.now(); }};
     OfferSwitch offer{[this] { return OfferGiver::Shown{view, *drawn}; }};
-    InstructorWindow window{{session, breathing, respiration, trace, participants, conduct, people,
-                             network, actions, stations, lesson, patient, attention},
+    InstructorWindow window{{session, breathing, respiration, airway, trace, participants, conduct,
+                             people, network, actions, stations, lesson, patient, attention},
                             keeper,
                             view,
                             {.sight = [this] { return sight; },

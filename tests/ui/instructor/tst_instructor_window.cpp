@@ -191,6 +191,11 @@ constexpr std::array kDeeds{
          }},
     Deed{"condition", [](Shown& shown) { shown.respiration.setPosition(BodyPosition::Prone); },
          [](Shown& shown) { return numbered(int(shown.respiration.position())); }},
+    Deed{"an airway event",
+         [](Shown& shown) { shown.airway.setSeverity(AirwayEventKind::Laryngospasm, 0.5); },
+         [](Shown& shown) {
+             return numbered(qRound(100.0 * shown.airway.severity(AirwayEventKind::Laryngospasm)));
+         }},
     Deed{"the patient is turned",
          [](Shown& shown) {
              shown.object.choose(kPatient);
@@ -380,7 +385,7 @@ private Q_SLOTS:
         Shown shown{kept, opened};
         shown.window.resize(1920, 1080);
         Shown::settle();
-        for (const char* name : {"conditionDock", "partsDock", "invitationDock"}) {
+        for (const char* name : {"conditionDock", "airwayDock", "partsDock", "invitationDock"}) {
             QDockWidget& dock = shown.dock(name);
             dock.raise();
             Shown::settle();
@@ -1007,8 +1012,8 @@ private Q_SLOTS:
     {
         QTest::addColumn<QByteArray>("change");
         QTest::addColumn<QByteArray>("people");
-        for (const char* change :
-             {"breathingDock", "conditionDock", "actionsDock", "partsDock", "trackerDock"})
+        for (const char* change : {"breathingDock", "conditionDock", "airwayDock", "actionsDock",
+                                   "partsDock", "trackerDock"})
             for (const char* people : {"waveformDock", "laryngoscopeDock", "participantsDock",
                                        "invitationDock", "networkDock"})
                 QTest::addRow("%s and %s", change, people)

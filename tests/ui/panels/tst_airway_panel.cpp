@@ -1,0 +1,235 @@
+#include "models/airway/airway_words.h"
+#include "tests/models/fake_session_node.h"
+#include "tests/support/test_class.h"
+#include "ui/panels/airway_panel.h"
+
+#include <QApplication>
+#include <QLabel>
+#include <QPushButton>
+#include <QSlider>
+#include <QSpinBox>
+
+namespace carina::airway_panel_test
+{
+
+using test::FakeSessionNode;
+using enum AirwayEventKind;
+
+/// The console's controls of what makes an airway difficult.
+class TestAirwayPanel : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void setsASeverityByKeyboardAlone();
+    void setsSeverityBySliderAndBox();
+    void tellsTheSeverityOfNowWhileItChanges();
+    void clearsTheAirwayByItsButton();
+    void tellsWhatTravels();
+    void keepsWhatIsBeingTyped();
+    void refusesATypedSeverityWithItsRange();
+    void changesNothingForAnObserver();
+    void namesAndExplainsEveryControl();
+    void fitsIntoItsColumn();
+};
+
+namespace
+{
+
+constexpr std::chrono::milliseconds kLead{100};
+constexpr int kColumn = 430; ///< pixels of a console's panels, with their scroll bar
+constexpr int kHeight = 659; ///< that a console of 800 pixels has for a panel
+
+struct Desk {
+    FakeSessionNode node;
+    SessionModel session{node};
+    AirwayEventModel model{session, FakeSessionNode::kStation};
+    AirwayPanel panel;
+
+    explicit Desk(ParticipantId self = FakeSessionNode::kInstructor) : node{self}
+    {
+        panel.setModel(model);
+        panel.show();
+        QApplication::setActiveWindow(&panel); // the display has no window manager
+    }
+    template <class Widget> [[nodiscard]] Widget& find(const char* name) const
+    {
+        return *panel.findChild<Widget*>(QLatin1String{name});
+    }
+    [[nodiscard]] QSpinBox& box(const char* name) const { return find<QSpinBox>(name); }
+    [[nodiscard]] QString text(const char* name) const { return find<QLabel>(name).text(); }
+    void settle(Duration time = kLead)
+    {
+        node.advance(time);
+        node.announce();
+        QCoreApplication::sendPostedEvents();
+    }
+    void type(const char* name, const QString& text) const
+    {
+        QSpinBox& field = box(name);
+        field.setFocus();
+        field.selectAll();
+        QTest::keyClicks(&field, text);
+    }
+    void enter(const char* name, const QString& text) const
+    {
+        type(name, text);
+        QTest::keyClick(&box(name), Qt::Key_Return);
+    }
+    [[nodiscard]] AirwayEvents decided() const
+    {
+        return node.state()
+            ->stations()
+            .at(FakeSessionNode::kStation)
+            .airwayEvents.decidedAt(SessionTime::max());
+    }
+};
+
+} // namespace
+
+void TestAirwayPanel::setsASeverityByKeyboardAlone()
+{
+    Desk desk;
+    desk.panel.setFocus();
+    QCOMPARE(QApplication::focusWidget()->objectName(), QStringLiteral("tongue_oedema"));
+    desk.enter("tongue_oedema", QStringLiteral("60"));
+    desk.settle();
+    QVERIFY(desk.decided() == (AirwayEvents{{TongueOedema, 0.6}}));
+    desk.enter("laryngospasm", QStringLiteral("10"));
+    desk.settle();
+    QVERIFY(desk.decided() == (AirwayEvents{{TongueOedema, 0.6}, {Laryngospasm, 0.1}}));
+}
+
+void TestAirwayPanel::setsSeverityBySliderAndBox()
+{
+    Desk desk;
+    desk.find<QSlider>("epiglottitisSlider").setValue(80);
+    desk.settle();
+    QVERIFY(desk.decided() == (AirwayEvents{{Epiglottitis, 0.8}}));
+    QCOMPARE(desk.box("epiglottitis").value(), 80);
+    desk.box("epiglottitis").setValue(25);
+    desk.settle();
+    QVERIFY(desk.decided() == (AirwayEvents{{Epiglottitis, 0.25}}));
+    QCOMPARE(desk.find<QSlider>("epiglottitisSlider").value(), 25);
+}
+
+/// 80 % over 20 s: a quarter of it after five.
+void TestAirwayPanel::tellsTheSeverityOfNowWhileItChanges()
+{
+    Desk desk;
+    QCOMPARE(desk.box("airwayOver").text(), QStringLiteral("at once"));
+    desk.enter("airwayOver", QStringLiteral("20"));
+    desk.enter("laryngeal_oedema", QStringLiteral("80"));
+    desk.settle();
+    desk.settle(std::chrono::seconds{5});
+    QCOMPARE(desk.box("laryngeal_oedema").value(), 80);
+    QCOMPARE(desk.text("laryngeal_oedemaNow"), QStringLiteral("now 20\u00a0%"));
+    QVERIFY(desk.text("tongue_oedemaNow").isEmpty());
+    desk.settle(std::chrono::seconds{15});
+    QVERIFY(desk.text("laryngeal_oedemaNow").isEmpty());
+}
+
+void TestAirwayPanel::clearsTheAirwayByItsButton()
+{
+    Desk desk;
+    auto& clear = desk.find<QPushButton>("clearAirway");
+    QVERIFY(!clear.isEnabled());
+    desk.node.decide(fact::AirwayEventsSet{{{TongueOedema, 1.0}, {Epiglottitis, 0.5}}, {}});
+    desk.settle();
+    QVERIFY(clear.isEnabled());
+    QTest::keyClick(&clear, Qt::Key_Space);
+    desk.settle();
+    QVERIFY(desk.decided().empty());
+    QCOMPARE(desk.box("tongue_oedema").value(), 0);
+    QVERIFY(!clear.isEnabled());
+}
+
+void TestAirwayPanel::tellsWhatTravels()
+{
+    Desk desk;
+    desk.box("pharyngeal_swelling").setValue(40);
+    QCOMPARE(desk.text("airwayTravelling"),
+             QStringLiteral("Airway → Pharyngeal swelling 40\u00a0%"));
+    desk.settle();
+    QVERIFY(desk.text("airwayTravelling").isEmpty());
+}
+
+void TestAirwayPanel::keepsWhatIsBeingTyped()
+{
+    Desk desk;
+    desk.type("tongue_oedema", QStringLiteral("7"));
+    desk.node.decide(fact::AirwayEventsSet{{{Laryngospasm, 1.0}}, {}}); // somebody else
+    desk.settle();
+    QCOMPARE(desk.box("tongue_oedema").cleanText(), QStringLiteral("7"));
+    QCOMPARE(desk.box("laryngospasm").value(), 100);
+    QTest::keyClick(&desk.box("tongue_oedema"), Qt::Key_Return);
+    desk.settle();
+    QVERIFY(desk.decided() == (AirwayEvents{{TongueOedema, 0.07}, {Laryngospasm, 1.0}}));
+}
+
+void TestAirwayPanel::refusesATypedSeverityWithItsRange()
+{
+    Desk desk;
+    desk.enter("laryngospasm", QStringLiteral("120"));
+    desk.settle();
+    QVERIFY(desk.decided().empty());
+    const auto& refused = desk.find<QLabel>("refused");
+    QVERIFY(refused.isVisible());
+    QVERIFY2(refused.text().contains(QStringLiteral("120")), qPrintable(refused.text()));
+}
+
+void TestAirwayPanel::changesNothingForAnObserver()
+{
+    Desk desk{FakeSessionNode::kObserver};
+    QCOMPARE(desk.text("airwayObstacle"),
+             QStringLiteral("Only an instructor changes the patient."));
+    for (const char* name : {"airwayOver", "tongue_oedema", "tongue_oedemaSlider", "clearAirway"})
+        QVERIFY2(!desk.find<QWidget>(name).isEnabled(), name);
+    desk.node.decide(fact::AirwayEventsSet{{{Laryngospasm, 1.0}}, {}});
+    desk.settle();
+    QCOMPARE(desk.box("laryngospasm").value(), 100);
+}
+
+/// Also each label with its key has the words of the field.
+void TestAirwayPanel::namesAndExplainsEveryControl()
+{
+    const Desk desk;
+    for (int kind = 0; kind < kAirwayEventKinds; ++kind) {
+        const auto event = static_cast<AirwayEventKind>(kind);
+        const QSpinBox& box = desk.box(eventName(event));
+        QVERIFY(box.accessibleName().startsWith(eventText(event)));
+        QCOMPARE(box.toolTip(), eventEffect(event));
+        const auto& slider =
+            desk.find<QSlider>(QByteArray{eventName(event)}.append("Slider").constData());
+        QVERIFY(slider.accessibleName().startsWith(eventText(event)));
+        QVERIFY(!slider.toolTip().isEmpty());
+        int labels = 0;
+        for (const QLabel* label : desk.panel.findChildren<QLabel*>())
+            if (label->buddy() == &box) {
+                QCOMPARE(QString{label->text()}.remove(QLatin1Char{'&'}), eventText(event));
+                ++labels;
+            }
+        QCOMPARE(labels, 1);
+    }
+    QVERIFY(!desk.box("airwayOver").accessibleName().isEmpty());
+    QVERIFY(!desk.find<QPushButton>("clearAirway").toolTip().isEmpty());
+}
+
+void TestAirwayPanel::fitsIntoItsColumn()
+{
+    Desk desk;
+    desk.enter("airwayOver", QStringLiteral("600"));
+    desk.enter("pharyngeal_swelling", QStringLiteral("100"));
+    desk.settle();
+    desk.settle(std::chrono::minutes{1});
+    QVERIFY(!desk.text("pharyngeal_swellingNow").isEmpty());
+    const QSize least = desk.panel.minimumSizeHint();
+    QVERIFY2(least.width() <= kColumn - 20, qPrintable(QString::number(least.width())));
+    QVERIFY2(least.height() <= kHeight, qPrintable(QString::number(least.height())));
+}
+
+CARINA_SCREEN_TEST(TestAirwayPanel)
+
+} // namespace carina::airway_panel_test
+
+#include "tst_airway_panel.moc"

@@ -1,0 +1,187 @@
+#include "ui/panels/airway_panel.h"
+
+#include "models/airway/airway_words.h"
+#include "models/text/shown_as_is.h"
+#include "ui/refusal_line.h"
+#include "widgets/checked_spin_box.h"
+#include "widgets/plain_label.h"
+
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QVBoxLayout>
+
+namespace carina
+{
+namespace
+{
+
+constexpr int kSeverityStep_percent = 10;
+constexpr int kChangeStep_s = 5;
+constexpr int kEventGap = 4; ///< pixels
+
+/// The kinds with their keys, in the order of the enumerators.
+constexpr std::array kEventLabels{QT_TRANSLATE_NOOP("carina::AirwayPanel", "&Tongue oedema"),
+                                  QT_TRANSLATE_NOOP("carina::AirwayPanel", "Pharyngeal &swelling"),
+                                  QT_TRANSLATE_NOOP("carina::AirwayPanel", "Epig&lottitis"),
+                                  QT_TRANSLATE_NOOP("carina::AirwayPanel", "La&ryngeal oedema"),
+                                  QT_TRANSLATE_NOOP("carina::AirwayPanel", "Lary&ngospasm")};
+static_assert(kEventLabels.size() == kAirwayEventKinds);
+
+std::size_t placeOf(AirwayEventKind kind) { return static_cast<std::size_t>(kind); }
+
+int percentOf(double severity) { return qRound(100.0 * severity); }
+
+/// Shows a severity without telling it back to the model; not while a person is typing into it.
+void showSeverity(CheckedSpinBox& box, int percent)
+{
+    const QSignalBlocker blocker{box};
+    if (!box.hasFocus() || box.cleanText().toInt() == box.value())
+        box.setValue(percent);
+}
+
+void showSeverity(QSlider& slider, int percent)
+{
+    const QSignalBlocker blocker{slider};
+    if (!slider.isSliderDown())
+        slider.setValue(percent);
+}
+
+} // namespace
+
+AirwayPanel::AirwayPanel(QWidget* parent)
+    : QWidget{parent},
+      m_obstacle{new PlainLabel},
+      m_controls{new QWidget},
+      m_over{new CheckedSpinBox},
+      m_clear{new QPushButton{tr("&Clear airway")}},
+      m_refused{new RefusalLine},
+      m_travelling{new PlainLabel}
+{
+    layOut();
+    m_refused->watch(*m_over);
+    for (const Row& row : m_rows)
+        m_refused->watch(*row.severity);
+    setFocusProxy(m_rows.front().severity);
+}
+
+void AirwayPanel::layOut()
+{
+    auto* controls = new QVBoxLayout{m_controls};
+    controls->setContentsMargins({});
+    controls->setSpacing(kEventGap);
+    addTime(*controls);
+    for (std::size_t place = 0; place < m_rows.size(); ++place)
+        m_rows[place] = addRow(*controls, static_cast<AirwayEventKind>(place));
+    m_clear->setObjectName(QStringLiteral("clearAirway"));
+    m_clear->setToolTip(tr("All events of the airway go, over the time of a change (Alt+C)"));
+    controls->addWidget(m_clear);
+    m_travelling->setObjectName(QStringLiteral("airwayTravelling"));
+    m_travelling->setWordWrap(true);
+    m_travelling->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    m_travelling->setMinimumHeight(m_travelling->fontMetrics().lineSpacing());
+    m_obstacle->setObjectName(QStringLiteral("airwayObstacle"));
+    m_obstacle->setWordWrap(true);
+    auto* column = new QVBoxLayout{this};
+    for (QWidget* widget : {static_cast<QWidget*>(m_obstacle), m_controls,
+                            static_cast<QWidget*>(m_refused), static_cast<QWidget*>(m_travelling)})
+        column->addWidget(widget);
+    column->addStretch(1);
+}
+
+void AirwayPanel::addTime(QBoxLayout& column)
+{
+    m_over->setObjectName(QStringLiteral("airwayOver"));
+    m_over->setAccessibleName(tr("Time over which the airway changes, seconds"));
+    m_over->setToolTip(tr("How long a change takes, from the next one on: at once, or up to 600 "
+                          "seconds in which the severity goes evenly to the new one"));
+    m_over->setRange(0, int(toSeconds(kLongestAirwayChange)));
+    m_over->setSingleStep(kChangeStep_s);
+    m_over->setSpecialValueText(tr("at once"));
+    m_over->setSuffix(tr(" s"));
+    m_over->setAlignment(Qt::AlignRight);
+    auto* label = new PlainLabel{tr("Time &of a change")};
+    label->setBuddy(m_over);
+    auto* row = new QHBoxLayout;
+    row->addWidget(label, 1);
+    row->addWidget(m_over);
+    column.addLayout(row);
+}
+
+/// Its name, the present severity and the box stand above the slider.
+AirwayPanel::Row AirwayPanel::addRow(QBoxLayout& column, AirwayEventKind kind)
+{
+    const Row row{new PlainLabel, new CheckedSpinBox, new QSlider{Qt::Horizontal}};
+    const QString name = QLatin1String{eventName(kind)};
+    const QString effect = eventEffect(kind);
+    row.severity->setObjectName(name);
+    row.severity->setAccessibleName(tr("%1, severity in per cent").arg(eventText(kind)));
+    row.severity->setToolTip(shownAsIs(effect));
+    row.severity->setRange(0, 100);
+    row.severity->setSingleStep(kSeverityStep_percent);
+    row.severity->setSuffix(tr(" %"));
+    row.severity->setAlignment(Qt::AlignRight);
+    row.slider->setObjectName(name + QStringLiteral("Slider"));
+    row.slider->setAccessibleName(tr("%1, severity slider").arg(eventText(kind)));
+    row.slider->setToolTip(shownAsIs(effect));
+    row.slider->setRange(0, 100);
+    row.slider->setPageStep(kSeverityStep_percent);
+    row.present->setObjectName(name + QStringLiteral("Now"));
+    row.present->setAccessibleName(tr("%1, present severity").arg(eventText(kind)));
+    row.present->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    auto* label = new PlainLabel{tr(kEventLabels[placeOf(kind)])};
+    label->setBuddy(row.severity);
+    label->setToolTip(shownAsIs(effect));
+    auto* line = new QHBoxLayout;
+    line->addWidget(label);
+    line->addWidget(row.present, 1);
+    line->addWidget(row.severity);
+    column.addLayout(line);
+    column.addWidget(row.slider);
+    return row;
+}
+
+void AirwayPanel::setModel(AirwayEventModel& model)
+{
+    m_model = &model;
+    connect(m_over, &QSpinBox::valueChanged, this,
+            [this](int seconds) { m_model->setChangeTime(std::chrono::seconds{seconds}); });
+    for (std::size_t place = 0; place < m_rows.size(); ++place)
+        connectRow(static_cast<AirwayEventKind>(place));
+    connect(m_clear, &QPushButton::clicked, &model, &AirwayEventModel::clear);
+    connect(&model, &AirwayEventModel::changed, this, &AirwayPanel::refresh);
+    refresh();
+}
+
+void AirwayPanel::connectRow(AirwayEventKind kind)
+{
+    const Row& row = m_rows[placeOf(kind)];
+    connect(row.severity, &QSpinBox::valueChanged, this,
+            [this, kind](int percent) { m_model->setSeverity(kind, percent / 100.0); });
+    connect(row.slider, &QSlider::valueChanged, row.severity, &QSpinBox::setValue);
+}
+
+void AirwayPanel::refresh()
+{
+    const QString obstacle = m_model->obstacle();
+    m_obstacle->setText(obstacle);
+    m_obstacle->setVisible(!obstacle.isEmpty());
+    m_controls->setEnabled(obstacle.isEmpty());
+    for (std::size_t place = 0; place < m_rows.size(); ++place)
+        refreshRow(static_cast<AirwayEventKind>(place));
+    m_clear->setEnabled(!m_model->isClear());
+    m_travelling->setText(m_model->travellingText());
+}
+
+void AirwayPanel::refreshRow(AirwayEventKind kind)
+{
+    const Row& row = m_rows[placeOf(kind)];
+    const int set = percentOf(m_model->severity(kind));
+    const int present = percentOf(m_model->present(kind));
+    showSeverity(*row.severity, set);
+    showSeverity(*row.slider, set);
+    row.present->setText(present == set ? QString{} : tr("now %1\u00a0%").arg(present));
+}
+
+} // namespace carina

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "models/airway/airway_event_model.h"
+
+#include <QWidget>
+
+#include <array>
+
+class QBoxLayout;
+class QLabel;
+class QPushButton;
+class QSlider;
+
+namespace carina
+{
+
+class CheckedSpinBox;
+class RefusalLine;
+
+/// Shows and sets the events that make the patient's airway difficult: of each kind its severity in
+/// per cent, for all of them the time over which a change comes, and a button that ends them. A
+/// control shows the value that is set or, while a change is pending, the requested one; beside it
+/// stands the severity that is to be seen, as long as that is another. For a person without
+/// permission the panel states the reason.
+class AirwayPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit AirwayPanel(QWidget* parent = nullptr);
+
+    /// @pre the model outlives the panel.
+    void setModel(AirwayEventModel& model);
+
+private:
+    struct Row {
+        QLabel* present; ///< "now 35 %"
+        CheckedSpinBox* severity;
+        QSlider* slider;
+    };
+
+    void layOut();
+    void addTime(QBoxLayout& column);
+    [[nodiscard]] Row addRow(QBoxLayout& column, AirwayEventKind kind);
+    void connectRow(AirwayEventKind kind);
+    void refresh();
+    void refreshRow(AirwayEventKind kind);
+
+    AirwayEventModel* m_model = nullptr;
+    QLabel* m_obstacle;
+    QWidget* m_controls;
+    CheckedSpinBox* m_over;
+    std::array<Row, kAirwayEventKinds> m_rows{}; ///< by kind
+    QPushButton* m_clear;
+    RefusalLine* m_refused;
+    QLabel* m_travelling;
+};
+
+} // namespace carina

@@ -104,6 +104,15 @@ QJsonObject frameOf(const DrawnFrame& drawn, const StationMoment& moment)
             {QStringLiteral("lifted"), liftedOf(drawn.frame, moment)}};
 }
 
+/// The severities of what makes the airway difficult, by name.
+QJsonObject severitiesOf(const AirwayEvents& events)
+{
+    QJsonObject severities;
+    for (const AirwayEvent& event : events)
+        severities[QLatin1String{eventName(event.kind)}] = event.severity;
+    return severities;
+}
+
 /// Who has what can be lifted out at a station.
 QJsonObject holders(const SessionState& state, StationId station)
 {
@@ -174,6 +183,7 @@ void Journal::writeLine()
         {QStringLiteral("left_lung_ml"), inMillilitres(lungs[1].gas)},
         {QStringLiteral("frames"), std::exchange(*m_frames, QJsonArray{})}};
     line[QStringLiteral("registrations")] = registrations(*state);
+    line[QStringLiteral("airway_events")] = severitiesOf(m_scene.moment().airwayEvents);
     line[QStringLiteral("holders")] = holders(*state, m_station);
     if (m_notice)
         line[QStringLiteral("notice")] = m_notice();

@@ -33,6 +33,7 @@ StationMoment StationView::at(SessionTime t, std::size_t level) const
     if (station != state->stations().end()) {
         moment.breathing = m_breathing.at(station->second.respiration, t).shape();
         moment.position = station->second.respiration.settingsAt(t).position;
+        moment.airwayEvents = station->second.airwayEvents.at(t);
         moment.exaggeration = m_exaggeration;
         const ChestPose drawn = drawnPose(m_lungs, moment.breathing, level);
         moment.notDrawn = notDrawn(m_lungs, moment.breathing, drawn, level);

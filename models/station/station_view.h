@@ -16,6 +16,7 @@ struct StationMoment {
     SessionTime time{};
     ChestShape breathing;                 ///< from the respiratory mechanics
     BodyPosition position{};              ///< how the patient lies or sits
+    AirwayEvents airwayEvents;            ///< what makes the airway difficult, as severe as it is
     ChestPose pose;                       ///< the pose of the chest that shows `breathing`
     Volume notDrawn{};                    ///< volume of the lungs that the pose cannot show
     double exaggeration = 1.0;            ///< of the pose; unless 1, the drawn volumes are not true

@@ -4,6 +4,7 @@
 #include <QJsonArray>
 #include <QTemporaryDir>
 
+#include <algorithm>
 #include <numbers>
 
 namespace carina::actions_test
@@ -29,6 +30,29 @@ double turned_deg(const QJsonObject& line)
 {
     const QJsonArray q = line[QStringLiteral("patient_q_xyzw")].toArray();
     return degreesFrom(2.0 * std::atan2(q[2].toDouble(), q[3].toDouble()));
+}
+
+// A tongue that swells.
+constexpr double kSwelling = 0.8;         ///< severity that it comes to
+constexpr double kSwelling_s = 10.0;      ///< over this time
+constexpr double kSameSwelling_s = 0.001; ///< between programs
+
+double swelling(const QJsonObject& line)
+{
+    return line[QStringLiteral("airway_events")]
+        .toObject()[QStringLiteral("tongue_oedema")]
+        .toDouble();
+}
+
+/// When it began, by each line that has it on the way.
+std::vector<double> beginsOfSwelling_s(const Program& program)
+{
+    std::vector<double> begins;
+    for (const QJsonObject& line : program.allShown())
+        if (swelling(line) > 0.0 && swelling(line) < kSwelling)
+            begins.push_back(1e-9 * double(line[QStringLiteral("session_ns")].toInteger())
+                             - kSwelling_s * swelling(line) / kSwelling);
+    return begins;
 }
 
 /// How far two lines are apart in what they say of one steady turn.
@@ -99,6 +123,25 @@ private Q_SLOTS:
         work({"press stop", "press reset"});
         QTRY_VERIFY_WITH_TIMEOUT(isInPlace(m_instructor->shown()), kPatience_ms);
         QTRY_VERIFY_WITH_TIMEOUT(isInPlace(m_trainee->shown()), kPatience_ms);
+    }
+
+    /// As severe at each session time at both, also while it comes.
+    void tongueSwellsAtBothAtOnceAndIsWellAgainByAnUndo()
+    {
+        work({"type airwayOver 10", "type tongue_oedema 80"});
+        const auto isSwollen = [](const Program& program) {
+            return swelling(program.shown()) == kSwelling;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(isSwollen(*m_instructor) && isSwollen(*m_trainee), kPatience_ms);
+        std::vector<double> begins_s = beginsOfSwelling_s(*m_instructor);
+        const std::vector<double> atTrainee_s = beginsOfSwelling_s(*m_trainee);
+        QVERIFY(!begins_s.empty() && !atTrainee_s.empty());
+        begins_s.insert(begins_s.end(), atTrainee_s.begin(), atTrainee_s.end());
+        const auto [first, last] = std::ranges::minmax(begins_s);
+        QVERIFY2(last - first < kSameSwelling_s, qPrintable(QString::number(last - first)));
+        work({"press undoChange"});
+        QTRY_VERIFY_WITH_TIMEOUT(swelling(m_instructor->shown()) == 0.0, kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(swelling(m_trainee->shown()) == 0.0, kPatience_ms);
     }
 
     void turnGoesOnWhenBothWereKilledInIt()

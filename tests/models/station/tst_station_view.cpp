@@ -66,6 +66,7 @@ class TestStationView : public QObject
 private Q_SLOTS:
     void asksEverythingForTheTimeOfLight();
     void breathesAtTheTimeOfLight();
+    void hasTheAirwayOfTheTimeOfLight();
     void exaggeratesOnlyWhereAsked();
     void showsRestBeforeTheClockIsSet();
     void showsThePatientAsActionsHaveItAtTheTimeOfLight();
@@ -119,6 +120,22 @@ void TestStationView::breathesAtTheTimeOfLight()
         return view.at(kNow + milliseconds{ms}, 0).pose.lungs[0].diaphragm;
     };
     QVERIFY(std::abs(diaphragm(1040) - diaphragm(1000)) > 1e-3);
+}
+
+/// A tongue that swells over 10 s is at its half after five of them.
+void TestStationView::hasTheAirwayOfTheTimeOfLight()
+{
+    FakeSessionNode node;
+    const LungPair pair = lungs();
+    const StationView view{node, FakeSessionNode::kStation, pair};
+    node.decide(
+        fact::AirwayEventsSet{{{AirwayEventKind::TongueOedema, 0.5}}, std::chrono::seconds{10}});
+    const SessionTime effect = kNow + kShortestLead;
+    QVERIFY(view.at(effect, 0).airwayEvents.empty());
+    const AirwayEvents half{{AirwayEventKind::TongueOedema, 0.25}};
+    QVERIFY(view.at(effect + std::chrono::seconds{5}, 0).airwayEvents == half);
+    const AirwayEvents all{{AirwayEventKind::TongueOedema, 0.5}};
+    QVERIFY(view.at(effect + std::chrono::seconds{20}, 0).airwayEvents == all);
 }
 
 void TestStationView::showsWhatAnInstructorShowsToThisParticipant()

@@ -38,7 +38,8 @@ public:
     /// One of the open ones; kNoStation before there is any.
     [[nodiscard]] StationId shown() const { return m_shown; }
     void show(StationId station);
-    /// Whether changes of breathing, condition and airway are for all stations; never while one is open.
+    /// Whether changes of breathing, condition and airway are for all stations; never while one is
+    /// open.
     [[nodiscard]] bool isForAll() const { return m_forAll && m_open.size() > 1; }
     void setForAll(bool all);
 

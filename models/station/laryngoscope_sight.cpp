@@ -110,24 +110,42 @@ LaryngoscopeSight StationLaryngoscope::at(const StationMoment& moment,
         return {.state = LaryngoscopeState::Lost};
     if (isAway(moment))
         return {.state = LaryngoscopeState::Away};
-    const Blade blade = bladeOf(*tool);
-    if (!m_laryngoscopy)
-        m_laryngoscopy = Laryngoscopy::of(*m_patient, blade);
-    if (!m_laryngoscopy->has_value())
+    Laryngoscopy* laryngoscopy = changedBy(moment.airwayEvents);
+    if (laryngoscopy == nullptr)
         return {.state = LaryngoscopeState::NoLarynx};
-    Laryngoscopy& laryngoscopy = **m_laryngoscopy;
-    laryngoscopy.takeBlade(blade);
+    const Blade blade = bladeOf(*tool);
+    laryngoscopy->takeBlade(blade);
     // As drawn: nobody sees their own tools turned.
     const RigidTransform& X_AL = tool->isOwn ? tool->pose.X_FO : tool->X_AO;
-    return {.state = laryngoscopy.isInMouth(X_AL, throat) ? LaryngoscopeState::Live
-                                                          : LaryngoscopeState::Outside,
+    return {.state = laryngoscopy->isInMouth(X_AL, throat) ? LaryngoscopeState::Live
+                                                           : LaryngoscopeState::Outside,
             .X_AL = X_AL,
             .throat = throat,
-            .tissue = laryngoscopy.tissueAt(X_AL, throat),
+            .tissue = laryngoscopy->tissueAt(X_AL, throat),
             .blade = blade,
             .isBladeKnown = knownBladeOf(*tool).has_value(),
             .isOfWorker = isOfWorker(*tool, moment),
             .isJawLost = moment.jaw && moment.jaw->validity == Validity::Lost};
+}
+
+/// nullptr without what a laryngoscope is to show.
+Laryngoscopy* StationLaryngoscope::changedBy(const AirwayEvents& events)
+{
+    if (!m_laryngoscopy)
+        m_laryngoscopy = Laryngoscopy::of(*m_patient, carina::bladeOf(kUsualBlade));
+    if (!m_laryngoscopy->has_value())
+        return nullptr;
+    Laryngoscopy& laryngoscopy = **m_laryngoscopy;
+    laryngoscopy.changeAirway(events);
+    return &laryngoscopy;
+}
+
+AirwayField StationLaryngoscope::changesAt(const StationMoment& moment)
+{
+    if (moment.airwayEvents.empty())
+        return {};
+    const Laryngoscopy* laryngoscopy = changedBy(moment.airwayEvents);
+    return laryngoscopy ? laryngoscopy->changes() : AirwayField{};
 }
 
 GlotticLine StationLaryngoscope::glottisAt(const FollowingThroat& throat,

@@ -45,8 +45,9 @@ struct LaryngoscopeSight {
 /// somebody; of several one that is seen, of these the first that was shared; nullptr without one.
 [[nodiscard]] const PersonPose* laryngoscopeOf(const StationMoment& moment);
 
-/// The laryngoscope of a station in its patient. The places by which a blade moves tissue are
-/// looked for when there first is one.
+/// The laryngoscope of a station in its patient, and what events change of that patient's airway.
+/// The places by which a blade moves tissue, and events change it, are looked for when there first
+/// is one or the other.
 class StationLaryngoscope
 {
 public:
@@ -71,12 +72,17 @@ public:
     /// @param throat of the patient, as it is drawn at that moment
     [[nodiscard]] LaryngoscopeSight at(const StationMoment& moment, const FollowingThroat& throat);
 
+    /// What the events of a moment change of the airway, to be drawn; nothing where there are none,
+    /// and of a patient that lacks what a laryngoscope is to show.
+    [[nodiscard]] AirwayField changesAt(const StationMoment& moment);
+
     /// The glottis, as it is drawn there. @pre there was a Live one
     [[nodiscard]] GlotticLine glottisAt(const FollowingThroat& throat,
                                         const BladeField& tissue) const;
 
 private:
     [[nodiscard]] std::optional<Blade> knownBladeOf(const PersonPose& laryngoscope) const;
+    [[nodiscard]] Laryngoscopy* changedBy(const AirwayEvents& events);
 
     const PatientModel* m_patient;
     std::optional<Blade> m_ownBlade;

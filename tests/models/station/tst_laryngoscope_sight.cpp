@@ -22,6 +22,7 @@ constexpr ParticipantId kTess{4};
 constexpr ObjectId kFirst{2}; ///< of the laryngoscopes
 constexpr ObjectId kSecond{3};
 constexpr double kFloat_m = 1e-6;
+constexpr double kSeen_m = 1e-4; ///< that a swelling moves tissue at least
 
 const PatientModel& patient()
 {
@@ -163,6 +164,51 @@ private Q_SLOTS:
         QCOMPARE(station.at(kNow).state, LaryngoscopeState::NoLarynx);
         station.laryngoscope.lieIn(patient());
         QCOMPARE(station.at(kNow).state, LaryngoscopeState::Live);
+    }
+
+    /// Also where nobody has a laryngoscope; a set without a larynx stays as it is.
+    void changesTheAirwayByItsEvents()
+    {
+        FakeSessionNode node;
+        const StationView view{node, FakeSessionNode::kStation, patient().lungs()};
+        StationLaryngoscope laryngoscope{patient()};
+        QVERIFY(!laryngoscope.changesAt(view.at(kNow, 0)).isThere());
+        node.decide(fact::AirwayEventsSet{{{AirwayEventKind::TongueOedema, 1.0}}, 10s});
+        const SessionTime effect = kNow + kShortestLead;
+        QVERIFY(!laryngoscope.changesAt(view.at(effect, 0)).isThere());
+        QVERIFY(laryngoscope.changesAt(view.at(effect + 5s, 0)).isThere());
+        Anatomy anatomy = builtinPatient(BuiltinPatient::TwelveYears).value();
+        std::erase_if(anatomy.parts,
+                      [](const AnatomyPart& part) { return part.role == PartRole::Epiglottis; });
+        const SharedPatientModel without = patientOf(std::move(anatomy)).value();
+        laryngoscope.lieIn(*without);
+        QVERIFY(!laryngoscope.changesAt(view.at(effect + 5s, 0)).isThere());
+    }
+
+    /// As long as the event is there.
+    void seesThePlacesOfTheChangedAirway()
+    {
+        Station station;
+        const LaryngoscopyPose lifted = poseIn(LaryngoscopyStep::Full);
+        station.node.sees(kFirst, lifted.X_AL, kNow);
+        const auto glottisNow = [&] {
+            const LaryngoscopeSight sight = station.at(kNow, lifted.X_AJ);
+            return station.laryngoscope.glottisAt(sight.throat, sight.tissue);
+        };
+        const GlotticLine healthy = glottisNow();
+        Laryngoscopy swollen = Laryngoscopy::of(patient(), bladeOf(kUsualBlade)).value();
+        const AirwayEvents events{{AirwayEventKind::LaryngealOedema, 1.0}};
+        swollen.changeAirway(events);
+        StationMoment moment = station.view.at(kNow, 0);
+        moment.airwayEvents = events;
+        const FollowingThroat throat = patient().throat(lifted.X_AJ);
+        const LaryngoscopeSight sight = station.laryngoscope.at(moment, throat);
+        const GlotticLine seen = station.laryngoscope.glottisAt(throat, sight.tissue);
+        const GlotticLine expected =
+            swollen.glottisAt(throat, swollen.tissueAt(sight.X_AL, throat));
+        QVERIFY((seen.p_A_notch - expected.p_A_notch).norm() < kFloat_m);
+        QVERIFY((seen.p_A_notch - healthy.p_A_notch).norm() > kSeen_m);
+        QVERIFY((glottisNow().p_A_notch - healthy.p_A_notch).norm() < kFloat_m); // it has gone
     }
 
     void takesThatOfWhoIsAtWork()

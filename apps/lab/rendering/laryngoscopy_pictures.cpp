@@ -66,6 +66,7 @@ private:
     [[nodiscard]] SceneFrame frameOf(const LaryngoscopyPose& pose) const
     {
         SceneFrame frame = sceneFrame({}, m_patient.lungs().field(), m_patient.throat(pose.X_AJ));
+        frame.airway = m_laryngoscopy.changes();
         frame.blade = pose.field;
         frame.bodies[kScopeBody] = pose.X_AL;
         frame.eyes = {eyeOf(pose)};
@@ -119,6 +120,29 @@ private:
     QJsonArray m_pictures;
 };
 
+/// Nothing is drawn as if it were difficult that is not.
+Result<void> canShowAll(const Laryngoscopy& laryngoscopy, const AirwayEvents& events)
+{
+    for (const AirwayEvent& event : events)
+        if (!laryngoscopy.canShow(event.kind))
+            return fail(Errc::NoAirway,
+                        std::string{eventName(event.kind)}
+                            + (event.kind == AirwayEventKind::TongueOedema
+                                   ? " needs a tongue, which this patient does not have"
+                                   : " needs larger places of the airway than were found"));
+    return {};
+}
+
+QJsonArray describe(const AirwayEvents& events)
+{
+    QJsonArray all;
+    for (const AirwayEvent& event : events)
+        all.append(QJsonObject{
+            {render_laryngoscopy_key::kEventName, QString::fromLatin1(eventName(event.kind))},
+            {render_laryngoscopy_key::kSeverity, event.severity}});
+    return all;
+}
+
 } // namespace
 
 Result<QJsonObject> drawLaryngoscopy(Anatomy anatomy, const LaryngoscopyOrder& order)
@@ -131,6 +155,9 @@ Result<QJsonObject> drawLaryngoscopy(Anatomy anatomy, const LaryngoscopyOrder& o
     auto laryngoscopy = Laryngoscopy::of(**patient, bladeOf(order.blade));
     if (!laryngoscopy)
         return tl::unexpected(laryngoscopy.error());
+    if (const auto shown = canShowAll(*laryngoscopy, order.events); !shown)
+        return tl::unexpected(shown.error());
+    laryngoscopy->changeAirway(order.events);
     ScopeSeries series{**patient, std::move(*laryngoscopy), order};
     return series.draw().map([&](const QJsonArray& pictures) {
         return QJsonObject{
@@ -142,6 +169,7 @@ Result<QJsonObject> drawLaryngoscopy(Anatomy anatomy, const LaryngoscopyOrder& o
             {render_laryngoscopy_key::kBlade, asText(bladeOf(order.blade).name)},
             {render_laryngoscopy_key::kFrom,
              order.isDirect ? QStringLiteral("direct") : QStringLiteral("video")},
+            {render_laryngoscopy_key::kEvents, describe(order.events)},
             {render_laryngoscopy_key::kPictures, pictures}};
     });
 }

@@ -15,6 +15,7 @@ struct LaryngoscopyOrder {
     BladeKind blade = BladeKind::Macintosh3;
     bool isDirect = false; ///< past the blade, not by the camera on it
     Length lift = kUsualLift;
+    AirwayEvents events{};
     QSize size{640, 480}; ///< of each, pixels
     QDir folder;          ///< made if need be
 };
@@ -23,7 +24,9 @@ struct LaryngoscopyOrder {
 /// Every picture is a PNG. The keys of what is returned are in the help of `render`.
 ///
 /// @param anatomy with the mouth shut
-/// @returns FileUnwritable with the path; what patientOf, Laryngoscopy::of and drawSeries fail with
+/// @returns FileUnwritable with the path; NoAirway with the event that the patient lacks a part
+/// for;
+///          what patientOf, Laryngoscopy::of and drawSeries fail with
 /// @pre as drawSeries
 [[nodiscard]] Result<QJsonObject> drawLaryngoscopy(Anatomy anatomy, const LaryngoscopyOrder& order);
 

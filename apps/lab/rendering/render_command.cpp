@@ -157,6 +157,10 @@ Result<QJsonObject> drawnLaryngoscopy(const Words& words)
     if (!lift_mm)
         return tl::unexpected(lift_mm.error());
     order.lift = millimetres(*lift_mm);
+    const auto events = eventsOption(words);
+    if (!events)
+        return tl::unexpected(events.error());
+    order.events = *events;
     return restingOption(words).and_then(
         [&order](Anatomy anatomy) { return drawLaryngoscopy(std::move(anatomy), order); });
 }
@@ -252,15 +256,18 @@ Use renderedLaryngoscopy()
         .text = "Draws what a laryngoscope shows of a patient (the adult unless another is "
                 "asked for) on the way in: the teeth, the uvula, the epiglottis, then the "
                 "larynx with the blade lifted not wholly and wholly. Measures in each picture "
-                "what is seen of the glottis. Writes PNG. Needs a display.",
+                "what is seen of the glottis. Events make the airway difficult, several at once "
+                "if they are asked for. Writes PNG. Needs a display.",
         .options = {render_option::kOfLaryngoscopy.begin(), render_option::kOfLaryngoscopy.end()},
         .schema = render_laryngoscopy_key::kSchema,
         .keys = {render_laryngoscopy_key::kAnatomy, render_laryngoscopy_key::kWidth,
                  render_laryngoscopy_key::kHeight, render_laryngoscopy_key::kBlade,
-                 render_laryngoscopy_key::kFrom, render_laryngoscopy_key::kPictures,
-                 render_laryngoscopy_key::kFile, render_laryngoscopy_key::kStep,
-                 render_laryngoscopy_key::kLift, render_laryngoscopy_key::kOpening,
-                 render_laryngoscopy_key::kGrade, render_laryngoscopy_key::kPixels}};
+                 render_laryngoscopy_key::kFrom, render_laryngoscopy_key::kEvents,
+                 render_laryngoscopy_key::kEventName, render_laryngoscopy_key::kSeverity,
+                 render_laryngoscopy_key::kPictures, render_laryngoscopy_key::kFile,
+                 render_laryngoscopy_key::kStep, render_laryngoscopy_key::kLift,
+                 render_laryngoscopy_key::kOpening, render_laryngoscopy_key::kGrade,
+                 render_laryngoscopy_key::kPixels}};
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "apps/lab/command/command.h"
 #include "apps/lab/command/patient_options.h"
+#include "apps/lab/rendering/event_option.h"
 
 #include <array>
 
@@ -49,8 +50,8 @@ inline constexpr std::array kOfPictures{kPictures, kAnatomy, kPatient,    kSize,
                                         kSeverity, kSide,    kVentilator, kJawOpening, kJawForward};
 inline constexpr std::array kOfErrorMap{kErrorMap, kAnatomy,   kPatient,
                                         kSize,     kLandmarks, kTouchError};
-inline constexpr std::array kOfLaryngoscopy{kLaryngoscopy, kAnatomy, kPatient,  kBlade,
-                                            kFrom,         kLift,    kScopeSize};
+inline constexpr std::array kOfLaryngoscopy{
+    kLaryngoscopy, kAnatomy, kPatient, kBlade, kFrom, kLift, kEvent, kEventSeverity, kScopeSize};
 } // namespace render_option
 
 namespace render_geometry_key
@@ -124,6 +125,9 @@ inline constexpr Key kWidth{"width", "of each picture, pixels"};
 inline constexpr Key kHeight{"height", "of each picture, pixels"};
 inline constexpr Key kBlade{"blade", "its name"};
 inline constexpr Key kFrom{"from", "video or direct"};
+inline constexpr Key kEvents{"events", "one object per event that was asked for:"};
+inline constexpr Key kEventName{"event", "its name", 1};
+inline constexpr Key kSeverity{"severity", "0 to 1", 1};
 inline constexpr Key kPictures{"pictures", "one object per picture:"};
 inline constexpr Key kFile{"file", "its name in DIR", 1};
 inline constexpr Key kStep{"step", "teeth, uvula, epiglottis, partial_view or full_view", 1};

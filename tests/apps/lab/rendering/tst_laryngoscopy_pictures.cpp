@@ -52,6 +52,10 @@ private Q_SLOTS:
     void showsStructuresInTheirOrder();
     void seesTheGlottisOnlyWhenItIsLifted();
     void seesLessWithoutALift();
+    void showsEventsThatAreAskedFor();
+    void shutsTheCordsInASpasm();
+    void worsensTheViewByEvents_data();
+    void worsensTheViewByEvents();
 
 private:
     QTemporaryDir m_folder;
@@ -125,6 +129,60 @@ void TestLaryngoscopyPictures::seesLessWithoutALift()
     QCOMPARE(low.size(), 5);
     QCOMPARE(low[4][QStringLiteral("pogo_percent")].toDouble(), 0.0);
     QVERIFY2(grade(low[4]) >= QStringLiteral("2b"), qPrintable(grade(low[4])));
+}
+
+void TestLaryngoscopyPictures::showsEventsThatAreAskedFor()
+{
+    const QJsonObject object = drawn(
+        m_folder.filePath(QStringLiteral("both")),
+        {QStringLiteral("--event"), QStringLiteral("laryngospasm=0.25"), QStringLiteral("--event"),
+         QStringLiteral("epiglottitis"), QStringLiteral("--severity"), QStringLiteral("0.5")});
+    const QJsonArray events = object[QStringLiteral("events")].toArray();
+    QCOMPARE(events.size(), 2);
+    QCOMPARE(events[0][QStringLiteral("event")].toString(), QStringLiteral("epiglottitis"));
+    QCOMPARE(events[0][QStringLiteral("severity")].toDouble(), 0.5);
+    QCOMPARE(events[1][QStringLiteral("event")].toString(), QStringLiteral("laryngospasm"));
+    QCOMPARE(events[1][QStringLiteral("severity")].toDouble(), 0.25);
+}
+
+// Between them less of the trachea is seen than before, and nearly nothing.
+void TestLaryngoscopyPictures::shutsTheCordsInASpasm()
+{
+    const QJsonArray shut = drawn(m_folder.filePath(QStringLiteral("shut")),
+                                  {QStringLiteral("--event"),
+                                   QStringLiteral("laryngospasm")})[QStringLiteral("pictures")]
+                                .toArray();
+    QCOMPARE(shut.size(), 5);
+    QVERIFY(pixels(m_pictures[4], "trachea") > 0);
+    QVERIFY2(5 * pixels(shut[4], "trachea") < pixels(m_pictures[4], "trachea"),
+             qPrintable(QString::number(pixels(shut[4], "trachea"))));
+    QVERIFY(pixels(shut[4], "vocal_folds") > 0);
+}
+
+void TestLaryngoscopyPictures::worsensTheViewByEvents_data()
+{
+    QTest::addColumn<QString>("event");
+    for (const char* name :
+         {"tongue_oedema", "pharyngeal_swelling", "epiglottitis", "laryngeal_oedema"})
+        QTest::newRow(name) << QString::fromLatin1(name);
+}
+
+// None makes it better, and each is seen.
+void TestLaryngoscopyPictures::worsensTheViewByEvents()
+{
+    QFETCH(QString, event);
+    const QJsonArray pictures = drawn(m_folder.filePath(event), {QStringLiteral("--event"),
+                                                                 event})[QStringLiteral("pictures")]
+                                    .toArray();
+    QCOMPARE(pictures.size(), 5);
+    const auto pogo = [](const QJsonValue& picture) {
+        return picture[QStringLiteral("pogo_percent")].toDouble();
+    };
+    qInfo("%s: %.0f %%, grade %s", qPrintable(event), pogo(pictures[4]),
+          qPrintable(grade(pictures[4])));
+    QVERIFY(pogo(pictures[4]) <= pogo(m_pictures[4]));
+    QVERIFY(pictures[4][QStringLiteral("visible_pixels")]
+            != m_pictures[4][QStringLiteral("visible_pixels")]);
 }
 
 CARINA_SCREEN_TEST(TestLaryngoscopyPictures)

@@ -173,6 +173,13 @@ void TestRenderCommand::refusesWhatItDoesNotKnow_data()
     row("a blade there is not", "--laryngoscopy . --blade spoon", "macintosh-3");
     row("an eye there is not", "--laryngoscopy . --from above", "video, direct");
     row("too high a lift", "--laryngoscopy . --lift-mm 31", "--lift-mm");
+    row("an event there is not", "--laryngoscopy . --event cough",
+        "tongue_oedema, pharyngeal_swelling, epiglottitis, laryngeal_oedema, laryngospasm");
+    row("an event twice", "--laryngoscopy . --event epiglottitis --event epiglottitis=0.5", "once");
+    row("an event too severe", "--laryngoscopy . --event epiglottitis=1.5", "0 to 1");
+    row("a severity that is none", "--laryngoscopy . --event epiglottitis=", "0 to 1");
+    row("events too severe", "--laryngoscopy . --event epiglottitis --severity 2", "--severity");
+    row("a severity of no event", "--laryngoscopy . --severity 0.5", "--event");
     row("a condition in a laryngoscopy", "--laryngoscopy . --condition copd", "--laryngoscopy DIR");
     row("a folder nobody can make", "--pictures /proc/none", "/proc/none");
 }

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "apps/lab/command/command.h"
+#include "engine/anatomy/events/airway_event.h"
+
+namespace carina::lab
+{
+
+inline constexpr Option kEvent{
+    "event", "NAME[=S]",
+    "what makes the airway difficult: tongue_oedema, pharyngeal_swelling, epiglottitis, "
+    "laryngeal_oedema or laryngospasm, with its severity; may be given once for each",
+    true};
+inline constexpr Option kEventSeverity{"severity", "0..1",
+                                       "of each event that is given without one; 1 unless given"};
+
+/// The events that kEvent and kEventSeverity ask for.
+/// @returns WrongOption for a name there is not, one that is given twice, a severity that is none,
+///          and a severity without an event
+[[nodiscard]] Result<AirwayEvents> eventsOption(const Words& words);
+
+} // namespace carina::lab

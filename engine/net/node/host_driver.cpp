@@ -378,7 +378,7 @@ NodeDriver::Datagrams HostDriver::advance(LocalTime now)
     compareViews(now);
     dismissRemoved(now);
     if (const auto reading = m_externalClock.read(now))
-        m_core->readExternal(*reading);
+        m_core->readExternal(*reading, now);
     m_core->advance(now);
     dropAbsent(now);
     m_paths.advance(now);

@@ -17,11 +17,11 @@ constexpr double kFinestScale = 1e-6;
 } // namespace
 
 ExternalOffset externalOffset(const ExternalTime& host, const ExternalTime& own, Duration age,
-                              LocalTime at)
+                              LocalTime now)
 {
     const double error =
         std::hypot(toSeconds(host.error), toSeconds(own.error), kClockSkewPrior * toSeconds(age));
-    return {at, own.offset - host.offset, fromSeconds(error)};
+    return {now - age, own.offset - host.offset, fromSeconds(error)};
 }
 
 void FittedClock::addProbe(const ClockProbe& probe)

@@ -23,15 +23,17 @@ inline constexpr double kClockSkewPrior = 100e-6;
 
 /// The session clock less this node's clock, by clocks that are disciplined from outside at both.
 struct ExternalOffset {
-    LocalTime at;      ///< of this node, when it was read
+    LocalTime at;      ///< of this node, when the older of the two readings was made
     Duration offset{}; ///< session time less local time
     Duration error{};  ///< standard error, above 0
 };
 
-/// That of a reading at the host, less session time, which is fresh at `at`, and one at this node,
-/// less its local time, which is `age` old: its clock may have run off by kClockSkewPrior since.
+/// That of a reading at the host, less session time, and one at this node, less its local time. At
+/// `now`, of this node, one is fresh and the other `age` old: its clock may have run off by
+/// kClockSkewPrior since. The older one dates the offset, so that who reads no more is not kept
+/// alive by the other.
 [[nodiscard]] ExternalOffset externalOffset(const ExternalTime& host, const ExternalTime& own,
-                                            Duration age, LocalTime at);
+                                            Duration age, LocalTime now);
 
 /// What became of an ExternalOffset.
 struct ExternalVerdict {

@@ -28,9 +28,10 @@ public:
 
     /// What clocks disciplined from outside say at the host, less session time, and at the
     /// participant, less its local time.
-    void setExternal(const ExternalTime& host, const ExternalTime& participant)
+    /// @param age of the host's; that of the participant is fresh
+    void setExternal(const ExternalTime& host, const ExternalTime& participant, Duration age)
     {
-        m_clock.setExternal(externalOffset(host, participant, Duration{}, m_newestAtPeer));
+        m_clock.setExternal(externalOffset(host, participant, age, m_newestAtPeer));
     }
 
     /// h_0, H_p, sigma and gamma_0 of the path (ProbeTrigger), by the rule of an idle participant.

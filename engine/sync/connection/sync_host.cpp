@@ -71,7 +71,7 @@ struct SyncHost::Visitor {
     void operator()(const ExternalTimeRecord& own) const
     {
         if (host.m_external)
-            peer.clock.setExternal(*host.m_external, own.time);
+            peer.clock.setExternal(*host.m_external, own.time, now - host.m_externalRead);
     }
     template <class Other> void operator()(const Other&) const {}
 
@@ -151,9 +151,10 @@ void SyncHost::take(PeerAddress from, std::span<const std::byte> bytes, LocalTim
         std::visit(Visitor{*this, from, peer, now}, record);
 }
 
-void SyncHost::readExternal(const ExternalTime& reading)
+void SyncHost::readExternal(const ExternalTime& reading, LocalTime now)
 {
     m_external = {reading.offset - m_clockOffset, reading.error};
+    m_externalRead = now;
     for (auto& [address, peer] : m_peers)
         peer.outbox.emplace_back(ExternalTimeRecord{*m_external});
 }

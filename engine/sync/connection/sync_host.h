@@ -137,7 +137,7 @@ public:
 
     /// A reading of the host's clock against one that is disciplined from outside; it is sent to
     /// everybody.
-    void readExternal(const ExternalTime& reading);
+    void readExternal(const ExternalTime& reading, LocalTime now);
     /// Appends a fact that is on disk now. @pre its number is the next.
     void append(const FactRecord& fact);
     /// Tells who waits for a fact that it could not be stored.
@@ -259,6 +259,7 @@ private:
     std::vector<FactRecord> m_log;
     Duration m_clockOffset;
     std::optional<ExternalTime> m_external; // less session time
+    LocalTime m_externalRead{};
     HostRules m_rules;
     HostBudgets m_budgets;
     std::map<PeerAddress, Peer> m_peers;

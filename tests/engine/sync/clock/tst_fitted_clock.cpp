@@ -182,8 +182,10 @@ private Q_SLOTS:
         QCOMPARE(offset.offset, Duration{7s});
         QVERIFY(std::abs(toSeconds(offset.error) - 5e-3) < 1e-9);
         QCOMPARE(offset.at, at(5s));
-        // 100 ppm of 120 s are 12 ms.
-        QVERIFY(std::abs(toSeconds(externalOffset(host, own, 120s, at(5s)).error) - 13e-3) < 1e-9);
+        // 100 ppm of 120 s are 12 ms, and it is as old as the older reading.
+        const ExternalOffset old = externalOffset(host, own, 120s, at(125s));
+        QVERIFY(std::abs(toSeconds(old.error) - 13e-3) < 1e-9);
+        QCOMPARE(old.at, at(5s));
     }
 
     void longHoldDoesNotShiftTheClock()

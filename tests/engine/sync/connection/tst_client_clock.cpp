@@ -44,7 +44,8 @@ private Q_SLOTS:
         const auto readTrueTime = [&] {
             const Duration truth = 400'000h + world.now();
             const LocalTime local = site.clock.at(world.now());
-            world.host().readExternal({truth - world.hostTime().time_since_epoch(), 1ms});
+            const LocalTime atHost = world.hostTime();
+            world.host().readExternal({truth - atHost.time_since_epoch(), 1ms}, atHost);
             site.client->readExternal({truth - local.time_since_epoch(), 1ms}, local);
         };
         world.run(60s, 1s, readTrueTime);
@@ -54,6 +55,42 @@ private Q_SLOTS:
         const PeerClock& seen = world.host().peers().begin()->second.clock;
         QVERIFY(seen.external().has_value());
         QVERIFY(std::chrono::abs(std::chrono::abs(seen.external()->difference) - 15ms) < 200us);
+    }
+
+    void readingsThatEndAtOneEndNoLongerCount_data()
+    {
+        QTest::addColumn<bool>("ofTheHost");
+        QTest::newRow("of the participant") << false;
+        QTest::newRow("of the host") << true;
+    }
+
+    void readingsThatEndAtOneEndNoLongerCount()
+    {
+        QFETCH(bool, ofTheHost);
+        SessionWorld world{29};
+        auto& site = world.site(world.addSite({25ms, 0ms, 0.0, 0.0}, {-250ms, 50}));
+        site.fromHost.setPath({55ms, 0ms, 0.0, 0.0});
+        world.startClient(0, "anna");
+        bool end = false;
+        const auto readTrueTime = [&] {
+            const Duration truth = 400'000h + world.now();
+            const LocalTime local = site.clock.at(world.now());
+            const LocalTime atHost = world.hostTime();
+            if (!end || !ofTheHost)
+                world.host().readExternal({truth - atHost.time_since_epoch(), 1ms}, atHost);
+            if (!end || ofTheHost)
+                site.client->readExternal({truth - local.time_since_epoch(), 1ms}, local);
+        };
+        const auto seenByHost = [&] {
+            return world.host().peers().begin()->second.clock.external();
+        };
+        world.run(60s, 1s, readTrueTime);
+        QVERIFY(site.client->clock().external());
+        QVERIFY(seenByHost());
+        end = true;
+        world.run(FittedClock::kExternalTime + 5s, 1s, readTrueTime);
+        QVERIFY(!site.client->clock().external());
+        QVERIFY(!seenByHost());
     }
 
     void oneSlowDatagramIsNoOtherRouteHoweverOftenItIsAnswered()

@@ -17,7 +17,12 @@ namespace
 
 using std::chrono::microseconds;
 
-constexpr Duration kLost = std::chrono::seconds{16};
+/// The esterror of a clock of which nobody said how well it is disciplined.
+constexpr Duration kNotStated = std::chrono::seconds{16};
+/// The maxerror of a clock that was alone for 4000 s.
+constexpr Duration kAlone = std::chrono::seconds{2};
+/// By how much less a corrected clock runs off than maxerror grows: 1 ppm beside 500.
+constexpr int kGrowthToDrift = 500;
 /// What the kernel counts in.
 constexpr Duration kFinestError = microseconds{1};
 
@@ -57,9 +62,10 @@ const std::optional<InjectedClock>& injectedIntoThisProcess()
 std::optional<Duration> statedError(const ClockDiscipline& discipline)
 {
     if (!discipline.isSynchronised || discipline.estimatedError <= Duration{}
-        || discipline.largestError >= kLost || discipline.estimatedError >= kLost)
+        || discipline.largestError >= kAlone || discipline.estimatedError >= kNotStated)
         return std::nullopt;
-    return std::max(discipline.estimatedError, kFinestError);
+    return std::max(discipline.estimatedError + discipline.largestError / kGrowthToDrift,
+                    kFinestError);
 }
 
 Result<std::optional<InjectedClock>> injectedClockFrom(const char* offsetMs, const char* errorMs)

@@ -11,12 +11,22 @@ namespace carina
 /// What the kernel says of the discipline of the system's clock (adjtimex).
 struct ClockDiscipline {
     bool isSynchronised = false; ///< by whoever disciplines it: no STA_UNSYNC
-    Duration estimatedError{};   ///< esterror; 0 where nobody says it
+    Duration estimatedError{};   ///< esterror; 0, or the kernel's 16 s, where nobody says it
     Duration largestError{};     ///< maxerror
 };
 
-/// The standard error of such a clock; nothing for one that is not disciplined, of which nobody
-/// says how well, or whose error may be 16 s, which the kernel takes for lost.
+/// The standard error of such a clock; nothing for one that is not disciplined, or of which nobody
+/// says how well: chrony and ntpd do, from PTP too, systemd-timesyncd and linuxptp do not.
+///
+/// A time service that has ended leaves esterror as it was, while the kernel raises maxerror by
+/// 500 ppm from the last time that it was set (second_overflow, MAXFREQ in linux/timex.h). So the
+/// clock has been alone for maxerror / 500 ppm at most, and runs off meanwhile by some 1 ppm, which
+/// is what temperature changes of a quartz whose frequency was corrected:
+///
+///     error = esterror + maxerror / 500
+///
+/// From a maxerror of 2 s on, after an hour alone, nobody disciplines it: the services look again
+/// every 1024 s at the latest.
 [[nodiscard]] std::optional<Duration> statedError(const ClockDiscipline& discipline);
 
 /// A disciplined clock in place of the system's, for tests: programs of one machine, whose system

@@ -111,9 +111,10 @@ QString timeServiceText(const std::optional<ExternalTime>& external)
     return external
                ? ReadyWords::tr("✓ set by a time service (NTP or PTP), to ±%1\u00a0ms")
                      .arg(1e3 * toSeconds(external->error), 0, 'f', 1)
-               : ReadyWords::tr("○ not set by a time service (NTP or PTP): other computers follow "
-                                "this one's clock, to within half of the time that data take to "
-                                "them and back");
+               : ReadyWords::tr("○ not set by a time service that says how well (as chrony and "
+                                "ntpd do, by NTP or PTP): other computers follow this one's "
+                                "clock, to within half of the time that data take to them and "
+                                "back");
 }
 
 std::vector<ReadyLine> readiness(const ReadinessQuestion& asked)

@@ -18,11 +18,18 @@ private Q_SLOTS:
         QTest::addColumn<qint64>("estimated_us");
         QTest::addColumn<qint64>("largest_us");
         QTest::addColumn<qint64>("error_us"); // -1: none
-        QTest::newRow("disciplined") << true << qint64{350} << qint64{12'000} << qint64{350};
+        // 12 ms are 24 s at 500 ppm, in which 1 ppm makes 24 us.
+        QTest::newRow("disciplined") << true << qint64{350} << qint64{12'000} << qint64{374};
+        QTest::newRow("set just now") << true << qint64{50} << qint64{0} << qint64{50};
+        QTest::newRow("alone for 1000 s") << true << qint64{50} << qint64{500'000} << qint64{1050};
+        QTest::newRow("alone for 50 min")
+            << true << qint64{50} << qint64{1'500'000} << qint64{3050};
+        QTest::newRow("alone for hours") << true << qint64{50} << qint64{3'600'000} << qint64{-1};
         QTest::newRow("not synchronised") << false << qint64{350} << qint64{12'000} << qint64{-1};
         QTest::newRow("nobody says how well") << true << qint64{0} << qint64{0} << qint64{-1};
         QTest::newRow("lost") << true << qint64{350} << qint64{16'000'000} << qint64{-1};
-        QTest::newRow("known to 16 s") << true << qint64{16'000'000} << qint64{1} << qint64{-1};
+        // linuxptp sets maxerror alone; esterror is the kernel's.
+        QTest::newRow("by linuxptp") << true << qint64{16'000'000} << qint64{500} << qint64{-1};
     }
     void onlyADisciplinedClockHasAnError()
     {

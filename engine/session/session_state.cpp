@@ -47,6 +47,7 @@ struct SessionState::Applier {
     {
         const Participant* before = known(body.participant);
         const bool wasAway = before && !before->present;
+        const StationId from = before ? before->station : around.station;
         Participant joined{body.participant, body.role, body.name, around.station, true};
         joined.muted = before && before->muted;
         joined.turn = before ? before->turn : Angle{};
@@ -59,6 +60,7 @@ struct SessionState::Applier {
         breakOffLessonsOf(body.participant, wasAway);
         bringAlong(body.participant);
         takeUpWork(body.participant);
+        passOnWork(from);
     }
     void operator()(const fact::ParticipantLeft& body) const { leave(body.participant); }
     void operator()(const fact::ParticipantFellSilent& body) const
@@ -99,11 +101,12 @@ struct SessionState::Applier {
         Participant* participant = known(body.participant);
         if (!participant || !state.isOpen(around.station))
             return;
-        participant->station = around.station;
+        const StationId before = std::exchange(participant->station, around.station);
         participant->moved = around.committed;
         endLessonsOf(body.participant);
         bringAlong(body.participant);
         takeUpWork(body.participant);
+        passOnWork(before);
     }
     void operator()(const fact::RoleCodeChanged&) const {} // of the host's secrets
     void operator()(const fact::TokenReplaced& body) const
@@ -298,11 +301,19 @@ struct SessionState::Applier {
         if (station != state.m_stations.end() && hasTube && state.atWork(where) == kNobody)
             station->second.worker = id;
     }
+    /// Work that nobody does any more is for the first of the trainees there who has a tube.
+    void passOnWork(StationId where) const
+    {
+        for (const auto& [id, who] : state.m_participants)
+            if (who.present && who.station == where)
+                takeUpWork(id);
+    }
     void leave(ParticipantId id) const
     {
         if (Participant* participant = known(id); participant && participant->present) {
             participant->present = false;
             participant->left = around.committed;
+            passOnWork(participant->station);
         }
         if (Participant* participant = known(id))
             participant->fellSilent = false;

@@ -69,10 +69,9 @@ private:
     }
 };
 
-/// While nobody is at work, whoever looks is.
 bool isOfWorker(const PersonPose& person, const StationMoment& moment)
 {
-    return person.owner == moment.worker || (moment.worker == kNobody && person.isOwn);
+    return person.owner == moment.worker;
 }
 
 } // namespace

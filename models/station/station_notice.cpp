@@ -126,11 +126,11 @@ QString tubeNotice(const SessionNode& node, const StationMoment& moment, bool ha
 {
     if (!isLost(moment.tube))
         return {};
-    if (hasTracker)
+    if (hasTracker && moment.worker == node.self())
         return noticeWords(QT_TRANSLATE_NOOP("StationNotice", "Tube out of the tracker's view"));
     const auto state = node.state();
     const auto self = state->participants().find(node.self());
-    if (self == state->participants().end() || self->second.role != Role::Trainee)
+    if (hasTracker || self == state->participants().end() || self->second.role != Role::Trainee)
         return noticeWords(QT_TRANSLATE_NOOP("StationNotice", "Nobody is at work here"));
     return noticeWords(QT_TRANSLATE_NOOP(
         "StationNotice", "No tracker is connected here: you see what others do. To take part, "

@@ -54,7 +54,7 @@ void StationView::addPeople(StationMoment& moment, const SessionState& state) co
     moment.people = peoplePoses(m_node, m_station, m_own, t);
     moment.ownHandsAreDrawn = m_own.handsAreDrawn;
     moment.head = m_own.at(ObjectKind::Head, t);
-    if (moment.worker == kNobody || moment.worker == m_node.self()) {
+    if (moment.worker == m_node.self()) { // both are nobody before it is admitted
         moment.tube = m_own.at(ObjectKind::Tube, t);
         moment.jaw = m_own.at(ObjectKind::Jaw, t);
         if (const auto newest = m_own.newest(ObjectKind::Tube))

@@ -41,8 +41,8 @@ struct StationMoment {
 class StationView
 {
 public:
-    /// @param own poses of this program's objects. They are the ones at work also while nobody is,
-    ///            as before the host has admitted it.
+    /// @param own poses of this program's objects. Before the host has admitted it they are the
+    ///            ones at work.
     /// @pre all three outlive the view.
     StationView(const SessionNode& node, StationId station, const LungPair& lungs,
                 ObjectPoses own = {});

@@ -41,8 +41,8 @@ bool isDrawn(const PersonPose& person, const StationMoment& moment)
     case ObjectKind::Pointer:
         return true;
     case ObjectKind::Tube:
-        // While nobody is at work the own tube is the one that is drawn with the patient.
-        return !person.isOwn || (!person.isAtWork && moment.worker != kNobody);
+        // The own one at work is drawn with the patient.
+        return !person.isOwn || !person.isAtWork;
     case ObjectKind::Jaw:
     case ObjectKind::Patient:
     case ObjectKind::OrganGroup:

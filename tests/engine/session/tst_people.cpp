@@ -3,6 +3,8 @@
 
 #include <QTest>
 
+#include <functional>
+
 namespace carina::test::people_test
 {
 namespace
@@ -51,13 +53,52 @@ private Q_SLOTS:
 
     void nobodyIsAtWorkOnceWhoWasHasGone()
     {
-        LogWriter writer = sampleSession();
-        writer.add(kNow, tubeOf(ObjectId{2}, kSampleOtherTrainee));
+        LogWriter writer = sampleSession(); // the other trainee has no tube
         writer.add(kNow, fact::ParticipantLeft{kSampleTrainee});
         QVERIFY(atWork(writer) == kNobody);
         LogWriter removed = sampleSession();
         removed.add(kNow, fact::ParticipantRemoved{kSampleTrainee, false, ""});
         QVERIFY(atWork(removed) == kNobody);
+    }
+
+    void workOfWhoGoesPassesToTheNextWithATube_data()
+    {
+        using Log = std::function<void(LogWriter&)>;
+        QTest::addColumn<Log>("goes");
+        QTest::newRow("leaves") << Log{
+            [](LogWriter& writer) { writer.add(kNow, fact::ParticipantLeft{kSampleTrainee}); }};
+        QTest::newRow("falls silent") << Log{[](LogWriter& writer) {
+            writer.add(kNow, fact::ParticipantFellSilent{kSampleTrainee});
+        }};
+        QTest::newRow("is removed") << Log{[](LogWriter& writer) {
+            writer.add(kNow, fact::ParticipantRemoved{kSampleTrainee, false, ""});
+        }};
+        QTest::newRow("is moved") << Log{[](LogWriter& writer) {
+            writer.add(kNow, fact::ParticipantMoved{kSampleTrainee}, StationId{1});
+        }};
+        QTest::newRow("comes in elsewhere") << Log{[](LogWriter& writer) {
+            writer.add(kNow, fact::ParticipantJoined{kSampleTrainee, Role::Trainee, "Tom"},
+                       StationId{1});
+        }};
+    }
+
+    /// The trainee's 7 has one too, and comes after the sample's other trainee.
+    void workOfWhoGoesPassesToTheNextWithATube()
+    {
+        QFETCH(std::function<void(LogWriter&)>, goes);
+        LogWriter writer = sampleSession();
+        writer.add(kNow, fact::StationAdded{"Station 2"}, StationId{1});
+        writer.add(kNow, fact::ParticipantJoined{ParticipantId{7}, Role::Trainee, "Tim"});
+        writer.add(kNow, tubeOf(ObjectId{7}, ParticipantId{7}));
+        writer.add(kNow, tubeOf(ObjectId{8}, kSampleOtherTrainee));
+        writer.add(kNow, tubeOf(ObjectId{9}, kSampleInstructor));
+        goes(writer);
+        QVERIFY(atWork(writer) == kSampleOtherTrainee);
+        // Whoever comes back finds that others went on.
+        writer.add(kNow, fact::ParticipantJoined{kSampleTrainee, Role::Trainee, "Tom"});
+        QVERIFY(atWork(writer) == kSampleOtherTrainee);
+        writer.add(kNow, fact::ParticipantLeft{kSampleTrainee});
+        QVERIFY(atWork(writer) == kSampleOtherTrainee);
     }
 
     void whoComesBackGoesOnUnlessAnotherHasTakenTheWork()

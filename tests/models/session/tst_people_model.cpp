@@ -215,11 +215,13 @@ private Q_SLOTS:
     {
         Console console;
         console.node.addStation("Room 5");
-        console.giveToTess();
+        console.decideWork(kTess); // who has no tube, so that it does not pass to her
+        console.people.giveWork(kTom);
         console.people.setStation(StationId{1});
-        console.node.decide(fact::ParticipantLeft{kTess});
+        console.node.decide(fact::ParticipantLeft{kTom});
+        QVERIFY(console.worker() == kNobody);
         console.history.undo();
-        QVERIFY(console.worker() == kTom);
+        QVERIFY(console.worker() == kTess);
         QVERIFY(console.refused.isEmpty());
     }
 

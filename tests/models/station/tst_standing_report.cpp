@@ -115,6 +115,7 @@ private Q_SLOTS:
         trainee.node.decide(fact::PhaseChanged{SessionPhase::Running});
         StationMoment moment;
         moment.time = *trainee.node.now() + std::chrono::seconds{1};
+        moment.worker = FakeSessionNode::kTrainee;
         moment.tube.emplace();
         const auto notice = [&](const std::optional<RegistrationStanding>& standing) {
             return stationNotice(trainee.node, moment, ViewOutput::Screen, standing);

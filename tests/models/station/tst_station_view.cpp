@@ -65,6 +65,7 @@ class TestStationView : public QObject
 
 private Q_SLOTS:
     void asksEverythingForTheTimeOfLight();
+    void nobodysTubeIsThePatientsWhileNobodyIsAtWork();
     void breathesAtTheTimeOfLight();
     void hasTheAirwayOfTheTimeOfLight();
     void exaggeratesOnlyWhereAsked();
@@ -98,6 +99,23 @@ void TestStationView::asksEverythingForTheTimeOfLight()
     QVERIFY(tells(moment.jaw, ObjectKind::Jaw, lit));
     QVERIFY(tells(moment.head, ObjectKind::Head, lit));
     QVERIFY(moment.sampleAge == milliseconds{30});
+}
+
+void TestStationView::nobodysTubeIsThePatientsWhileNobodyIsAtWork()
+{
+    FakeSessionNode node; // of an instructor
+    const LungPair pair = lungs();
+    const StationView view{node, FakeSessionNode::kStation, pair, tellingPoses(kNow)};
+    node.decide(fact::ParticipantLeft{FakeSessionNode::kTrainee});
+    const StationMoment alone = view.at(kNow, 0);
+    QVERIFY(alone.worker == kNobody);
+    QVERIFY(!alone.tube && !alone.jaw && !alone.sampleAge);
+    QVERIFY(tells(alone.head, ObjectKind::Head, kNow));
+    node.decide(fact::WorkTaken{FakeSessionNode::kInstructor}, FakeSessionNode::kInstructor);
+    QVERIFY(tells(view.at(kNow, 0).tube, ObjectKind::Tube, kNow));
+    node.decide(fact::ParticipantLeft{FakeSessionNode::kInstructor});
+    node.becomes(kNobody); // as before it is admitted
+    QVERIFY(tells(view.at(kNow, 0).tube, ObjectKind::Tube, kNow));
 }
 
 void TestStationView::breathesAtTheTimeOfLight()
@@ -347,19 +365,24 @@ void TestStationView::saysWhatAHeadsetNeeds()
 void TestStationView::saysThatThereIsNoTracker_data()
 {
     QTest::addColumn<ParticipantId>("self");
+    QTest::addColumn<ParticipantId>("worker");
     QTest::addColumn<bool>("hasTracker");
     QTest::addColumn<QString>("notice");
+    const QString nobody = QStringLiteral("Nobody is at work here");
     const QString lost = QStringLiteral("Tube out of the tracker's view");
-    QTest::newRow("trainee without one")
-        << FakeSessionNode::kTrainee << false << QStringLiteral("No tracker is connected here");
-    QTest::newRow("trainee with one") << FakeSessionNode::kTrainee << true << lost;
-    QTest::newRow("observer") << FakeSessionNode::kObserver << false
-                              << QStringLiteral("Nobody is at work here");
+    QTest::newRow("trainee without one") << FakeSessionNode::kTrainee << kNobody << false
+                                         << QStringLiteral("No tracker is connected here");
+    QTest::newRow("trainee with one")
+        << FakeSessionNode::kTrainee << FakeSessionNode::kTrainee << true << lost;
+    QTest::newRow("trainee who is not at work")
+        << FakeSessionNode::kTrainee << kNobody << true << nobody;
+    QTest::newRow("observer") << FakeSessionNode::kObserver << kNobody << false << nobody;
 }
 
 void TestStationView::saysThatThereIsNoTracker()
 {
     QFETCH(const ParticipantId, self);
+    QFETCH(const ParticipantId, worker);
     QFETCH(const bool, hasTracker);
     QFETCH(const QString, notice);
     FakeSessionNode node{self};
@@ -367,10 +390,11 @@ void TestStationView::saysThatThereIsNoTracker()
     node.decide(fact::PhaseChanged{SessionPhase::Running});
     StationMoment moment;
     moment.time = kNow + std::chrono::seconds{1};
+    moment.worker = worker;
     const QString told = stationNotice(node, moment, ViewOutput::Screen,
                                        hasTracker ? std::optional{kStanding} : std::nullopt);
     QVERIFY2(told.startsWith(notice), qPrintable(told));
-    QCOMPARE(told.contains(QStringLiteral("tracker's view")), hasTracker);
+    QCOMPARE(told.contains(QStringLiteral("tracker's view")), worker == self);
 }
 
 /// Whatever has become of its host.

@@ -158,14 +158,13 @@ private Q_SLOTS:
         QCOMPARE(turned(ofOwn), (std::set<std::uint16_t>{11, 12, 13, 15}));
     }
 
-    /// The one that is then drawn with the patient.
-    void leavesTheOwnTubeToThePatientWhileNobodyIsAtWork()
+    void drawsEverybodysTubeBesideThePatientWhileNobodyIsAtWork()
     {
         StationMoment moment = crowd();
         moment.worker = kNobody;
         for (PersonPose& person : moment.people)
             person.isAtWork = false;
-        QCOMPARE(bodies(moment), (std::set<std::uint16_t>{6, 7, 8, 10, 11, 12, 13, 15}));
+        QCOMPARE(bodies(moment), (std::set<std::uint16_t>{5, 6, 7, 8, 10, 11, 12, 13, 15}));
     }
 
     /// As tubes are, and with the patient while their owner is at work.

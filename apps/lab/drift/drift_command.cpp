@@ -51,11 +51,12 @@ Use driftInRealTime()
             "otherwise:",
         .options = {drift_option::kOfLive.begin(), drift_option::kOfLive.end()},
         .schema = drift_key::kSchema,
-        .keys = {drift_key::kLive, drift_key::kNetwork, drift_key::kBound, drift_key::kVirtual,
-                 drift_key::kVirtualShown, drift_key::kIsWithinBound, drift_key::kIsEndStateSame,
-                 drift_key::kHandshakeMean, drift_key::kHandshakeMax, drift_key::kSampleGap,
-                 drift_key::kLoad, drift_key::kLoopbackMedian, drift_key::kLoopbackP95,
-                 drift_key::kLiveBytes, drift_key::kLiveProbes, drift_key::kLiveAccessLink}};
+        .keys = {drift_key::kLive, drift_key::kNetwork, drift_key::kBound, drift_key::kLostBound,
+                 drift_key::kVirtual, drift_key::kVirtualShown, drift_key::kIsWithinBound,
+                 drift_key::kIsEndStateSame, drift_key::kHandshakeMean, drift_key::kHandshakeMax,
+                 drift_key::kSampleGap, drift_key::kLoad, drift_key::kLoopbackMedian,
+                 drift_key::kLoopbackP95, drift_key::kLiveBytes, drift_key::kLiveProbes,
+                 drift_key::kLiveAccessLink}};
 }
 
 Use driftTables()

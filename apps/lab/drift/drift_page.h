@@ -127,9 +127,14 @@ inline constexpr Key kVirtual{
     "time_average_mean_deg of the same in virtual time, mean of twenty runs"};
 inline constexpr Key kVirtualShown{"virtual_time_average_shown_deg",
                                    "the same of time_average_shown_deg"};
+inline constexpr Key kLostBound{
+    "bound_lost_actions",
+    "those of virtual time and three times their square root; in a scenario that loses messages, "
+    "and with a strategy that does not repeat them, one action more, by all viewers"};
 inline constexpr Key kIsWithinBound{
-    "is_within_bound", "whether the time average, but for session-clock that of the actions that "
-                       "were shown, is at most that"};
+    "is_within_bound",
+    "whether the time average, but for session-clock and local-lag that of the actions that were "
+    "shown, and the lost actions are at most these"};
 inline constexpr Key kIsEndStateSame{
     "is_end_state_same",
     "whether the final poses of both objects are equal in all programs, bit for bit"};

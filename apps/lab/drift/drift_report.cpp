@@ -46,12 +46,36 @@ double boundByVirtualTime(double average, const DriftSettings& settings)
     return kVirtualsAllowed * average + settings.script.angularSpeed * kMachineAllowance_s;
 }
 
-/// What is judged: with the session clock, which repeats what is lost, over all actions.
+bool repeatsWhatIsLost(const DriftSettings& settings)
+{
+    const StrategyKind kind = settings.strategy->kind;
+    return kind == StrategyKind::SessionClock || kind == StrategyKind::LocalLag;
+}
+
+/// What is judged: with a strategy that repeats what is lost, over all actions.
 double judgedAverage(const DriftFigures& figures, const DriftSettings& settings)
 {
-    return settings.strategy->kind == StrategyKind::SessionClock
-               ? figures.timeAverage
-               : figures.timeAverageShown.value_or(figures.timeAverage);
+    return repeatsWhatIsLost(settings) ? figures.timeAverage
+                                       : figures.timeAverageShown.value_or(figures.timeAverage);
+}
+
+bool losesMessages(const PathProfile& path)
+{
+    return path.loss > 0.0 || path.burst || path.trace || path.bitsPerSecond > 0.0
+           || path.cutFor > Duration{};
+}
+
+/// How many actions may not be shown: as many as in virtual time and three standard deviations of a
+/// Poisson distribution, and one action, by all viewers, where a message can be lost for good.
+double lostAllowed(const DriftSettings& settings, const DriftFigures& inVirtualTime)
+{
+    const DriftScenario& scenario = settings.scenario;
+    const bool losesForGood =
+        !repeatsWhatIsLost(settings)
+        && (losesMessages(scenario.forward) || losesMessages(scenario.backward));
+    const double viewers = settings.participants - 1.0;
+    return inVirtualTime.lost + 3.0 * std::sqrt(inVirtualTime.lost)
+           + (losesForGood ? viewers : 0.0);
 }
 
 double boundOf(const LiveFigures& figures, const DriftSettings& settings,
@@ -105,6 +129,7 @@ QJsonObject reportOf(const LiveFigures& figures, const DriftSettings& settings,
                      const DriftFigures& inVirtualTime)
 {
     const double bound = boundOf(figures, settings, inVirtualTime);
+    const double allowed = lostAllowed(settings, inVirtualTime);
     double load = 0.0;
     ::getloadavg(&load, 1);
     QJsonObject object = reportOf(figures.drift);
@@ -116,7 +141,9 @@ QJsonObject reportOf(const LiveFigures& figures, const DriftSettings& settings,
     object[drift_key::kBound] = inDegrees(bound);
     object[drift_key::kVirtual] = inDegrees(inVirtualTime.timeAverage);
     object[drift_key::kVirtualShown] = shownAverage(inVirtualTime);
-    object[drift_key::kIsWithinBound] = judgedAverage(figures.drift, settings) <= bound;
+    object[drift_key::kLostBound] = allowed;
+    object[drift_key::kIsWithinBound] =
+        judgedAverage(figures.drift, settings) <= bound && figures.drift.lost <= allowed;
     object[drift_key::kIsEndStateSame] = figures.isEndStateSame;
     object[drift_key::kHandshakeMean] = 1e3 * toSeconds(figures.handshakeMean);
     object[drift_key::kHandshakeMax] = 1e3 * toSeconds(figures.handshakeMax);

@@ -15,13 +15,13 @@ namespace
 
 /// The keys of a run that a row of a table has.
 constexpr std::array kOfRow{
-    drift_key::kScenario,   drift_key::kStrategy,    drift_key::kParticipants,
-    drift_key::kAtEvent,    drift_key::kTimeAverage, drift_key::kLost,
-    drift_key::kShown,      drift_key::kVirtual,     drift_key::kVirtualShown,
-    drift_key::kLimit,      drift_key::kBound,       drift_key::kIsWithinBound,
-    drift_key::kResponse,   drift_key::kClockError,  drift_key::kIsEndStateSame,
-    drift_key::kSampleGap,  drift_key::kLoad,        drift_key::kLoopbackMedian,
-    drift_key::kLoopbackP95};
+    drift_key::kScenario,       drift_key::kStrategy,    drift_key::kParticipants,
+    drift_key::kAtEvent,        drift_key::kTimeAverage, drift_key::kLost,
+    drift_key::kShown,          drift_key::kVirtual,     drift_key::kVirtualShown,
+    drift_key::kLimit,          drift_key::kBound,       drift_key::kLostBound,
+    drift_key::kIsWithinBound,  drift_key::kResponse,    drift_key::kClockError,
+    drift_key::kIsEndStateSame, drift_key::kSampleGap,   drift_key::kLoad,
+    drift_key::kLoopbackMedian, drift_key::kLoopbackP95};
 
 /// A run as a row; what failed is one, too, because the others took minutes.
 QJsonObject rowOf(const DriftRequest& request)

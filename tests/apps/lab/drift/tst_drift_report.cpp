@@ -66,18 +66,54 @@ private Q_SLOTS:
         }
     }
 
-    /// An action that was lost is no fault of a strategy that does not repeat it; the session clock
-    /// does.
-    void lostActionsCountWithTheSessionClockAlone()
+    /// How far off a lost action leaves a viewer is chance with a strategy that does not repeat it;
+    /// the session clock does, and so does local lag.
+    void lostActionsAreInTheAverageOfWhatRepeatsThem()
     {
         LiveFigures live;
         live.drift = averaging(1.0, 1.0);
         live.drift.timeAverageShown = degrees(0.1).si;
         const DriftFigures inVirtualTime = averaging(0.1, 1.0);
-        for (const char* strategy : {"asa-fixed", "session-clock"}) {
+        for (const char* strategy : {"asa-fixed", "session-clock", "local-lag"}) {
             const auto report = reportOf(live, settingsOf(strategy), inVirtualTime);
             QCOMPARE(report[drift_key::kIsWithinBound].toBool(),
                      QByteArray{strategy} == QByteArray{"asa-fixed"});
+        }
+    }
+
+    void losesNoMoreActionsThanTheNetwork_data()
+    {
+        QTest::addColumn<QByteArray>("strategy");
+        QTest::addColumn<QByteArray>("scenario");
+        QTest::addColumn<double>("inVirtualTime");
+        QTest::addColumn<double>("allowed");
+        QTest::newRow("nothing is lost")
+            << QByteArray{"event"} << QByteArray{"metro"} << 0.0 << 0.0;
+        // Three viewers, and 3 sqrt(0.25).
+        QTest::newRow("some is lost") << QByteArray{"event"} << QByteArray{"wan"} << 0.25 << 4.75;
+        QTest::newRow("cut") << QByteArray{"event"} << QByteArray{"partition"} << 0.0 << 3.0;
+        QTest::newRow("and repeated") << QByteArray{"local-lag"} << QByteArray{"wan"} << 0.0 << 0.0;
+        QTest::newRow("and repeated too late")
+            << QByteArray{"session-clock"} << QByteArray{"partition"} << 4.0 << 10.0;
+    }
+    void losesNoMoreActionsThanTheNetwork()
+    {
+        QFETCH(const QByteArray, strategy);
+        QFETCH(const QByteArray, scenario);
+        QFETCH(const double, inVirtualTime);
+        QFETCH(const double, allowed);
+        DriftSettings settings = settingsOf(strategy.constData());
+        settings.scenario = *findScenario(scenario.toStdString());
+        settings.participants = 4;
+        DriftFigures expected = averaging(0.1, 1.0);
+        expected.lost = inVirtualTime;
+        LiveFigures live;
+        live.drift = averaging(0.1, 1.0);
+        for (const double more : {0.0, 1.0}) {
+            live.drift.lost = std::floor(allowed) + more;
+            const auto report = reportOf(live, settings, expected);
+            QVERIFY(std::abs(report[drift_key::kLostBound].toDouble() - allowed) < kTolerance_deg);
+            QCOMPARE(report[drift_key::kIsWithinBound].toBool(), more == 0.0);
         }
     }
 };

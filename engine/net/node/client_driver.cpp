@@ -172,8 +172,10 @@ void ClientDriver::sendOwnStreams(LocalTime now)
     if (m_core.isCaughtUp())
         for (auto& [station, object] : m_publications.takeUnknown(m_state, m_core.self()))
             m_core.propose(newProposal(station, std::move(object)), now);
-    for (const auto& [station, cpo] : m_publications.sample(m_state, m_core.self(), now))
+    for (const auto& [station, cpo] : m_publications.sample(m_state, m_core.self(), now)) {
         m_core.publish(station, cpo);
+        m_board.objects.sent(m_core.self(), cpo);
+    }
 }
 
 void ClientDriver::compareViews(LocalTime now)

@@ -296,8 +296,11 @@ void HostDriver::sendOwnStreams(LocalTime now)
 {
     for (auto& [station, object] : m_publications.takeUnknown(m_ledger.decided().state(), kSelf))
         static_cast<void>(decideByHost(station, std::move(object), now)); // a refusal is shown
-    for (const auto& [station, cpo] : m_publications.sample(m_ledger.stored().state(), kSelf, now))
+    for (const auto& [station, cpo] :
+         m_publications.sample(m_ledger.stored().state(), kSelf, now)) {
         m_core->publish({kSelf, m_epoch, station, cpo}, now);
+        m_board.objects.sent(kSelf, cpo);
+    }
 }
 
 void HostDriver::handOver(LocalTime now)

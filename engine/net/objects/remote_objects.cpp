@@ -16,8 +16,8 @@ void RemoteObjects::add(ObjectId object, ParticipantId owner, StationId station)
 void RemoteObjects::remove(ObjectId object)
 {
     const std::scoped_lock lock{m_mutex};
-    m_objects.erase(object);
-    m_analysis.forget(object);
+    if (m_objects.erase(object) > 0) // what it sends of an own one stays counted
+        m_analysis.forget(object);
 }
 
 void RemoteObjects::clear()
@@ -47,6 +47,12 @@ void RemoteObjects::take(const StreamSample& sample, SessionTime drawn)
         return;
     found->second.poses->take(cpo, drawn);
     m_analysis.acted(found->second.owner, cpo.object, cpo.time);
+}
+
+void RemoteObjects::sent(ParticipantId self, const StreamCpo& cpo)
+{
+    const std::scoped_lock lock{m_mutex};
+    m_analysis.acted(self, cpo.object, cpo.time);
 }
 
 ApplicationAnalysis RemoteObjects::analysis() const

@@ -31,9 +31,11 @@ public:
     /// Adds a sample while session time `drawn` is being drawn; one of a station where the object
     /// is not is dropped.
     void take(const StreamSample& sample, SessionTime drawn);
+    /// Counts a sample of an object of this node, which goes out.
+    void sent(ParticipantId self, const StreamCpo& cpo);
 
     [[nodiscard]] std::shared_ptr<const RemoteObject> find(ObjectId object) const;
-    /// How often each participant's samples arrive.
+    /// How often each participant's samples arrive, and those of this node go out.
     [[nodiscard]] ApplicationAnalysis analysis() const;
     [[nodiscard]] std::vector<ObjectReport> reports(SessionTime now) const;
 

@@ -2,6 +2,7 @@
 #include "tests/support/test_class.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace carina::object_reports_test
 {
@@ -94,6 +95,30 @@ private Q_SLOTS:
         QVERIFY2(std::abs(fastest - 1e3 * kSpeed) < 1.0, qPrintable(QString::number(fastest)));
         world.run(500ms);
         QVERIFY(reportOf().moveMmPerS.value_or(1e3) < 1.0);
+    }
+
+    /// v_k of the paper's equation 3, of a host and of a guest who stream one object each.
+    void ownStreamsCountAsThoseOfOthers()
+    {
+        constexpr double kTicks = 60.0; // in a second
+        HeldStore::Disk disk;
+        DriverWorld world{disk};
+        auto& guest = world.add("Anna");
+        const LocalTime never = LocalTime::max() - 1h;
+        world.run(500ms);
+        guest.driver->publish(ObjectKind::Tube, "Tube",
+                              tubeMoving(world, guest.board, never, never));
+        world.host->publish(ObjectKind::Tube, "Tube", tubeMoving(world, world.board, never, never));
+        world.run(12s); // more than what is counted over
+        const ParticipantId self = guest.board.part(&NodeBoard::View::self);
+        for (const NodeBoard* board : {&std::as_const(world.board), &std::as_const(guest.board)}) {
+            const auto frequencies = board->actionFrequencies(board->clock()->at(world.now));
+            const double objects = double(board->state()->sharedObjects());
+            for (const ParticipantId k : {ParticipantId{0}, self}) {
+                QVERIFY(frequencies.contains(k));
+                QVERIFY(std::abs(frequencies.at(k) * objects - kTicks) < 3.0);
+            }
+        }
     }
 
     /// What a viewer is off by for good stands beside 0, not beside what the delay once explained.

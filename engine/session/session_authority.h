@@ -49,7 +49,7 @@ public:
     ///        are at share objects as themselves, hand these over to an instructor or to who asked,
     ///        ask for ownership, report breaths of the manikin, take up work that nobody does and
     ///        pass on their own, observers may propose nothing and own nothing, and who is muted
-    ///        nothing either.
+    ///        nothing either, but for how their registration stands.
     /// @returns NotPermitted where the author's role does not permit it, for more objects than a
     ///          participant may share or own, for an object that passes to a trainee of another
     ///          station, and where the host or the last instructor is to be muted or removed;

@@ -24,7 +24,7 @@ void StandingReport::tell(const std::optional<RegistrationStanding>& standing)
     const auto state = m_node.state();
     const auto self = state->participants().find(m_node.self());
     const auto now = m_node.now();
-    if (!now || self == state->participants().end() || self->second.muted)
+    if (!now || self == state->participants().end())
         return;
     const auto& known = self->second.registration;
     const RegistrationStanding told = standing.value_or(kNoTracker);

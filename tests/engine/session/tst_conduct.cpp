@@ -111,6 +111,10 @@ void TestConduct::whoIsMutedProposesNothing()
     QCOMPARE(verdictAfter(writer, kSampleTrainee, own), QByteArray{"muted"});
     QCOMPARE(verdictAfter(writer, kSampleTrainee, fact::ParticipantMuted{kSampleTrainee, false}),
              QByteArray{"muted"});
+    // But what concerns safety.
+    const fact::RegistrationStated notGood{
+        {RegistrationState::NotGood, StaleReason::None, millimetres(4.0)}};
+    QCOMPARE(verdictAfter(writer, kSampleTrainee, notGood), QByteArray{"fine"});
     writer.add(kNow, fact::ParticipantMuted{kSampleTrainee, false});
     QCOMPARE(verdictAfter(writer, kSampleTrainee, own), QByteArray{"fine"});
 }

@@ -92,13 +92,19 @@ private Q_SLOTS:
         QVERIFY(trainee.known() == kNotGood);
     }
 
-    void saysNothingWhileItIsMutedOrNobody()
+    /// What is drawn wrongly at a trainee is to be known of whoever is there.
+    void isToldAlsoByWhoIsMuted()
     {
         Trainee trainee;
-        trainee.node.decide(fact::ParticipantMuted{FakeSessionNode::kTrainee, true});
         trainee.report.tell(kGood);
-        QCOMPARE(trainee.node.proposed, 0);
-        trainee.node.decide(fact::ParticipantMuted{FakeSessionNode::kTrainee, false});
+        trainee.node.decide(fact::ParticipantMuted{FakeSessionNode::kTrainee, true});
+        trainee.report.tell(kNotGood);
+        QVERIFY(trainee.known() == kNotGood);
+    }
+
+    void saysNothingWhileItIsNobody()
+    {
+        Trainee trainee;
         trainee.node.becomes(kNobody);
         trainee.report.tell(kGood);
         QCOMPARE(trainee.node.proposed, 0);

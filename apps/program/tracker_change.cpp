@@ -11,6 +11,7 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QStandardPaths>
+#include <QTimer>
 
 #include <utility>
 
@@ -106,6 +107,9 @@ void TrackerChange::watch(QObject& context, SharedTools& tools)
     m_written = [this, &tools] { takeSite(tools); };
     watchNow();
     m_written(); // it may have been written since the tools were placed by it
+    auto* look = new QTimer{&context};
+    QObject::connect(look, &QTimer::timeout, &context, [&tools] { tools.takePlace(); });
+    look->start(kLook);
 }
 
 void TrackerChange::watchNow()

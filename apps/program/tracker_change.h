@@ -6,6 +6,8 @@
 #include <QPointer>
 #include <QWidget>
 
+#include <chrono>
+
 namespace carina::program
 {
 
@@ -14,6 +16,8 @@ namespace carina::program
 class TrackerChange
 {
 public:
+    static constexpr std::chrono::hours kLook{1};
+
     /// What a program begins with.
     struct Beginning {
         QString site{}; ///< its file; empty: none
@@ -37,6 +41,8 @@ public:
     /// Takes over the site as it is now, and whenever it is written anew until `context` is
     /// destroyed; also one that is chosen later. Devices of the site that were changed are
     /// replaced, those that were calibrated anew are put in their new places, and the others go on.
+    /// How far its registration can be relied on is judged again at each kLook: it becomes too old
+    /// without anything being written.
     /// @pre both outlive `context`; not called before its end.
     void watch(QObject& context, SharedTools& tools);
 

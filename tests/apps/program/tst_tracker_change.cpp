@@ -9,6 +9,7 @@
 
 #include <QDateTime>
 #include <QSaveFile>
+#include <QTimer>
 #include <QWidget>
 
 #include <cmath>
@@ -31,7 +32,7 @@ const SharedPatientModel& patient()
 
 /// A site with a chin probe before the first device and a head before another one, x_mm from it
 /// along x; the patient lies at the first.
-QByteArray siteText(const char* second, double x_mm)
+QByteArray siteText(const char* second, double x_mm, const char* more = "")
 {
     // moc does not read a raw string that ends within quotes.
     return QByteArray{R"({"schema": "carina.site/3", "step": "overview", "devices": [
@@ -42,7 +43,8 @@ QByteArray siteText(const char* second, double x_mm)
   {"name": "b", "p_AQ_mm": [0, 1, 0]}, {"name": "c", "p_AQ_mm": [1, 0, 0]}]},
  "registration": {"X_AM_mm": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]],
   "X_AT_mm": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]],
-  "rms_mm": 0.1, "residuals_mm": [{"name": "a", "mm": 0.1}]}})"}
+  "rms_mm": 0.1, "residuals_mm": [{"name": "a", "mm": 0.1}] MORE}})"}
+        .replace("MORE", more)
         .replace("SECOND", second)
         .replace("X_MM", QByteArray::number(x_mm));
 }
@@ -67,10 +69,10 @@ struct Running {
     }
 
     /// As the wizard does: a whole file takes the place of the one before, later than it.
-    void write(const QByteArray& text)
+    void write(const QByteArray& text, int later_s = 1)
     {
         QSaveFile file{site};
-        written = written.addSecs(1);
+        written = written.addSecs(later_s);
         const bool isWritten =
             file.open(QIODevice::WriteOnly) && file.write(text) == text.size() && file.flush()
             && file.setFileTime(written, QFileDevice::FileModificationTime) && file.commit();
@@ -139,6 +141,22 @@ private Q_SLOTS:
         const auto after = program.tracked();
         QCOMPARE(after[0].history, before[0].history); // which runs on
         QCOMPARE(after[1].history, before[1].history);
+    }
+
+    /// As a verification does that becomes too old: here the file changes without a later time.
+    void judgesTheRegistrationAgainThoughNothingWasWritten()
+    {
+        Running running;
+        Tools program{running.site, named(running)};
+        QVERIFY(program.tools.lay(patient()));
+        program.change.watch(program.window, program.tools);
+        QVERIFY(program.tools.standing()->state == RegistrationState::Unverified);
+        running.write(siteText("head.json", 100.0, R"(, "stale": "manikin" )"), 0);
+        auto* look = program.window.findChild<QTimer*>(QString{}, Qt::FindDirectChildrenOnly);
+        QVERIFY(look != nullptr);
+        QVERIFY(look->intervalAsDuration() == program::TrackerChange::kLook);
+        look->setInterval(0);
+        QVERIFY(soon([&] { return program.tools.standing()->state == RegistrationState::Stale; }));
     }
 
     void takesOverADeviceThatWasReplaced()

@@ -13,8 +13,9 @@ std::vector<StrategyModel::Entry> StrategyModel::entries()
 {
     return {
         {StrategyKind::SessionClock, tr("Session clock"),
-         tr("Every action is dated on one clock and repeated until it has arrived: as near to the "
-            "physical limit as the clock is right. The usual one.")},
+         tr("Every action is dated on one clock and repeated until it has arrived: as near as the "
+            "clock is right to what is possible for viewers who go on with the old motion until "
+            "they hear. The usual one.")},
         {StrategyKind::LocalLag, tr("Local lag"),
          tr("As the session clock, but every action begins a little later, for the person who acts "
             "as well: when it has arrived at everyone who may act, at the latest after the longest "

@@ -42,7 +42,7 @@ struct DriftFigure {
     std::string xColumn{}; ///< of a table
     std::string yColumn{};
     bool isLogarithmic = false; ///< both axes
-    bool hasLimit = false;      ///< the last curve is the physical limit
+    bool hasLimit = false;      ///< the last curve is the limit of DriftFigures
     bool isAngleRaw = false;    ///< 2 acos(w), see FigureSettings
     std::vector<DriftCurve> curves{};
 };
@@ -64,9 +64,9 @@ inline constexpr int kTrendOfStrategies = 6; ///< which says "higher"
 figuresByParticipants(const FigureSettings& settings);
 
 /// Time average of the drift against the mean one-way delay for the source's strategies with
-/// the physical limit, two participants, 100 deg/s and 100 mm/s: orientation and position. Not over
-/// the settings' scenario but over paths without loss that have 20/21 of the delay always and 1/21
-/// as the mean of an exponential queue, like the WAN.
+/// the limit of DriftFigures, two participants, 100 deg/s and 100 mm/s: orientation and position.
+/// Not over the settings' scenario but over paths without loss that have 20/21 of the delay always
+/// and 1/21 as the mean of an exponential queue, like the WAN.
 [[nodiscard]] Result<std::vector<DriftFigure>> figuresByDelay(const FigureSettings& settings);
 
 } // namespace carina::lab

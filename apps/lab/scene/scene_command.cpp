@@ -203,7 +203,7 @@ Command sceneCommand()
                   "window. Acceptable are 99 % of the comparisons within their bound, which is "
                   "that of the tracker, the object's own speed and the delay; no object that "
                   "changes its owner, or is where another's is; and everybody drawn in 95 % of "
-                  "all frames.",
+                  "the frames at whose time their own program had them.",
               .options = {scene_option::kScenario, scene_option::kSeconds, scene_option::kOut,
                           scene_option::kSize, scene_option::kSeed, scene_option::kNetlab,
                           scene_option::kPrograms},

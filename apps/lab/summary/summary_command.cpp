@@ -98,7 +98,10 @@ constexpr Key kActionDrift{
     "both were lit, while the script turned it by the controls of \"Move\": instants, mean_, "
     "p95_ and largest_ as of drift, and:"};
 constexpr Key kDelay{"delay_ms", "latency of an action", 1};
-constexpr Key kLimit{"limit_mean_deg", "lower bound of mean_deg for that delay", 1};
+constexpr Key kLimit{"limit_mean_deg",
+                     "lower bound of mean_deg for that delay and a viewer who goes on with the old "
+                     "motion until it hears",
+                     1};
 } // namespace summary_key
 
 /// One process of the demo: what it wrote of itself, and its frames.

@@ -174,10 +174,12 @@ private:
 
     Result<LiveFigures> evaluate()
     {
-        LiveRun run{
-            m_settings.script, m_settings.seed, {}, {}, [this](std::size_t who, Duration t) {
-                return m_network.leastDelay(who, t);
-            }};
+        LiveRun run{m_settings.script,
+                    m_settings.seed,
+                    {},
+                    {},
+                    [this](std::size_t who, Duration t) { return m_network.leastDelay(who, t); },
+                    m_settings.strategy};
         for (const auto& program : m_programs) {
             auto log = logOf(*program);
             if (!log)

@@ -248,6 +248,19 @@ double gapP95Of(const LiveRun& run)
     return p95Of(std::move(gaps));
 }
 
+Result<void> checkStrategies(const LiveRun& run)
+{
+    const auto isAnother = [&](const LiveLog& log) { return log.strategy != run.strategy; };
+    if (isAnother(run.host))
+        return fail(Errc::FileMalformed, "the host ran another strategy");
+    const auto found = std::ranges::find_if(run.participants, isAnother);
+    if (found == run.participants.end())
+        return {};
+    const auto number = found - run.participants.begin() + 1;
+    return fail(Errc::FileMalformed,
+                "participant " + std::to_string(number) + " ran another strategy");
+}
+
 Result<void> checkLogs(const LiveRun& run)
 {
     const auto incomplete = [](const std::string& who) {
@@ -267,7 +280,7 @@ Result<void> checkLogs(const LiveRun& run)
     for (std::size_t i = 0; i < run.participants.size(); ++i)
         if (!isWhole(run.participants[i], truth))
             return incomplete("participant " + std::to_string(i + 1));
-    return {};
+    return checkStrategies(run);
 }
 
 } // namespace

@@ -19,6 +19,7 @@ struct LiveRun {
     /// No news of an action that began then gets to this participant (from 1) sooner. Time 0 is
     /// the first action's.
     std::function<Duration(std::size_t participant, Duration t)> leastDelay;
+    StrategyKind strategy = StrategyKind::SessionClock; ///< that all were to run
 };
 
 struct LiveFigures {
@@ -35,7 +36,7 @@ struct LiveFigures {
 /// the actor's next sample.
 ///
 /// @returns FileMalformed, naming who, where a log does not go from before the first action to the
-///          end of the last.
+///          end of the last, or is of another strategy.
 [[nodiscard]] Result<LiveFigures> evaluateLive(const LiveRun& run);
 
 } // namespace carina::lab

@@ -10,7 +10,7 @@ namespace carina::lab
 namespace
 {
 
-const QString kLogSchema = QStringLiteral("carina.drift-log/1");
+const QString kLogSchema = QStringLiteral("carina.drift-log/2");
 constexpr qsizetype kSampleColumns = 16;
 constexpr qsizetype kActionColumns = 10;
 
@@ -113,6 +113,7 @@ QJsonObject toJson(const LiveLog& log)
         actions.append(rowOf(action));
     return {{QStringLiteral("schema"), kLogSchema},
             {QStringLiteral("handshake_ns"), qint64{log.handshake.count()}},
+            {QStringLiteral("strategy"), static_cast<int>(log.strategy)},
             {QStringLiteral("actions"), actions},
             {QStringLiteral("samples"), samples}};
 }
@@ -123,6 +124,9 @@ Result<LiveLog> liveLogFrom(const QJsonObject& json)
     bool isWhole = json[QStringLiteral("schema")] == kLogSchema;
     RowReader row{isWhole};
     log.handshake = Duration{json[QStringLiteral("handshake_ns")].toInteger()};
+    const int strategy = json[QStringLiteral("strategy")].toInt(-1);
+    isWhole = isWhole && strategy >= 0 && strategy <= static_cast<int>(StrategyKind::None);
+    log.strategy = static_cast<StrategyKind>(strategy);
     for (const auto& value : json[QStringLiteral("samples")].toArray()) {
         row.next(value, kSampleColumns);
         LiveSample sample;

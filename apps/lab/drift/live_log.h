@@ -3,6 +3,7 @@
 #include "engine/core/result.h"
 #include "engine/core/session_time.h"
 #include "engine/geometry/rigid_transform.h"
+#include "engine/sync/strategies/strategy_choice.h"
 
 #include <QJsonObject>
 
@@ -32,7 +33,8 @@ struct DeclaredAction {
 /// What one program of a live session wrote down.
 struct LiveLog {
     Duration handshake{}; ///< from the first hello until it had a part in the session and its clock
-    std::vector<LiveSample> samples;     ///< in their order
+    StrategyKind strategy = StrategyKind::SessionClock; ///< of the session, as it knew it last
+    std::vector<LiveSample> samples;                    ///< in their order
     std::vector<DeclaredAction> actions; ///< the actor's; the last is the one that stops both
 };
 

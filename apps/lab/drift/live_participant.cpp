@@ -175,6 +175,7 @@ LiveParticipant::Picture LiveParticipant::draw(LocalTime now) const
 void LiveParticipant::sample()
 {
     const LocalTime now = monotonicNow();
+    m_log.strategy = m_node->state()->strategy().kind;
     const Picture seen = m_nextFrame == LocalTime::max() ? draw(now) : m_frame;
     m_log.samples.push_back({.machine = machineTime(now),
                              .session = m_node->sessionTime(now),

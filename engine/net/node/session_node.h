@@ -200,8 +200,8 @@ public:
     /// nothing if neither happened.
     [[nodiscard]] virtual std::optional<Error> refusal() const = 0;
     [[nodiscard]] virtual std::vector<ObjectReport> objectReports() const = 0;
-    /// v_k of each participant whose actions this node knows, per second (ApplicationAnalysis); the
-    /// poses that this node sends itself are not counted.
+    /// v_k of each participant whose actions this node knows, per second (ApplicationAnalysis); its
+    /// own among them.
     [[nodiscard]] virtual std::map<ParticipantId, double> actionFrequencies() const = 0;
 
     /// Sets a callback, called on the node's thread after the state, the pending proposals or the

@@ -219,6 +219,27 @@ private Q_SLOTS:
         QVERIFY(std::abs(*figures->drift.clockError - toSeconds(kLate) / 2.0) < kTolerance);
     }
 
+    void anotherStrategyIsSeen_data()
+    {
+        QTest::addColumn<bool>("ofTheHost");
+        QTest::newRow("of the host") << true;
+        QTest::newRow("of a viewer") << false;
+    }
+    void anotherStrategyIsSeen()
+    {
+        QFETCH(bool, ofTheHost);
+        LiveRun run = runWith(logOf(truthAt));
+        run.strategy = StrategyKind::Event;
+        run.host.strategy = StrategyKind::Event;
+        for (LiveLog& log : run.participants)
+            log.strategy = StrategyKind::Event;
+        QVERIFY(evaluateLive(run));
+        (ofTheHost ? run.host : run.participants[1]).strategy = StrategyKind::SessionClock;
+        const auto figures = evaluateLive(run);
+        QVERIFY(!figures);
+        QCOMPARE(figures.error().code, Errc::FileMalformed);
+    }
+
     void anotherEndIsSeen_data()
     {
         QTest::addColumn<bool>("turned");

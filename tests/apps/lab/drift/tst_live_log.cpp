@@ -13,6 +13,7 @@ LiveLog logOfAll()
     const RigidTransform X_AO{Quat{0.5, 0.5, 0.5, 0.5}, Vec3{1.0, 2.0, 1.0 / 3.0}};
     LiveLog log;
     log.handshake = Duration{17};
+    log.strategy = StrategyKind::None;
     log.samples = {{LocalTime{Duration{1}}, {}, {}, {}},
                    {LocalTime{Duration{(std::int64_t{1} << 52) + 1}},
                     SessionTime{Duration{(std::int64_t{1} << 51) + 3}}, X_AO, RigidTransform{}}};
@@ -34,6 +35,7 @@ private Q_SLOTS:
         const auto back = liveLogFrom(toJson(log));
         QVERIFY(back);
         QCOMPARE(back->handshake, log.handshake);
+        QCOMPARE(back->strategy, log.strategy);
         QCOMPARE(back->samples.size(), std::size_t{2});
         QVERIFY(back->samples[0].machine == log.samples[0].machine);
         QVERIFY(!back->samples[0].session && !back->samples[0].X_AO_turned
@@ -62,6 +64,8 @@ private Q_SLOTS:
         skewed[3] = 7.0; // of a rotation
         QTest::newRow("another schema")
             << QStringLiteral("schema") << QJsonValue{QStringLiteral("carina.drift/1")};
+        QTest::newRow("no strategy") << QStringLiteral("strategy") << QJsonValue{};
+        QTest::newRow("an unknown strategy") << QStringLiteral("strategy") << QJsonValue{8};
         QTest::newRow("a short sample") << QStringLiteral("samples") << QJsonValue{shortRow};
         QTest::newRow("a short action") << QStringLiteral("actions") << QJsonValue{shortRow};
         QTest::newRow("a word") << QStringLiteral("samples") << QJsonValue{QJsonArray{word}};

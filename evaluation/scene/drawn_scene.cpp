@@ -250,6 +250,17 @@ SceneComparison compareScenes(std::span<const DrawnScene> programs, double from,
     return compared;
 }
 
+bool isWithin(const SceneDifference& difference, const SceneBounds& bounds)
+{
+    if (difference.distances.empty())
+        return false;
+    const auto isBelow = [&difference](double share, const Drift& bound) {
+        return quantileOf(difference.distances, share) <= bound.position.si
+               && quantileOf(difference.angles, share) <= bound.rotation.si;
+    };
+    return isBelow(0.5, bounds.median) && isBelow(0.95, bounds.p95);
+}
+
 double quantileOf(std::vector<double> values, double share)
 {
     CARINA_EXPECTS(!values.empty());

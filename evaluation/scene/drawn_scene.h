@@ -4,6 +4,7 @@
 #include "engine/core/session_time.h"
 #include "engine/geometry/rigid_transform.h"
 #include "engine/session/facts/facts.h"
+#include "engine/sync/strategies/drift.h"
 
 #include <QString>
 
@@ -65,6 +66,23 @@ struct SceneDifference {
     std::vector<double> distances; ///< m
     std::size_t beyond = 0;        ///< of these, those where one of the two was above its bound
 };
+
+/// What most comparisons are to be far below of their own bound: what is between two frames of an
+/// owner is in that, so that an offset of everything by some millimetres would stay within it.
+struct SceneBounds {
+    Drift median;
+    Drift p95;
+};
+
+/// Of programs that draw 5 frames a second and more; measured were 0.24 mm and 1.1 mm at most.
+inline constexpr SceneBounds kBoundsOnTheSpot{{degrees(1.0), millimetres(1.0)},
+                                              {degrees(2.5), millimetres(2.5)}};
+/// With a path of 40 ms on either side; measured were 0.35 mm and 1.6 mm at most.
+inline constexpr SceneBounds kBoundsOfRemote{{degrees(1.5), millimetres(1.5)},
+                                             {degrees(4.0), millimetres(4.0)}};
+
+/// Whether median and 95th percentile are below these; false where nothing was compared.
+[[nodiscard]] bool isWithin(const SceneDifference& difference, const SceneBounds& bounds);
 
 /// A program, and an object of another that it has to draw.
 struct DrawnPair {

@@ -104,6 +104,7 @@ private Q_SLOTS:
         qInfo("%s", qPrintable(told));
         const double within = 1.0 - double(off.beyond) / double(off.distances.size());
         QVERIFY2(within >= kLeastWithin, qPrintable(QString::number(within)));
+        QVERIFY2(isWithin(off, kBoundsOnTheSpot), qPrintable(told));
     }
 
     void noObjectEverChangesItsOwner()

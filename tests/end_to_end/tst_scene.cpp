@@ -1,3 +1,4 @@
+#include "evaluation/scene/drawn_scene.h"
 #include "tests/support/test_class.h"
 
 #include <QImage>
@@ -53,6 +54,15 @@ private Q_SLOTS:
                         .toObject()[QLatin1StringView{"compared"}]
                         .toInt()
                     > 300);
+        // Of the path that it has unless another is named.
+        const QJsonObject far = m_figures[QLatin1StringView{"far"}].toObject();
+        const auto isBelow = [&far](const char* key, double bound) {
+            return far[QLatin1StringView{key}].toDouble() <= bound;
+        };
+        QVERIFY(isBelow("median_mm", inMillimetres(kBoundsOfRemote.median.position)));
+        QVERIFY(isBelow("median_deg", inDegrees(kBoundsOfRemote.median.rotation)));
+        QVERIFY(isBelow("p95_mm", inMillimetres(kBoundsOfRemote.p95.position)));
+        QVERIFY(isBelow("p95_deg", inDegrees(kBoundsOfRemote.p95.rotation)));
         QCOMPARE(m_figures[QLatin1StringView{"acceptable"}], QJsonValue{true});
         QCOMPARE(m_exitCode, 0);
     }

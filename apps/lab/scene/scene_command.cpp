@@ -132,7 +132,8 @@ QJsonObject sceneDifference(const SceneDifference& difference)
 bool isAcceptable(const SceneComparison& compared)
 {
     return shareWithin(compared.near) >= kLeastWithin && shareWithin(compared.far) >= kLeastWithin
-           && compared.ownerChanges == 0 && compared.mistaken == 0 && compared.recognisable > 0
+           && isWithin(compared.near, kBoundsOnTheSpot) && compared.ownerChanges == 0
+           && compared.mistaken == 0 && compared.recognisable > 0
            && compared.leastShare >= kLeastDrawn;
 }
 
@@ -201,7 +202,8 @@ Command sceneCommand()
                   "and tube that a program drew with where its owner's program had it at that "
                   "session time, between two of the owner's frames, and takes a picture of each "
                   "window. Acceptable are 99 % of the comparisons within their bound, which is "
-                  "that of the tracker, the object's own speed and the delay; no object that "
+                  "that of the tracker, the object's own speed and the delay; on the spot, 1 mm "
+                  "and 1 degree in the median and 2.5 of both in 95 %; no object that "
                   "changes its owner, or is where another's is; and everybody drawn in 95 % of "
                   "the frames at whose time their own program had them.",
               .options = {scene_option::kScenario, scene_option::kSeconds, scene_option::kOut,

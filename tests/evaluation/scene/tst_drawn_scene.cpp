@@ -97,6 +97,29 @@ private Q_SLOTS:
         QCOMPARE(compareScenes(fast, 0.0, 2.0, longWay).far.beyond, std::size_t{0});
     }
 
+    /// Which the bound of each comparison lets pass, because of what is between two frames.
+    void anOffsetOfEverythingIsSeen_data()
+    {
+        QTest::addColumn<double>("offset_mm");
+        QTest::addColumn<bool>("isSeen");
+        QTest::newRow("none") << 0.0 << false;
+        QTest::newRow("3 mm") << 3.0 << true;
+    }
+    void anOffsetOfEverythingIsSeen()
+    {
+        QFETCH(const double, offset_mm);
+        QFETCH(const bool, isSeen);
+        auto scenes = annaAndBen();
+        scenes[1].isRemote = false;
+        for (auto& [t, objects] : scenes[1].frames)
+            objects = thingsOf(1, kHeadOfAnna, false, movedTo(t, kSpeed, 1e-3 * offset_mm));
+        const auto compared = compareScenes(scenes, 0.0, 2.0, kAtOnce);
+        QCOMPARE(compared.near.beyond, std::size_t{0});
+        QCOMPARE(isWithin(compared.near, kBoundsOnTheSpot), !isSeen);
+        QCOMPARE(isWithin(compared.near, kBoundsOfRemote), !isSeen);
+        QVERIFY(!isWithin(compared.far, kBoundsOfRemote)); // there are none
+    }
+
     /// Anna's and Carl's things are 20 cm apart; from 1 s on Ben has Anna's where Carl's are, with
     /// the names and numbers of before.
     void recognisesWhoseAnObjectIsByItsPath()

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace carina::paper_conditions_test
 {
@@ -78,19 +79,27 @@ private Q_SLOTS:
         DriftSettings settings = settingsOf("none", *findScenario("paper"));
         double raw = 0.0;
         double drift = 0.0;
-        double greatest = 0.0;
-        for (settings.seed = 1; settings.seed <= kSeeds; ++settings.seed)
-            for (const ActionDrift& action : runDrift(settings).actions) {
+        std::vector<double> ofActions(50); // means over the seeds
+        for (settings.seed = 1; settings.seed <= kSeeds; ++settings.seed) {
+            const std::vector<ActionDrift> actions = runDrift(settings).actions;
+            QCOMPARE(actions.size(), ofActions.size());
+            for (std::size_t i = 0; i < actions.size(); ++i) {
+                const ActionDrift& action = actions[i];
                 const double one = deg(action.rawAngle);
                 const double d = deg(action.angle);
                 QVERIFY2(std::min(std::abs(one - d), std::abs(360.0 - d - one)) <= kApart_deg,
                          QByteArray::number(one));
                 raw += one / (50.0 * kSeeds);
                 drift += d / (50.0 * kSeeds);
-                greatest = std::max(greatest, one);
+                ofActions[i] += one / kSeeds;
             }
+        }
         QVERIFY(drift < 15.0);
-        QVERIFY(greatest > 210.0); // what the paper prints
+        // What the paper prints. A mean is 9 deg times how many of 40 are 360 deg, a binomial
+        // distribution around 180 deg with a standard deviation of 28.5: of 50 the greatest is
+        // beyond one of these, and none beyond four.
+        const double greatest = std::ranges::max(ofActions);
+        QVERIFY2(greatest > 210.0 && greatest < 294.0, QByteArray::number(greatest));
         // Of 2000 actions, 0 or 360 deg each. Those of a run are not independent of each other: if
         // each six count as one, three standard deviations are 30 deg.
         QVERIFY2(std::abs(raw - 180.0) < 30.0, QByteArray::number(raw));

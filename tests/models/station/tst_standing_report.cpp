@@ -1,9 +1,14 @@
 #include "models/station/standing_report.h"
 
+#include "engine/session/facts/fact_codec.h"
+#include "models/session/participants_model.h"
 #include "models/site/standing_words.h"
 #include "models/station/station_notice.h"
 #include "tests/models/fake_session_node.h"
 #include "tests/support/test_class.h"
+
+#include <cmath>
+#include <variant>
 
 namespace carina::standing_report_test
 {
@@ -23,6 +28,17 @@ struct Trainee {
     [[nodiscard]] std::optional<RegistrationStanding> known() const
     {
         return node.state()->participants().at(FakeSessionNode::kTrainee).registration;
+    }
+    /// A running session with the own tube in view.
+    [[nodiscard]] StationMoment begin()
+    {
+        node.linkReports.emplace_back().state = LinkState::Connected;
+        node.decide(fact::PhaseChanged{SessionPhase::Running});
+        StationMoment moment;
+        moment.time = *node.now() + std::chrono::seconds{1};
+        moment.worker = FakeSessionNode::kTrainee;
+        moment.tube.emplace();
+        return moment;
     }
 };
 
@@ -78,6 +94,59 @@ private Q_SLOTS:
         QVERIFY(trainee.known() == kGood);
     }
 
+    /// From the judgement of a site to the trainee's window, to the session, as bytes to other
+    /// programs, and to the console.
+    void eachCauseIsInBothWindows_data()
+    {
+        QTest::addColumn<RegistrationStanding>("standing");
+        using State = RegistrationState;
+        using Why = StaleReason;
+        const auto row = [](const char* name, State state, Why why, double error_mm = 0.0) {
+            QTest::newRow(name) << RegistrationStanding{state, why, millimetres(error_mm)};
+        };
+        row("missing", State::Missing, Why::None);
+        row("not verified", State::Unverified, Why::None, 2.0);
+        row("fitted since it was verified", State::Unverified, Why::Fit, 2.0);
+        row("moved since it was verified", State::Unverified, Why::Manikin);
+        row("judged not good", State::NotGood, Why::None, 4.2);
+        row("tracker", State::Stale, Why::Tracker);
+        row("stylus", State::Stale, Why::Stylus);
+        row("landmarks", State::Stale, Why::Landmarks);
+        row("manikin", State::Stale, Why::Manikin);
+        row("touches", State::Stale, Why::Touches);
+        row("fit", State::Stale, Why::Fit);
+        row("patient", State::Stale, Why::Patient);
+        row("registering", State::Stale, Why::Registering);
+        row("age", State::Stale, Why::Age);
+        row("drift", State::Stale, Why::Drift, 8.0);
+    }
+    void eachCauseIsInBothWindows()
+    {
+        QFETCH(const RegistrationStanding, standing);
+        Trainee trainee;
+        const StationMoment moment = trainee.begin();
+        const QString sentence = standingNotice(standing);
+        QVERIFY(!sentence.isEmpty());
+        QCOMPARE(stationNotice(trainee.node, moment, ViewOutput::Screen, standing), sentence);
+        trainee.report.tell(standing);
+        QVERIFY(trainee.known() == standing);
+
+        const Proposal proposed{
+            {}, FakeSessionNode::kTrainee, kNoStation, fact::RegistrationStated{standing}};
+        const auto read = fromRecord(toRecord(proposed));
+        QVERIFY(read);
+        const auto& told = std::get<fact::RegistrationStated>(read->body).standing;
+        QVERIFY(told.state == standing.state && told.reason == standing.reason);
+        QVERIFY(std::abs(told.error.si - standing.error.si) < 1e-6);
+
+        trainee.node.becomes(FakeSessionNode::kInstructor);
+        SessionModel session{trainee.node};
+        const ParticipantsModel console{session};
+        const QModelIndex cell = console.index(1, ParticipantsModel::Registration);
+        QCOMPARE(console.data(cell, Qt::DisplayRole).toString(), standingText(standing));
+        QVERIFY(console.data(cell, Qt::ToolTipRole).toString().contains(sentence.left(20)));
+    }
+
     void waitsWhileTheHostIsAway()
     {
         Trainee trainee;
@@ -117,12 +186,7 @@ private Q_SLOTS:
     void isInTheNoticeOfItsOwnWindow()
     {
         Trainee trainee;
-        trainee.node.linkReports.emplace_back().state = LinkState::Connected;
-        trainee.node.decide(fact::PhaseChanged{SessionPhase::Running});
-        StationMoment moment;
-        moment.time = *trainee.node.now() + std::chrono::seconds{1};
-        moment.worker = FakeSessionNode::kTrainee;
-        moment.tube.emplace();
+        StationMoment moment = trainee.begin();
         const auto notice = [&](const std::optional<RegistrationStanding>& standing) {
             return stationNotice(trainee.node, moment, ViewOutput::Screen, standing);
         };

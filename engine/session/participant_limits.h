@@ -46,9 +46,9 @@ inline constexpr std::size_t kMostStationsEver = 64;
 /// who stay.
 inline constexpr Duration kPlaceKept = std::chrono::minutes{2};
 
-/// Of the names of a role, those that one address may bring in the life of a host's program, and
-/// those that may be present from one when another comes who is new: of the rest of the places
-/// nobody behind that address keeps out people elsewhere. A class of 216 has room.
+/// Of the names of a role, those that one address may bring in the life of a host's program, and of
+/// its places, present or kept, those that one may have when somebody comes who has none: of the
+/// rest nobody behind that address keeps out people elsewhere. A class of 216 has room.
 [[nodiscard]] std::size_t mostNamesFrom(Role role);
 [[nodiscard]] std::size_t mostPresentFrom(Role role);
 

@@ -88,11 +88,12 @@ Result<std::optional<Admission>> HostEntry::admit(PeerAddress from, const Hello&
     auto proposal = joinOf(hello);
     if (!who || !proposal)
         return tl::unexpected(who ? proposal.error() : who.error());
-    const auto& participants = m_ledger.decided().state().participants();
-    const auto known = participants.find(who->participant);
+    const SessionState& state = m_ledger.decided().state();
+    const auto known = state.participants().find(who->participant);
     const Role role = std::get<fact::ParticipantJoined>(proposal->body).role; // by identify
-    const bool isNew = known == participants.end();
-    if (isNew && !m_paths.takesNewcomer(from))
+    const bool isNew = known == state.participants().end();
+    const Origins::Comer comer{who->participant, role, m_paths.sourceOf(from)};
+    if (!m_origins.mayComeIn(comer, state, session))
         return fail(Errc::SessionFull);
     if (isNew && !m_newcomers[role].take(1.0, kNewcomers, now)) {
         m_paths.idleFrom(from, now);
@@ -101,12 +102,12 @@ Result<std::optional<Admission>> HostEntry::admit(PeerAddress from, const Hello&
     proposal->id = sealed(proposal->id);
     // A repeat gets the fact it has. Not the same run of a program that was given up meanwhile and
     // comes in a second time, nor another's.
-    const bool isPresent = known != participants.end() && known->second.present;
+    const bool isPresent = !isNew && known->second.present;
     if (m_ledger.decided().settled(proposal->id)
         && !(isPresent && isJoinOf(proposal->id, who->participant, log)))
         proposal->id = ProposalId{QRandomGenerator::system()->generate64()};
     return decide(*proposal).map([&](FactNumber joined) {
-        m_paths.admits(from, isNew);
+        m_origins.cameIn(comer);
         m_paths.idleFrom(from, now + kJoinStoredWithin);
         m_access.admitted(from, who->participant);
         return std::optional{Admission{who->participant, joined}};

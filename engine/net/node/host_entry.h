@@ -3,6 +3,7 @@
 #include "engine/net/node/fact_ledger.h"
 #include "engine/net/node/host_access.h"
 #include "engine/net/node/host_paths.h"
+#include "engine/net/node/origins.h"
 
 #include <functional>
 #include <map>
@@ -55,6 +56,7 @@ private:
     const FactLedger& m_ledger;
     HostAccess& m_access;
     HostPaths& m_paths;
+    Origins m_origins;
     std::map<Role, TokenBucket> m_newcomers; // so that one role's do not keep out another's
 };
 

@@ -51,32 +51,10 @@ std::shared_ptr<SharedBudget> HostPaths::sharedBudget(PeerAddress path)
     return created;
 }
 
-bool HostPaths::takesNewcomer(PeerAddress path) const
+SourcePrefix HostPaths::sourceOf(PeerAddress path) const
 {
     const auto known = m_paths.find(path);
-    if (known == m_paths.end())
-        return true;
-    const Path& own = known->second;
-    const Role role = own.who.role;
-    const auto brought = m_names.find({own.from, role});
-    if (brought != m_names.end() && brought->second >= mostNamesFrom(role))
-        return false;
-    const auto present = std::ranges::count_if(m_paths, [&](const auto& entry) {
-        const auto& [address, other] = entry;
-        return other.who.role == role && other.from == own.from
-               && (other.isComing || m_isInUse(address));
-    });
-    return static_cast<std::size_t>(present) < mostPresentFrom(role);
-}
-
-void HostPaths::admits(PeerAddress path, bool isNew)
-{
-    const auto known = m_paths.find(path);
-    if (known == m_paths.end())
-        return;
-    known->second.isComing = true;
-    if (isNew)
-        ++m_names[{known->second.from, known->second.who.role}];
+    return known == m_paths.end() ? SourcePrefix{} : known->second.from;
 }
 
 bool HostPaths::hearsHello(PeerAddress path, LocalTime now)
@@ -99,7 +77,6 @@ void HostPaths::advance(LocalTime now)
     for (auto& [address, path] : m_paths) {
         if (m_isInUse(address)) {
             path.idleSince = now;
-            path.isComing = false;
         } else if (now >= path.idleSince + kHelloWithin) {
             m_ended.push_back(address); // it is told as disconnected next
             path.idleSince = now;

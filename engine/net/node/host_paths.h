@@ -52,11 +52,8 @@ public:
     [[nodiscard]] bool hears(PeerAddress path, LocalTime now);
     /// What those share who come from one address in one role; null for a path that is not known.
     [[nodiscard]] std::shared_ptr<SharedBudget> sharedBudget(PeerAddress path);
-    /// Whether somebody new may come in over a path: its address has brought fewer names of the
-    /// role than mostNamesFrom, and fewer are present from there than mostPresentFrom.
-    [[nodiscard]] bool takesNewcomer(PeerAddress path) const;
-    /// Somebody is to come in over a path, once the fact that they joined is stored.
-    void admits(PeerAddress path, bool isNew);
+    /// The address that a path is from; zeros for a path that is not known.
+    [[nodiscard]] SourcePrefix sourceOf(PeerAddress path) const;
     /// True for a path that gave way to a new one: its Hello may come before it is closed.
     [[nodiscard]] bool hearsHello(PeerAddress path, LocalTime now);
     [[nodiscard]] bool hearsTokenRequest(PeerAddress path, LocalTime now);
@@ -72,7 +69,6 @@ private:
         SourcePrefix from;
         LocalTime idleSince{}; ///< nobody has taken part over it from then on
         bool isEnded = false;
-        bool isComing = false; ///< somebody is to come in
         TokenBucket datagrams{};
         TokenBucket hellos{};
         TokenBucket tokenRequests{};
@@ -84,8 +80,6 @@ private:
     std::function<bool(PeerAddress)> m_isInUse;
     std::map<PeerAddress, Path> m_paths;
     std::map<std::pair<SourcePrefix, Role>, std::shared_ptr<SharedBudget>> m_shared;
-    /// Those who came in: no more entries than a session has names.
-    std::map<std::pair<SourcePrefix, Role>, std::size_t> m_names;
     std::vector<PeerAddress> m_ended;
     LocalTime m_nextLook = LocalTime::max();
 };

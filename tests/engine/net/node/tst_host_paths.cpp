@@ -1,6 +1,5 @@
 #include "engine/net/entry/token_message.h"
 #include "engine/net/node/host_paths.h"
-#include "engine/session/participant_limits.h"
 #include "engine/sync/wire/datagram_codec.h"
 #include "tests/engine/net/node/driver_world.h"
 #include "tests/support/test_class.h"
@@ -67,40 +66,6 @@ private Q_SLOTS:
         QVERIFY(others != shared && elsewhere != shared);
         QCOMPARE(paths.sharedBudget(1), shared);
         QVERIFY(!paths.sharedBudget(9));
-    }
-
-    void oneAddressBringsOnlySoManyNames()
-    {
-        HostPaths paths{[](PeerAddress) { return false; }};
-        paths.connected(1, kTrainees, kHere, kStart);
-        paths.connected(2, {Role::Observer, std::nullopt}, kHere, kStart);
-        paths.connected(3, kTrainees, kElsewhere, kStart);
-        for (std::size_t i = 0; i < mostNamesFrom(Role::Trainee); ++i) {
-            QVERIFY(paths.takesNewcomer(1));
-            paths.admits(1, true);
-        }
-        QVERIFY(!paths.takesNewcomer(1));
-        QVERIFY(paths.takesNewcomer(2)); // in another role
-        QVERIFY(paths.takesNewcomer(3)); // from elsewhere
-    }
-
-    void onlySoManyArePresentFromOneAddress()
-    {
-        const PeerAddress most = mostPresentFrom(Role::Trainee);
-        PeerAddress firstIdle = 1; // nobody is present over that path and those behind it
-        HostPaths paths{[&](PeerAddress path) { return path < firstIdle; }};
-        for (PeerAddress path = 1; path <= most; ++path)
-            paths.connected(path, {Role::Trainee, ParticipantId{std::uint16_t(path)}}, kHere,
-                            kStart);
-        paths.connected(5000, kTrainees, kHere, kStart);
-        paths.connected(5001, kTrainees, kElsewhere, kStart);
-        firstIdle = most;
-        QVERIFY(paths.takesNewcomer(5000));
-        paths.admits(most, false); // comes back, and is not stored yet
-        QVERIFY(!paths.takesNewcomer(5000));
-        QVERIFY(paths.takesNewcomer(5001));
-        paths.disconnected(1);
-        QVERIFY(paths.takesNewcomer(5000));
     }
 
     /// A stranger with a code who says no Hello, and what it is answered.

@@ -66,6 +66,33 @@ private Q_SLOTS:
         world.run(100ms);
         QCOMPARE(present(world.board, Role::Observer), std::ptrdiff_t(most) + 1);
     }
+
+    /// Of an address, some leave, as many come in under other names, and the first come back: they
+    /// had then all places for good.
+    void placesThatAreKeptCountForTheirAddress()
+    {
+        const auto most = std::ptrdiff_t(mostPresentFrom(Role::Observer));
+        constexpr int kLeaving = 3;
+        HeldStore::Disk disk;
+        DriverWorld world{disk};
+        QVERIFY(world.host);
+        std::vector<DriverWorld::Guest*> crowd;
+        for (int i = 0; i < most; ++i)
+            crowd.push_back(&world.add("Guest " + std::to_string(i), Role::Observer));
+        world.run(2s);
+        QCOMPARE(present(world.board, Role::Observer), most);
+        crowd.resize(kLeaving);
+        for (const DriverWorld::Guest* guest : crowd) {
+            world.host->disconnected(guest->address, world.now);
+            world.add("Another " + std::to_string(guest->address), Role::Observer);
+        }
+        world.run(500ms);
+        QCOMPARE(present(world.board, Role::Observer), most - kLeaving);
+        for (DriverWorld::Guest* guest : crowd)
+            world.movePath(*guest, Role::Observer);
+        world.run(1s);
+        QCOMPARE(present(world.board, Role::Observer), most);
+    }
 };
 
 CARINA_TEST(TestNewcomers)

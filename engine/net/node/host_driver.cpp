@@ -236,6 +236,7 @@ void HostDriver::giveUp(const Error& why, LocalTime now)
     // What was decided since was decided on the ground of what is not stored.
     for (const FactRecord& record : m_ledger.giveUp())
         m_core->giveUp(record, Errc::StoreFailed, now);
+    m_entry->giveUp();
     m_publications.forget();           // what was to be shared is not
     m_returnsEnd = now + kPeerTimeout; // who left meanwhile is found absent
     m_refusal = Error{Errc::StoreFailed, why.detail};

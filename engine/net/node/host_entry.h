@@ -42,6 +42,9 @@ public:
                                                          SessionTime session, LocalTime now,
                                                          const Decide& decide);
 
+    /// What was decided and not stored is undone.
+    void giveUp() { m_origins.forgetOthersThan(m_ledger.stored().state()); }
+
 private:
     /// The proposal to join at the station that is wanted. @returns StationUnknown.
     [[nodiscard]] Result<Proposal> joinOf(const Hello& hello) const;

@@ -25,6 +25,12 @@ void Origins::cameIn(const Comer& comer)
         comer.from;
 }
 
+void Origins::forgetOthersThan(const SessionState& state)
+{
+    std::erase_if(m_origins,
+                  [&](const auto& entry) { return !state.participants().contains(entry.first); });
+}
+
 std::size_t Origins::namesFrom(const SourcePrefix& from, Role role) const
 {
     return static_cast<std::size_t>(std::ranges::count_if(m_origins, [&](const auto& entry) {

@@ -27,6 +27,8 @@ public:
     [[nodiscard]] bool mayComeIn(const Comer& comer, const SessionState& state,
                                  SessionTime now) const;
     void cameIn(const Comer& comer);
+    /// Whose joining could not be stored, and who is thus not in the session, did not come in.
+    void forgetOthersThan(const SessionState& state);
 
 private:
     struct Origin {

@@ -93,6 +93,26 @@ private Q_SLOTS:
         world.run(1s);
         QCOMPARE(present(world.board, Role::Observer), most);
     }
+
+    /// Each program asks several times for as long as the disk takes nothing.
+    void fullDiskUsesUpNoNames()
+    {
+        constexpr int kCrowd = 40;
+        QVERIFY(2.0 * HostEntry::kNewcomers + kCrowd > double(mostNamesFrom(Role::Observer)));
+        HeldStore::Disk disk;
+        DriverWorld world{disk};
+        QVERIFY(world.host);
+        world.host->waitForDisk(world.now);
+        disk.full = true;
+        for (int i = 0; i < kCrowd; ++i)
+            world.add("Guest " + std::to_string(i), Role::Observer);
+        world.run(2s);
+        QCOMPARE(present(world.board, Role::Observer), std::ptrdiff_t{0});
+        world.host->waitForDisk(world.now);
+        disk.full = false;
+        world.run(2s);
+        QCOMPARE(present(world.board, Role::Observer), std::ptrdiff_t{kCrowd});
+    }
 };
 
 CARINA_TEST(TestNewcomers)

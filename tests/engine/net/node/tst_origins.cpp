@@ -121,6 +121,18 @@ private Q_SLOTS:
         QVERIFY(gate.comesIn(guest(1), Role::Instructor, kHere, kLater)); // not a new one
         QVERIFY(gate.comesIn(guest(most + 2), Role::Instructor, kElsewhere, kLater));
     }
+
+    void whoseJoiningWasNotStoredBroughtNoName()
+    {
+        Origins origins;
+        const SessionState empty;
+        for (std::size_t i = 1; i <= 2 * mostNamesFrom(Role::Observer); ++i) {
+            const Origins::Comer comer{guest(i), Role::Observer, kHere};
+            QVERIFY(origins.mayComeIn(comer, empty, kLater));
+            origins.cameIn(comer);
+            origins.forgetOthersThan(empty);
+        }
+    }
 };
 
 CARINA_TEST(TestOrigins)

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <set>
 
 namespace carina
@@ -22,6 +23,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kManifest = "MANIFEST.tsv";
 constexpr const char* kSource = "SOURCE.txt";
+constexpr std::size_t kLongestName = 4096; ///< that Linux opens
 
 bool isCompanion(const fs::path& file)
 {
@@ -78,6 +80,12 @@ std::vector<std::string> allFiles(const SetFolder& folder)
     return files;
 }
 
+Error othersMissing()
+{
+    return {Errc::FileNotFound,
+            "more files are missing than the " + std::to_string(kMostMissingFiles) + " named"};
+}
+
 template <class Visit>
 void forEachCompanion(const SetFolder& folder, const char* name, const Visit& visit)
 {
@@ -101,14 +109,18 @@ std::string_view cell(std::string_view line, std::size_t column)
     return line.substr(0, line.find('\r'));
 }
 
-std::size_t columnOf(std::string_view header, std::string_view name)
+/// The column of this name in the header; nothing where it is none of the first.
+std::optional<std::size_t> columnOf(std::string_view header, std::string_view name)
 {
-    const auto columns =
-        static_cast<std::size_t>(std::count(header.begin(), header.end(), '\t')) + 1;
-    for (std::size_t i = 0; i < columns; ++i)
-        if (cell(header, i) == name)
-            return i;
-    return columns;
+    for (std::size_t column = 0; column < kMostManifestColumns; ++column) {
+        if (cell(header, 0) == name)
+            return column;
+        const std::size_t end = header.find('\t');
+        if (end == std::string_view::npos)
+            break;
+        header.remove_prefix(end + 1);
+    }
+    return std::nullopt;
 }
 
 } // namespace
@@ -169,13 +181,19 @@ std::vector<FileFault> missingFiles(const SetFolder& folder)
     for (const std::string& file : folder.surfaces)
         present.insert(fs::path{file}.filename());
     std::vector<FileFault> missing;
+    const auto addMissing = [&](const std::string& name, const std::string& manifest) {
+        if (missing.size() == kMostMissingFiles)
+            missing.push_back({manifest, othersMissing()});
+        if (missing.size() < kMostMissingFiles)
+            missing.push_back(
+                {name, {Errc::FileNotFound, name + ": missing, though named in " + manifest}});
+    };
     forEachCompanion(folder, kManifest, [&](const std::string& manifest, std::string_view text) {
-        const std::size_t column = columnOf(takeLine(text), "file");
-        while (!text.empty()) {
-            const std::string name{cell(takeLine(text), column)};
+        const auto column = columnOf(takeLine(text), "file");
+        while (column && !text.empty() && missing.size() <= kMostMissingFiles) {
+            const std::string name{cell(takeLine(text), *column).substr(0, kLongestName)};
             if (!name.empty() && !present.contains(fs::path{name}.filename()))
-                missing.push_back(
-                    {name, {Errc::FileNotFound, name + ": missing, though named in " + manifest}});
+                addMissing(name, manifest);
         }
     });
     return missing;

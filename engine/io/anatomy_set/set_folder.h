@@ -31,7 +31,13 @@ struct SetFolder {
 /// of any file changes it, and it takes milliseconds.
 [[nodiscard]] std::string listingHashOf(const SetFolder& folder);
 
-/// Files that a MANIFEST.tsv of the folder lists in its column "file" and that do not exist in it.
+/// Columns of a MANIFEST.tsv that are read.
+inline constexpr std::size_t kMostManifestColumns = 64;
+/// Missing files that are named.
+inline constexpr std::size_t kMostMissingFiles = 1000;
+
+/// Files that a MANIFEST.tsv of the folder lists in its column "file", and that do not exist in it.
+/// Beyond kMostMissingFiles one more fault says that there are others.
 [[nodiscard]] std::vector<FileFault> missingFiles(const SetFolder& folder);
 
 /// The lines about licence and copyright in the SOURCE.txt of the folder.

@@ -28,8 +28,7 @@ bool HostPaths::hears(PeerAddress path, LocalTime now)
         return true;
     if (!known->second.isEnded && known->second.datagrams.take(1.0, kIdleDatagrams, now))
         return true;
-    if (!std::exchange(known->second.isEnded, true))
-        m_ended.push_back(path);
+    end(path, known->second);
     return false;
 }
 
@@ -78,9 +77,7 @@ void HostPaths::advance(LocalTime now)
         if (m_isInUse(address)) {
             path.idleSince = now;
         } else if (now >= path.idleSince + kHelloWithin) {
-            m_ended.push_back(address); // it is told as disconnected next
-            path.idleSince = now;
-            path.isEnded = true;
+            end(address, path); // it is told as disconnected next
         } else {
             m_nextLook = std::min(m_nextLook, path.idleSince + kHelloWithin);
         }
@@ -92,7 +89,7 @@ void HostPaths::endOldestIdle(const Credential& who)
     std::vector<PeerAddress> idle;
     std::vector<PeerAddress> own;
     for (const auto& [address, path] : m_paths) {
-        if (m_isInUse(address))
+        if (path.isEnded || m_isInUse(address))
             continue;
         idle.push_back(address);
         if (path.who == who)
@@ -102,14 +99,18 @@ void HostPaths::endOldestIdle(const Credential& who)
     const auto endOldest = [this](const std::vector<PeerAddress>& of) {
         const PeerAddress oldest = *std::ranges::min_element(
             of, {}, [this](PeerAddress address) { return m_paths.at(address).idleSince; });
-        if (!m_paths.at(oldest).isEnded)
-            m_ended.push_back(oldest);
-        m_paths.erase(oldest);
+        end(oldest, m_paths.at(oldest));
     };
     if (own.size() >= mostOwn)
         endOldest(own);
     else if (idle.size() >= kMostIdle)
         endOldest(idle);
+}
+
+void HostPaths::end(PeerAddress address, Path& path)
+{
+    if (!std::exchange(path.isEnded, true))
+        m_ended.push_back(address);
 }
 
 } // namespace carina

@@ -54,7 +54,6 @@ public:
     [[nodiscard]] std::shared_ptr<SharedBudget> sharedBudget(PeerAddress path);
     /// The address that a path is from; zeros for a path that is not known.
     [[nodiscard]] SourcePrefix sourceOf(PeerAddress path) const;
-    /// True for a path that gave way to a new one: its Hello may come before it is closed.
     [[nodiscard]] bool hearsHello(PeerAddress path, LocalTime now);
     [[nodiscard]] bool hearsTokenRequest(PeerAddress path, LocalTime now);
 
@@ -68,7 +67,7 @@ private:
         Credential who;
         SourcePrefix from;
         LocalTime idleSince{}; ///< nobody has taken part over it from then on
-        bool isEnded = false;
+        bool isEnded = false;  ///< it is to be closed, and not heard meanwhile
         TokenBucket datagrams{};
         TokenBucket hellos{};
         TokenBucket tokenRequests{};
@@ -76,6 +75,7 @@ private:
 
     /// Makes room for one more path of this credential.
     void endOldestIdle(const Credential& who);
+    void end(PeerAddress address, Path& path);
 
     std::function<bool(PeerAddress)> m_isInUse;
     std::map<PeerAddress, Path> m_paths;

@@ -51,6 +51,25 @@ private Q_SLOTS:
         QCOMPARE(paths.takeEnded(), std::vector<PeerAddress>{1});
     }
 
+    /// Its Hello may arrive before it is closed, and would have come from nowhere.
+    void pathThatGaveWayIsNotHeard()
+    {
+        HostPaths paths{[](PeerAddress) { return false; }};
+        const auto open = [&](PeerAddress path) {
+            paths.connected(path, kTrainees, kHere, kStart + path * 1us);
+        };
+        for (PeerAddress path = 1; path <= HostPaths::kMostIdleOfCode; ++path)
+            open(path);
+        open(5000);
+        QVERIFY(!paths.hears(1, kStart + 6ms));
+        QCOMPARE(paths.sourceOf(1), kHere);
+        open(5001); // another gives way to it
+        QCOMPARE(paths.takeEnded(), (std::vector<PeerAddress>{1, 2}));
+        paths.disconnected(1);
+        paths.advance(kStart + HostPaths::kHelloWithin + 3us);
+        QCOMPARE(paths.takeEnded(), std::vector<PeerAddress>{3}); // the others only once
+    }
+
     void budgetIsSharedByThoseOfOneAddressInOneRole()
     {
         HostPaths paths{[](PeerAddress) { return true; }};

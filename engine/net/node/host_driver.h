@@ -108,7 +108,8 @@ private:
     std::unique_ptr<HostAccess> m_access;
     SourcePrefix m_source{};   // of the next path
     PeerAddress m_speaker = 0; // sender of the datagram being handled
-    HostPaths m_paths{[this](PeerAddress path) { return m_core->peers().contains(path); }};
+    HostPaths m_paths{[this](PeerAddress path) { return m_core->peers().contains(path); },
+                      [this](PeerAddress path) { return m_core->isArriving(path); }};
     std::unique_ptr<HostEntry> m_entry;
     std::vector<PeerAddress> m_ended; // paths of those who exceeded their budget
     Datagrams m_tokens;               // to be sent once they are on disk

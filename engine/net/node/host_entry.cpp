@@ -13,8 +13,6 @@ namespace
 {
 
 constexpr ParticipantId kOfHost{0};
-/// A path is not idle as long as its participant's join may wait for a slow disk.
-constexpr Duration kJoinStoredWithin = std::chrono::seconds{10};
 
 /// The id under which a join enters the log. The one that a program sent stays between it and the
 /// host, so that it proves that a later join is of the same run of that program.
@@ -108,7 +106,7 @@ Result<std::optional<Admission>> HostEntry::admit(PeerAddress from, const Hello&
         proposal->id = ProposalId{QRandomGenerator::system()->generate64()};
     return decide(*proposal).map([&](FactNumber joined) {
         m_origins.cameIn(comer);
-        m_paths.idleFrom(from, now + kJoinStoredWithin);
+        m_paths.idleFrom(from, now); // should it not be stored
         m_access.admitted(from, who->participant);
         return std::optional{Admission{who->participant, joined}};
     });

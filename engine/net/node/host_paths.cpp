@@ -10,15 +10,15 @@ namespace carina
 void HostPaths::connected(PeerAddress path, const Credential& who, const SourcePrefix& from,
                           LocalTime now)
 {
-    endOldestIdle(who);
+    endOldestIdle(who, from);
     m_paths.emplace(path, Path{who, from, now});
     m_nextLook = std::min(m_nextLook, now + kLook);
 }
 
-void HostPaths::idleFrom(PeerAddress path, LocalTime time)
+void HostPaths::idleFrom(PeerAddress path, LocalTime now)
 {
     if (const auto known = m_paths.find(path); known != m_paths.end())
-        known->second.idleSince = time;
+        known->second.idleSince = now;
 }
 
 bool HostPaths::hears(PeerAddress path, LocalTime now)
@@ -74,7 +74,7 @@ void HostPaths::advance(LocalTime now)
         return;
     m_nextLook = m_paths.empty() ? LocalTime::max() : now + kLook;
     for (auto& [address, path] : m_paths) {
-        if (m_isInUse(address)) {
+        if (!isIdle(address)) {
             path.idleSince = now;
         } else if (now >= path.idleSince + kHelloWithin) {
             end(address, path); // it is told as disconnected next
@@ -84,15 +84,15 @@ void HostPaths::advance(LocalTime now)
     }
 }
 
-void HostPaths::endOldestIdle(const Credential& who)
+void HostPaths::endOldestIdle(const Credential& who, const SourcePrefix& from)
 {
     std::vector<PeerAddress> idle;
     std::vector<PeerAddress> own;
     for (const auto& [address, path] : m_paths) {
-        if (path.isEnded || m_isInUse(address))
+        if (path.isEnded || !isIdle(address))
             continue;
         idle.push_back(address);
-        if (path.who == who)
+        if (path.who == who && path.from == from)
             own.push_back(address);
     }
     const std::size_t mostOwn = who.participant ? kMostIdleOfToken : kMostIdleOfCode;

@@ -21,8 +21,9 @@ class HostPaths
 public:
     /// A path over which nobody takes part is ended after this time.
     static constexpr Duration kHelloWithin = std::chrono::seconds{2};
-    /// Such paths of one credential, a role's code or a participant's token: the one that has been
-    /// idle longest is ended for a new one, so that who has one code cannot keep out the others.
+    /// Such paths of one address with one credential, a role's code or a participant's token: the
+    /// one that has been idle longest is ended for a new one, so that who has one code cannot keep
+    /// out people elsewhere, nor those who have another.
     static constexpr std::size_t kMostIdleOfCode = 64;
     static constexpr std::size_t kMostIdleOfToken = 4;
     /// Of all credentials: with these, and one for each participant who may be present, the
@@ -38,14 +39,20 @@ public:
     /// Requests for a token in a second that are answered; twice as many at once.
     static constexpr double kTokenRequests = 8.0;
 
+    using PathTest = std::function<bool(PeerAddress)>;
     /// @param isInUse whether a participant is connected over a path
-    explicit HostPaths(std::function<bool(PeerAddress)> isInUse) : m_isInUse{std::move(isInUse)} {}
+    /// @param isArriving whether one waits over it until their joining is stored
+    explicit HostPaths(
+        PathTest isInUse, PathTest isArriving = [](PeerAddress) { return false; })
+        : m_isInUse{std::move(isInUse)}, m_isArriving{std::move(isArriving)}
+    {
+    }
 
     void connected(PeerAddress path, const Credential& who, const SourcePrefix& from,
                    LocalTime now);
     void disconnected(PeerAddress path) { m_paths.erase(path); }
-    /// Counts a path as idle from a later time on, until which its participant may wait.
-    void idleFrom(PeerAddress path, LocalTime time);
+    /// A path counts as idle from now on, not from before: its participant is to ask again.
+    void idleFrom(PeerAddress path, LocalTime now);
 
     /// Whether a datagram over a path is heard; the path is ended where it is one too many and
     /// nobody takes part over it.
@@ -73,11 +80,16 @@ private:
         TokenBucket tokenRequests{};
     };
 
-    /// Makes room for one more path of this credential.
-    void endOldestIdle(const Credential& who);
+    [[nodiscard]] bool isIdle(PeerAddress path) const
+    {
+        return !m_isInUse(path) && !m_isArriving(path);
+    }
+    /// Makes room for one more path of this credential and address.
+    void endOldestIdle(const Credential& who, const SourcePrefix& from);
     void end(PeerAddress address, Path& path);
 
-    std::function<bool(PeerAddress)> m_isInUse;
+    PathTest m_isInUse;
+    PathTest m_isArriving;
     std::map<PeerAddress, Path> m_paths;
     std::map<std::pair<SourcePrefix, Role>, std::shared_ptr<SharedBudget>> m_shared;
     std::vector<PeerAddress> m_ended;

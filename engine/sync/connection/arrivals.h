@@ -48,6 +48,8 @@ public:
     /// Removes those whose fact this is.
     [[nodiscard]] std::map<PeerAddress, Arrival> takeWaitingFor(FactNumber joined);
 
+    /// Whether a program from this address is one of them.
+    [[nodiscard]] bool contains(PeerAddress from) const { return m_arrivals.contains(from); }
     /// One whose fact is in a log of this length, if there is any.
     [[nodiscard]] std::optional<PeerAddress> stored(FactNumber logEnd) const;
     [[nodiscard]] const Arrival& at(PeerAddress from) const { return m_arrivals.at(from); }

@@ -183,6 +183,8 @@ public:
     [[nodiscard]] const std::map<PeerAddress, Peer>& peers() const { return m_peers; }
     /// Whether a program of this participant is connected or admitted.
     [[nodiscard]] bool isHere(ParticipantId participant) const;
+    /// Whether somebody comes in over this path, and is not welcomed yet.
+    [[nodiscard]] bool isArriving(PeerAddress from) const { return m_arrivals.contains(from); }
     [[nodiscard]] const SharedActions& actions() const { return m_actions.shared(); }
     /// How the session's strategy itself probes the path to another participant; nullptr for one
     /// that measures none (StarParticipant::triggerTo).

@@ -51,6 +51,32 @@ private Q_SLOTS:
         QCOMPARE(paths.takeEnded(), std::vector<PeerAddress>{1});
     }
 
+    void idlePathsOfOneAddressEndNoneFromElsewhere()
+    {
+        HostPaths paths{[](PeerAddress) { return false; }};
+        paths.connected(5000, kTrainees, kElsewhere, kStart);
+        for (PeerAddress path = 1; path <= HostPaths::kMostIdleOfCode; ++path)
+            paths.connected(path, kTrainees, kHere, kStart + path * 1us);
+        QVERIFY(paths.takeEnded().empty());
+        paths.connected(5001, kTrainees, kHere, kStart + 1ms);
+        QCOMPARE(paths.takeEnded(), std::vector<PeerAddress>{1});
+    }
+
+    /// However long the disk takes.
+    void pathIsNotIdleWhileItsParticipantWaitsForTheDisk()
+    {
+        bool isArriving = true;
+        HostPaths paths{[](PeerAddress) { return false; }, [&](PeerAddress) { return isArriving; }};
+        paths.connected(1, kTrainees, kHere, kStart);
+        const LocalTime late = kStart + 1min;
+        paths.advance(late);
+        isArriving = false;
+        paths.advance(late + HostPaths::kHelloWithin - 1ns);
+        QVERIFY(paths.takeEnded().empty());
+        paths.advance(paths.nextWake());
+        QCOMPARE(paths.takeEnded(), std::vector<PeerAddress>{1});
+    }
+
     /// Its Hello may arrive before it is closed, and would have come from nowhere.
     void pathThatGaveWayIsNotHeard()
     {

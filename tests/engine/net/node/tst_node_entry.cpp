@@ -56,17 +56,18 @@ Greeted greet(HostDriver& host, const Credential& proved, Role role)
     return {board.part(&NodeBoard::View::self), board.part(&NodeBoard::View::refusal)};
 }
 
-/// A datagram in which a trainee of this name says Hello with this id.
-std::vector<std::byte> hello(ProposalId id, const char* name)
+std::vector<std::byte> datagramOf(const WireRecord& record)
 {
-    const WireRecord record =
-        Hello{{},
-              {},
-              toRecord(Proposal{id, kNobody, kStation,
-                                fact::ParticipantJoined{ParticipantId{}, Role::Trainee, name}})};
     BundleHeader header;
     header.connection = 1;
     return packDatagrams(std::span{&record, 1}, [&] { return header; }).front();
+}
+
+/// A datagram in which a trainee of this name says Hello with this id.
+std::vector<std::byte> hello(ProposalId id, const char* name)
+{
+    const fact::ParticipantJoined joined{ParticipantId{}, Role::Trainee, name};
+    return datagramOf(Hello{{}, {}, toRecord(Proposal{id, kNobody, kStation, joined})});
 }
 
 } // namespace
@@ -173,6 +174,27 @@ private Q_SLOTS:
         QVERIFY((*host)->takeEnded().empty());
         static_cast<void>((*host)->advance(start + HostPaths::kHelloWithin));
         QCOMPARE((*host)->takeEnded(), std::vector<PeerAddress>{5});
+    }
+
+    /// Such a path counted as younger than all others for up to ten seconds.
+    void pathOfWhoCameAndWentAtOnceIsIdleFromThenOn()
+    {
+        MemoryDisk disk;
+        NodeBoard board;
+        const LocalTime start = monotonicNow();
+        const auto host =
+            HostDriver::open(hostSettings(disk), std::make_unique<MemoryStore>(disk), board, start);
+        QVERIFY(host);
+        constexpr PeerAddress kAnna = 5;
+        (*host)->connected(kAnna, {Role::Trainee, std::nullopt}, start);
+        (*host)->receive(kAnna, hello(ProposalId{20}, "Anna"), start);
+        static_cast<void>((*host)->advance(start));
+        (*host)->waitForDisk(start);
+        static_cast<void>((*host)->advance(start));
+        QVERIFY(board.part(&NodeBoard::View::state)->isPresent(ParticipantId{1}));
+        (*host)->receive(kAnna, datagramOf(Goodbye{}), start + 1ms);
+        static_cast<void>((*host)->advance(start + HostPaths::kHelloWithin));
+        QCOMPARE((*host)->takeEnded(), std::vector<PeerAddress>{kAnna});
     }
 
     void idOfAnothersProposalBringsANewcomerInAsItself()

@@ -10,7 +10,7 @@ bool SourceLimiter::admits(const SourcePrefix& source, LocalTime now)
     const bool isOther = m_fullAgain.size() >= kMostSources && !m_fullAgain.contains(source);
     LocalTime& fullAgain =
         isOther ? m_othersFullAgain : m_fullAgain.try_emplace(source, now).first->second;
-    const auto next = kRate.withOneMore(fullAgain, now);
+    const auto next = m_rate.withOneMore(fullAgain, now);
     fullAgain = next.value_or(fullAgain);
     return next.has_value();
 }

@@ -93,7 +93,7 @@ Result<std::optional<Admission>> HostEntry::admit(PeerAddress from, const Hello&
     const Origins::Comer comer{who->participant, role, m_paths.sourceOf(from)};
     if (!m_origins.mayComeIn(comer, state, session))
         return fail(Errc::SessionFull);
-    if (isNew && !m_newcomers[role].take(1.0, kNewcomers, now)) {
+    if (isNew && !takesNewcomer(comer, now)) {
         m_paths.idleFrom(from, now);
         return std::nullopt;
     }
@@ -110,6 +110,12 @@ Result<std::optional<Admission>> HostEntry::admit(PeerAddress from, const Hello&
         m_access.admitted(from, who->participant);
         return std::optional{Admission{who->participant, joined}};
     });
+}
+
+bool HostEntry::takesNewcomer(const Origins::Comer& comer, LocalTime now)
+{
+    Newcomers& known = m_newcomers[comer.role];
+    return known.ofEach.admits(comer.from, now) && known.ofAll.take(1.0, kNewcomersOfAll, now);
 }
 
 bool HostEntry::isJoinOf(ProposalId proposal, ParticipantId participant,

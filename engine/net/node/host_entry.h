@@ -19,8 +19,10 @@ namespace carina
 class HostEntry
 {
 public:
-    /// New participants of a role in a second; twice as many at once.
-    static constexpr double kNewcomers = 40.0;
+    /// New participants of a role from one address in a second; twice as many at once.
+    static constexpr int kNewcomers = 40;
+    /// The same from all addresses together: one does not use up what all have.
+    static constexpr double kNewcomersOfAll = 2.0 * kNewcomers;
 
     /// Enters what is decided on a join. @returns the number of its fact
     using Decide = std::function<Result<FactNumber>(const Proposal&)>;
@@ -59,8 +61,17 @@ private:
     const FactLedger& m_ledger;
     HostAccess& m_access;
     HostPaths& m_paths;
+    /// Whether one more who is new may come in now; counts it if so.
+    [[nodiscard]] bool takesNewcomer(const Origins::Comer& comer, LocalTime now);
+
+    /// Those of a role, so that one's do not keep out another's.
+    struct Newcomers {
+        SourceLimiter ofEach{{2 * kNewcomers, Duration{std::chrono::seconds{1}} / kNewcomers}};
+        TokenBucket ofAll{};
+    };
+
     Origins m_origins;
-    std::map<Role, TokenBucket> m_newcomers; // so that one role's do not keep out another's
+    std::map<Role, Newcomers> m_newcomers;
 };
 
 } // namespace carina

@@ -50,6 +50,14 @@ private Q_SLOTS:
         QCOMPARE(admitted(limiter, source(2), 1000, kStart), 128);
     }
 
+    void letsThroughAtTheRateThatIsGiven()
+    {
+        SourceLimiter limiter{BurstRate{10, 250ms}};
+        QCOMPARE(admitted(limiter, source(1), 1000, kStart), 10);
+        QCOMPARE(admitted(limiter, source(1), 1000, kStart + 1s), 4);
+        QCOMPARE(admitted(limiter, source(2), 1000, kStart + 1s), 10);
+    }
+
     void countlessSourcesShareOneAllowance()
     {
         SourceLimiter limiter;

@@ -18,9 +18,24 @@ std::ptrdiff_t present(const NodeBoard& board, Role role)
     });
 }
 
+bool isPresent(const NodeBoard& board, std::string_view name)
+{
+    return std::ranges::any_of(board.state()->participants(), [name](const auto& entry) {
+        return entry.second.present && entry.second.name == name;
+    });
+}
+
+/// Adds one who does not come from the address of all others.
+void addFromElsewhere(DriverWorld& world, const std::string& name, Role role)
+{
+    constexpr SourcePrefix kElsewhere{9};
+    world.host->cameFrom(kElsewhere);
+    world.add(name, role);
+}
+
 } // namespace
 
-/// How fast a host admits those who are new.
+/// How many of those who are new a host admits, and how fast.
 class TestNewcomers : public QObject
 {
     Q_OBJECT
@@ -36,7 +51,7 @@ private Q_SLOTS:
         for (int i = 0; i < kCrowd; ++i)
             world.add("Guest " + std::to_string(i), Role::Trainee);
         world.run(20ms);
-        const auto inAtOnce = std::ptrdiff_t(2.0 * HostEntry::kNewcomers);
+        constexpr std::ptrdiff_t inAtOnce = 2 * HostEntry::kNewcomers;
         QVERIFY(present(world.board, Role::Trainee) >= inAtOnce);
         QVERIFY(present(world.board, Role::Trainee) < kCrowd);
         world.add("Ina", Role::Instructor);
@@ -44,6 +59,22 @@ private Q_SLOTS:
         world.run(20ms);
         QCOMPARE(present(world.board, Role::Instructor), std::ptrdiff_t{1});
         QCOMPARE(present(world.board, Role::Observer), std::ptrdiff_t{1});
+        QVERIFY(present(world.board, Role::Trainee) < kCrowd);
+    }
+
+    void aCrowdOfOneAddressKeepsOutNobodyElsewhere()
+    {
+        constexpr int kCrowd = 120;
+        HeldStore::Disk disk;
+        DriverWorld world{disk};
+        QVERIFY(world.host);
+        for (int i = 0; i < kCrowd; ++i)
+            world.add("Guest " + std::to_string(i), Role::Trainee);
+        world.run(20ms);
+        QVERIFY(present(world.board, Role::Trainee) < kCrowd);
+        addFromElsewhere(world, "Anna", Role::Trainee);
+        world.run(20ms);
+        QVERIFY(isPresent(world.board, "Anna"));
         QVERIFY(present(world.board, Role::Trainee) < kCrowd);
     }
 
@@ -59,10 +90,7 @@ private Q_SLOTS:
         world.run(500ms);
         QCOMPARE(present(world.board, Role::Observer), std::ptrdiff_t(most));
         QVERIFY(most < mostPresentOf(Role::Observer));
-        SourcePrefix elsewhere{};
-        elsewhere.front() = 9;
-        world.host->cameFrom(elsewhere);
-        world.add("Olga", Role::Observer);
+        addFromElsewhere(world, "Olga", Role::Observer);
         world.run(100ms);
         QCOMPARE(present(world.board, Role::Observer), std::ptrdiff_t(most) + 1);
     }
@@ -98,7 +126,7 @@ private Q_SLOTS:
     void fullDiskUsesUpNoNames()
     {
         constexpr int kCrowd = 40;
-        QVERIFY(2.0 * HostEntry::kNewcomers + kCrowd > double(mostNamesFrom(Role::Observer)));
+        QVERIFY(std::size_t{2 * HostEntry::kNewcomers + kCrowd} > mostNamesFrom(Role::Observer));
         HeldStore::Disk disk;
         DriverWorld world{disk};
         QVERIFY(world.host);

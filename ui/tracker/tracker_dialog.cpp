@@ -19,8 +19,13 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QScreen>
+#include <QScrollArea>
+#include <QShowEvent>
+#include <QStyle>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <utility>
 
 namespace carina
@@ -31,6 +36,21 @@ namespace
 constexpr int kWidth = 620;
 constexpr int kFoundHeight = 110;
 constexpr int kIndent = 24;
+constexpr int kWindowFrame = 48; // with its title, as window managers draw it
+
+/// Asks for the height of all of its content, and scrolls where it has less.
+class RowsArea : public QScrollArea
+{
+public:
+    [[nodiscard]] QSize sizeHint() const override
+    {
+        const int bar = style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+        const int width = std::max(minimumWidth() - bar, 0);
+        const QWidget& rows = *widget();
+        return {minimumWidth(),
+                rows.hasHeightForWidth() ? rows.heightForWidth(width) : rows.sizeHint().height()};
+    }
+};
 
 QLabel* wrappingLabel(const char* name)
 {
@@ -54,6 +74,8 @@ QLineEdit* namedEdit(const char* name, const QString& label)
 TrackerDialog::TrackerDialog(const TrackerForm& begin, const std::vector<OfferedAddress>& offered,
                              const std::vector<OfferedAddress>& webcams, QWidget* parent)
     : QDialog{parent},
+      m_area{new RowsArea},
+      m_rows{new QVBoxLayout},
       m_sources{new QButtonGroup{this}},
       m_simulated{new SimulatedFields},
       m_address{new QComboBox},
@@ -75,7 +97,6 @@ TrackerDialog::TrackerDialog(const TrackerForm& begin, const std::vector<Offered
 {
     setWindowTitle(tr("Connect a tracker"));
     m_isLooped->setObjectName(QStringLiteral("looped"));
-    setMinimumWidth(kWidth);
     layOut();
     addSource(TrackerSource::Simulated,
               tr("&Simulated tracker and manikin, to try the program without hardware"),
@@ -92,6 +113,7 @@ TrackerDialog::TrackerDialog(const TrackerForm& begin, const std::vector<Offered
     addSource(TrackerSource::Description, tr("A tracker that a &file describes, also one of PLUS"),
               descriptionFields());
     addRecordRow();
+    m_rows->addStretch();
     fill(begin);
     connectFields();
     refresh();
@@ -106,9 +128,18 @@ void TrackerDialog::layOut()
     buttons->addButton(m_use, QDialogButtonBox::AcceptRole);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* rows = new QWidget;
+    rows->setLayout(m_rows);
+    m_rows->setContentsMargins({});
+    m_area->setObjectName(QStringLiteral("rows"));
+    m_area->setFrameShape(QFrame::NoFrame);
+    m_area->setFocusPolicy(Qt::NoFocus);
+    m_area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_area->setWidgetResizable(true);
+    m_area->setWidget(rows);
     auto* column = new QVBoxLayout{this};
     column->addWidget(new PlainLabel{tr("Where are the poses of the tools to come from?")});
-    column->addStretch();
+    column->addWidget(m_area, 1);
     column->addWidget(m_missing);
     column->addWidget(buttons);
     m_use->setDefault(true); // of this dialog, now that it is in it
@@ -119,14 +150,10 @@ void TrackerDialog::addSource(TrackerSource source, const QString& text, QWidget
     auto* button = new QRadioButton{text};
     button->setObjectName(QStringLiteral("source%1").arg(int(source)));
     m_sources->addButton(button, int(source));
-    auto* column = qobject_cast<QVBoxLayout*>(layout());
-    const int behind = column->count() - 3; // stretch, what is missing, buttons
-    column->insertWidget(behind, button);
-    if (details == nullptr)
-        return;
+    m_rows->addWidget(button);
     m_details[std::size_t(source)] = details;
     details->setContentsMargins(kIndent, 0, 0, 0);
-    column->insertWidget(behind + 1, details);
+    m_rows->addWidget(details);
 }
 
 /// How a Polaris is asked for poses, and how fast its serial port may be.
@@ -218,8 +245,7 @@ void TrackerDialog::addRecordRow()
     row->addWidget(label);
     row->addWidget(m_conversation, 1);
     row->addWidget(browse);
-    auto* column = qobject_cast<QVBoxLayout*>(layout());
-    column->insertWidget(column->count() - 3, m_recordRow); // stretch, what is missing, buttons
+    m_rows->addWidget(m_recordRow);
 }
 
 void TrackerDialog::chooseConversation()
@@ -259,7 +285,11 @@ void TrackerDialog::fill(const TrackerForm& form)
 
 void TrackerDialog::connectFields()
 {
-    connect(m_sources, &QButtonGroup::idToggled, this, &TrackerDialog::edited);
+    connect(m_sources, &QButtonGroup::idToggled, this, [this] {
+        edited();
+        if (isVisible())
+            fit();
+    });
     connect(m_address, &QComboBox::editTextChanged, this, &TrackerDialog::edited);
     for (const QComboBox* choice : {m_poses, m_rate})
         connect(choice, &QComboBox::currentIndexChanged, this, &TrackerDialog::edited);
@@ -321,6 +351,7 @@ void TrackerDialog::tryIt()
     });
     if (!begun)
         m_missing->setText(errorText(begun.error()));
+    m_area->ensureWidgetVisible(m_found);
 }
 
 void TrackerDialog::calibrate()
@@ -396,8 +427,27 @@ void TrackerDialog::refresh()
     m_recordRow->setVisible(m_offersToRecord && canHaveConversation(form().source));
     m_found->setText(m_trial.text());
     for (std::size_t source = 0; source < m_details.size(); ++source)
-        if (m_details[source] != nullptr)
-            m_details[source]->setVisible(int(source) == m_sources->checkedId());
+        m_details[source]->setVisible(int(source) == m_sources->checkedId());
+}
+
+void TrackerDialog::showEvent(QShowEvent* event)
+{
+    fit();
+    QDialog::showEvent(event);
+}
+
+/// As wide as the widest source needs, as high as the chosen one, and within the screen.
+void TrackerDialog::fit()
+{
+    int width = std::max(kWidth, m_rows->minimumSize().width());
+    for (const QWidget* details : m_details)
+        width = std::max(width, details->minimumSizeHint().width());
+    m_area->setMinimumWidth(width + style()->pixelMetric(QStyle::PM_ScrollBarExtent));
+    m_area->updateGeometry();
+    const QRect screenArea = screen()->availableGeometry().adjusted(0, kWindowFrame, 0, 0);
+    resize(sizeHint().boundedTo(screenArea.size()));
+    if (isVisible() && geometry().bottom() > screenArea.bottom())
+        move(x(), y() - (geometry().bottom() - screenArea.bottom()));
 }
 
 } // namespace carina

@@ -14,6 +14,8 @@ class QComboBox;
 class QLabel;
 class QLineEdit;
 class QPushButton;
+class QScrollArea;
+class QVBoxLayout;
 
 namespace carina
 {
@@ -27,7 +29,9 @@ class WebcamFields;
 /// at a serial port or on the network, a server of OpenIGTLink, a webcam before the printed tools,
 /// a recording of poses or of the bytes of a device, or what a file describes. A Polaris can be
 /// tried before; what answered is told, or that nothing does. Use is enabled once nothing is
-/// missing, also for a Polaris that does not answer yet: it is tried again by itself.
+/// missing, also for a Polaris that does not answer yet: it is tried again by itself. The window
+/// takes the height that the chosen source needs; where the screen is too low its fields scroll,
+/// and its buttons stay in sight.
 class TrackerDialog : public QDialog
 {
     Q_OBJECT
@@ -56,6 +60,9 @@ Q_SIGNALS:
     /// meanwhile, because it may be the same.
     void devicesWanted(bool areWanted);
 
+protected:
+    void showEvent(QShowEvent* event) override;
+
 private:
     void want(bool wants);
     void addSource(TrackerSource source, const QString& text, QWidget* details);
@@ -66,6 +73,7 @@ private:
     void chooseConversation();
     void offerPoses();
     void layOut();
+    void fit();
     void connectFields();
     void fill(const TrackerForm& form);
     [[nodiscard]] QWidget* descriptionFields();
@@ -77,8 +85,10 @@ private:
 
     TrackerTrial m_trial;
     std::optional<TrackerChoice> m_choice;
+    QScrollArea* m_area; ///< of the sources
+    QVBoxLayout* m_rows; ///< in it
     QButtonGroup* m_sources;
-    std::array<QWidget*, 6> m_details{}; ///< of each source; null where it has none
+    std::array<QWidget*, 6> m_details{}; ///< of each source
     SimulatedFields* m_simulated;
     QComboBox* m_address;
     QComboBox* m_poses;

@@ -13,6 +13,8 @@
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
+#include <QScreen>
 #include <QTableWidget>
 #include <QTcpServer>
 #include <QTemporaryDir>
@@ -300,6 +302,27 @@ private Q_SLOTS:
         find<QAbstractButton>(dialog, "try").click();
         dialog.reject();
         QCOMPARE(told, (std::vector{true, false, true, false}));
+    }
+
+    /// Also on a low screen, and as small again as before once another source is chosen.
+    void fitsTheScreenAndWhatItShows()
+    {
+        TrackerDialog dialog{{}, onePort()};
+        dialog.offerToRecord();
+        dialog.show();
+        const int before = dialog.height();
+        choose(dialog, TrackerSource::Polaris);
+        QTRY_VERIFY(find<QAbstractButton>(dialog, "addDefinition").isVisible());
+        QVERIFY(dialog.height() > before);
+        QVERIFY(dialog.geometry().bottom() <= dialog.screen()->availableGeometry().bottom());
+        const QPushButton& use = find<QPushButton>(dialog, "use");
+        QTRY_VERIFY(dialog.rect().contains({use.mapTo(&dialog, QPoint{}), use.size()}));
+        for (const QPushButton* button : dialog.findChildren<QPushButton*>())
+            if (button->isVisible())
+                QVERIFY2(button->width() >= button->minimumSizeHint().width(),
+                         qPrintable(button->text()));
+        choose(dialog, TrackerSource::Simulated);
+        QTRY_COMPARE(dialog.height(), before);
     }
 
     void everyControlHasANameForAScreenReader()

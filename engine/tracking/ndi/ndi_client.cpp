@@ -19,6 +19,9 @@ constexpr Duration kPosePatience = 250ms; // besides the time of the reply on th
 constexpr std::size_t kReplyBytes = 128;
 constexpr std::size_t kReplyBytesOfATool = 96;
 constexpr Duration kBeforeRetry = 500ms;
+constexpr int kAsksBeforeRetry = 3; // of one that tracked
+constexpr Duration kBetweenAsks = 150ms;
+constexpr int kMissedPosesBeforeTold = 2;
 constexpr int kMissedPosesBeforeRestart = 4;
 constexpr Duration kBetweenLooks = 1s; // at the ports
 constexpr Duration kUnreadable = 1s;   // replies, until that is told
@@ -56,8 +59,9 @@ NdiClient::NdiClient(NdiClientSettings settings)
       m_isSerial{settings.isSerial},
       m_dialogue{{.wasReset =
                       [this] {
+                          m_mayTrack = false; // it was switched off and on
                           if (m_isSerial && m_phase != Phase::Silent)
-                              begin(); // it was switched off and on
+                              begin();
                       },
                   .isSilent = [this] { fallSilent(noAnswer()); }}},
       m_connection{std::move(settings.rates), m_dialogue},
@@ -69,6 +73,8 @@ void NdiClient::start(LocalTime now, HoldsRate holdsRate)
 {
     m_now = now;
     m_hasLeft = false;
+    m_mayTrack = false;
+    m_silence.clear();
     m_connection.startOver(std::move(holdsRate));
     begin();
 }
@@ -82,10 +88,11 @@ void NdiClient::begin()
     m_asksReasons = false;
     m_unreadable.clear();
     m_damagedBefore = m_dialogue.damagedReplies();
-    m_poses = m_wantedPoses; // it may be another device
     m_phase = Phase::Connecting;
     if (m_isSerial)
-        return m_connection.connect([this] { setUp(); });
+        return m_connection.connect([this] { setUp(); },
+                                    m_mayTrack ? std::optional{askingWhetherItTracks()}
+                                               : std::nullopt);
     // Another program may have left it so; what it answers does not matter.
     m_dialogue.queue({.command = {"TSTOP"}, .patience = kSetUpPatience});
     m_tools.freeAll();
@@ -94,6 +101,8 @@ void NdiClient::begin()
 
 void NdiClient::setUp()
 {
+    m_mayTrack = false;
+    m_poses = m_wantedPoses; // it may be another device
     initialise();
     m_dialogue.queue({.command = {"VER", "4"},
                       .patience = kSetUpPatience,
@@ -107,7 +116,8 @@ void NdiClient::initialise()
     NdiStep init{.command = {"INIT"}, .patience = kInitPatience};
     init.then = [this](const NdiReply& reply) {
         if (!isFine(reply))
-            return fallSilent("it does not initialise: " + whyRefused(reply));
+            return giveUp("it does not initialise: " + whyRefused(reply));
+        m_silence.clear();
         m_connection.keepRate();
         m_phase = Phase::SettingUp;
     };
@@ -123,7 +133,7 @@ void NdiClient::startTracking()
     NdiStep start{.command = {"TSTART"}, .patience = kSetUpPatience};
     start.then = [this](const NdiReply& reply) {
         if (!isFine(reply))
-            return fallSilent("it does not track: " + whyRefused(reply));
+            return giveUp("it does not track: " + whyRefused(reply));
         m_phase = Phase::Tracking;
         m_nextLook = m_now + kBetweenLooks;
         m_read = m_now;
@@ -139,13 +149,38 @@ void NdiClient::askForPoses()
     NdiStep ask{
         .command = poseCommand(m_poses, options), .patience = posePatience(), .isRepeatable = true};
     ask.then = [this, options](const NdiReply& reply) { takePoses(reply, options); };
-    ask.inVain = [this] {
-        if (m_now - m_heard >= kMissedPosesBeforeRestart * posePatience())
-            fallSilent(noAnswer());
-        else
-            askForPoses();
-    };
+    ask.inVain = [this] { missPoses(); };
     m_dialogue.queue(std::move(ask));
+}
+
+void NdiClient::missPoses()
+{
+    const Duration silent = m_now - m_heard;
+    if (silent >= kMissedPosesBeforeRestart * posePatience())
+        return fallSilent(noAnswer());
+    if (silent >= kMissedPosesBeforeTold * posePatience())
+        m_silence = noAnswer();
+    askForPoses();
+}
+
+/// At its rate, and in the middle of other attempts.
+NdiStep NdiClient::askingWhetherItTracks()
+{
+    NdiStep ask{.command = poseCommand(m_poses, kPoseOptions),
+                .patience = posePatience(),
+                .inVain = [] {},
+                .isRepeatable = true};
+    if (m_isSerial)
+        ask.rate = m_connection.rate();
+    ask.then = [this](const NdiReply& reply) {
+        if (errorCode(reply))
+            return; // the other attempts go on
+        m_dialogue.dropSteps();
+        m_phase = Phase::Tracking;
+        m_read = m_now;
+        takePoses(reply, kPoseOptions);
+    };
+    return ask;
 }
 
 /// The time that the largest reply takes on the line, and a margin.
@@ -190,7 +225,7 @@ void NdiClient::takePoses(const NdiReply& reply, std::uint16_t options)
     listen();
     if (const auto code = errorCode(reply)) {
         if (*code != kUnknownCommand || m_poses == NdiPoseReply::Tx)
-            return fallSilent("it does not track: " + errorMeaning(*code));
+            return giveUp("it does not track: " + errorMeaning(*code));
         m_poses = m_poses == NdiPoseReply::Bx2 ? NdiPoseReply::Bx : NdiPoseReply::Tx;
         return askForPoses();
     }
@@ -266,7 +301,7 @@ void NdiClient::lookAtPorts(const NdiFrame& frame)
     m_nextLook = m_now + kBetweenLooks;
     m_tools.lookAtPorts([this](const NdiReply& restarted) {
         if (!isFine(restarted))
-            return fallSilent("it does not track: " + whyRefused(restarted));
+            return giveUp("it does not track: " + whyRefused(restarted));
         m_lastFrame.reset(); // it may count anew
         listen();
     });
@@ -275,6 +310,8 @@ void NdiClient::lookAtPorts(const NdiFrame& frame)
 void NdiClient::listen()
 {
     m_heard = m_now;
+    m_silence.clear();
+    m_mayTrack = true;
     m_damagedBefore = m_dialogue.damagedReplies();
 }
 
@@ -290,14 +327,26 @@ void NdiClient::fallSilent(std::string why)
     m_silence = std::move(why);
     m_phase = Phase::Silent;
     m_dialogue.clear(m_now);
-    m_dialogue.queue({.patience = kBeforeRetry, .inVain = [this] { begin(); }});
+    for (int asks = 0; m_mayTrack && asks < kAsksBeforeRetry; ++asks) {
+        m_dialogue.queue(askingWhetherItTracks());
+        m_dialogue.queue({.patience = kBetweenAsks});
+    }
+    m_dialogue.queue(
+        {.patience = m_mayTrack ? Duration{0} : kBeforeRetry, .inVain = [this] { begin(); }});
+}
+
+/// It refuses, and is brought to tracking from the beginning.
+void NdiClient::giveUp(std::string why)
+{
+    m_mayTrack = false;
+    fallSilent(std::move(why));
 }
 
 std::vector<NdiMeasurement> NdiClient::takeMeasurements() { return std::exchange(m_measured, {}); }
 
 std::string NdiClient::trouble() const
 {
-    if (m_phase == Phase::Silent)
+    if (!m_silence.empty())
         return m_silence;
     if (!m_unreadable.empty() && m_now - m_read >= kUnreadable)
         return "its replies cannot be read: " + m_unreadable;
@@ -306,7 +355,7 @@ std::string NdiClient::trouble() const
 
 std::optional<NdiFound> NdiClient::found() const
 {
-    if (m_phase != Phase::Tracking)
+    if (m_phase != Phase::Tracking || isSilent())
         return std::nullopt;
     return NdiFound{m_name, m_tools.pluggedIn()};
 }

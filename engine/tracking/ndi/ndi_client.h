@@ -53,6 +53,9 @@ struct NdiFound {
 ///
 /// A device on the network is not reset: it is told to stop, and its ports are freed.
 ///
+/// A device that tracked and is silent is asked for poses on, three times before it is reset and
+/// then between the resets: one that still is in its state tracks again with its first answer.
+///
 /// The time of a sample is that of the arrival of its reply less the time that the reply took on
 /// the wire (10 bits a byte); for BX2, which has the device's own time, that time by the least
 /// delay of the last 256 replies (DeviceClock). An exposure is passed on once, although a
@@ -87,6 +90,8 @@ public:
     [[nodiscard]] Phase phase() const { return m_phase; }
     /// What keeps a tool, or the device, from tracking; empty if nothing does.
     [[nodiscard]] std::string trouble() const;
+    /// Whether the device does not answer, or refuses to track; not before that lasts.
+    [[nodiscard]] bool isSilent() const { return !m_silence.empty(); }
     /// The device, while it tracks.
     [[nodiscard]] std::optional<NdiFound> found() const;
     /// Replies that were damaged, since the construction.
@@ -107,6 +112,8 @@ private:
     void initialise();
     void startTracking();
     void askForPoses();
+    void missPoses();
+    [[nodiscard]] NdiStep askingWhetherItTracks();
     [[nodiscard]] Duration posePatience() const;
     [[nodiscard]] LocalTime exposureOf(const NdiFrame& frame);
     void takePoses(const NdiReply& reply, std::uint16_t options);
@@ -114,6 +121,7 @@ private:
     void measure(const NdiFrame& frame);
     void lookAtPorts(const NdiFrame& frame);
     void fallSilent(std::string why);
+    void giveUp(std::string why);
     void listen();
     [[nodiscard]] std::string noAnswer() const;
 
@@ -126,11 +134,12 @@ private:
     DeviceClock m_deviceClock;
     LocalTime m_now{};
     Phase m_phase = Phase::Connecting;
-    std::string m_name;     ///< of the device
-    std::string m_silence;  ///< why it is silent
-    LocalTime m_heard{};    ///< poses, or that it tracks
-    LocalTime m_read{};     ///< the same, and they were decoded
-    LocalTime m_nextLook{}; ///< at the ports, at the earliest
+    std::string m_name;      ///< of the device
+    std::string m_silence;   ///< why it is silent; empty where it is not
+    bool m_mayTrack = false; ///< as it did when it was heard last
+    LocalTime m_heard{};     ///< poses, or that it tracks
+    LocalTime m_read{};      ///< the same, and they were decoded
+    LocalTime m_nextLook{};  ///< at the ports, at the earliest
     bool m_hasLeft = false;
     bool m_asksReasons = false;      ///< why a tool has no pose
     std::string m_unreadable;        ///< why the newest reply was not decoded; empty if it was

@@ -47,14 +47,14 @@ NdiConnection::NdiConnection(std::vector<int> rates, NdiDialogue& dialogue)
     CARINA_EXPECTS(!m_rates.empty());
 }
 
-void NdiConnection::connect(std::function<void()> then)
+void NdiConnection::connect(std::function<void()> then, std::optional<NdiStep> between)
 {
     m_then = std::move(then);
     m_refused.clear(); // it may be another device
-    m_dialogue.queueFirst(resetSteps());
+    m_dialogue.queueFirst(resetSteps(between));
 }
 
-std::vector<NdiStep> NdiConnection::resetSteps()
+std::vector<NdiStep> NdiConnection::resetSteps(const std::optional<NdiStep>& between)
 {
     // The device is at the rate after a reset now, whichever it was at.
     const auto onReset = [this](const NdiReply&) {
@@ -66,6 +66,10 @@ std::vector<NdiStep> NdiConnection::resetSteps()
     };
     const auto goOn = [] {};
     std::vector<NdiStep> steps;
+    const auto addBetween = [&] {
+        if (between)
+            steps.push_back(*between);
+    };
     // A device that was just switched on is at this rate, and many adapters pass no break.
     steps.push_back({.command = {"RESET"},
                      .patience = kFirstResetPatience,
@@ -73,6 +77,7 @@ std::vector<NdiStep> NdiConnection::resetSteps()
                      .inVain = goOn,
                      .isReset = true,
                      .rate = kRateAfterReset});
+    addBetween();
     steps.push_back({.patience = kBreakPatience,
                      .then = onReset,
                      .inVain = goOn,
@@ -82,13 +87,15 @@ std::vector<NdiStep> NdiConnection::resetSteps()
     std::vector<int> rates{kRateAfterReset};
     std::ranges::copy_if(m_rates, std::back_inserter(rates),
                          [](int rate) { return rate != kRateAfterReset; });
-    for (const int rate : rates)
+    for (const int rate : rates) {
+        addBetween();
         steps.push_back({.command = {"RESET"},
                          .patience = kResetCommandPatience,
                          .then = onReset,
                          .inVain = goOn,
                          .isReset = true,
                          .rate = rate});
+    }
     steps.back().inVain = {};
     return steps;
 }

@@ -24,7 +24,11 @@ public:
     NdiConnection(std::vector<int> rates, NdiDialogue& dialogue);
 
     /// Queues the commands; `then` is called once the rate is set, and queues what follows.
-    void connect(std::function<void()> then);
+    /// @param between asked at the present rate between the resets, of a device that may still be
+    ///        in its state
+    void connect(std::function<void()> then, std::optional<NdiStep> between = {});
+    /// That is tried, or works.
+    [[nodiscard]] int rate() const { return m_rate; }
     /// The device does not answer at this rate: connect() tries the next one.
     void giveUpRate();
     /// The device answers at this rate.
@@ -33,7 +37,7 @@ public:
     void startOver(HoldsRate holdsRate);
 
 private:
-    [[nodiscard]] std::vector<NdiStep> resetSteps();
+    [[nodiscard]] std::vector<NdiStep> resetSteps(const std::optional<NdiStep>& between);
     [[nodiscard]] std::vector<NdiStep> rateSteps();
     [[nodiscard]] NdiStep askingFor(int rate, int repeats);
     [[nodiscard]] int bestRate();

@@ -659,6 +659,59 @@ private Q_SLOTS:
         QVERIFY(line.run(1s).size() >= 58);
     }
 
+    /// It is at its rate and tracks on: nothing is to be reset.
+    void isBackAtOnceAfterASilence_data()
+    {
+        QTest::addColumn<int>("poses");
+        QTest::addColumn<bool>("isSerial");
+        QTest::addColumn<int>("silence_ms");
+        for (const int silence : {900, 1000, 1100, 1200, 1500}) {
+            QTest::addRow("BX, %d ms", silence) << int(NdiPoseReply::Bx) << true << silence;
+            QTest::addRow("TX, %d ms", silence) << int(NdiPoseReply::Tx) << true << silence;
+            QTest::addRow("network, %d ms", silence) << int(NdiPoseReply::Bx2) << false << silence;
+        }
+    }
+
+    void isBackAtOnceAfterASilence()
+    {
+        QFETCH(const int, poses);
+        QFETCH(const bool, isSerial);
+        QFETCH(const int, silence_ms);
+        NdiClientSettings settings = threeTools(NdiPoseReply(poses), 115200);
+        settings.isSerial = isSerial;
+        Line line{settings, {.hasRate = isSerial}};
+        line.start();
+        static_cast<void>(line.run(5s));
+        const int resets = line.sent("RESET");
+        line.plug(false);
+        QVERIFY(line.run(std::chrono::milliseconds{silence_ms}).size() <= 1);
+        QCOMPARE(line.client().trouble(), std::string{"it does not answer"});
+        line.plug(true);
+        QVERIFY(!line.run(500ms).empty());
+        QCOMPARE(line.client().phase(), NdiClient::Phase::Tracking);
+        QCOMPARE(line.client().trouble(), std::string{});
+        QCOMPARE(line.sent("RESET"), resets);
+        QVERIFY(line.run(1s).size() >= 45); // TX: 50
+    }
+
+    /// It is asked between the resets, too, which nothing of the device hears.
+    void isBackSoonAfterALongSilence()
+    {
+        Line line{threeTools(NdiPoseReply::Bx, 115200), {}};
+        line.start();
+        static_cast<void>(line.run(5s));
+        line.plug(false);
+        for (int second = 1; second <= 20; ++second) {
+            static_cast<void>(line.run(1s));
+            QCOMPARE(line.client().trouble(), std::string{"it does not answer"});
+            QVERIFY(!line.client().found());
+        }
+        line.passBreaks(false);
+        line.plug(true);
+        QVERIFY(!line.run(2s).empty());
+        QCOMPARE(line.client().trouble(), std::string{});
+    }
+
     void comesBackWhereTheDeviceHasAnotherRate()
     {
         Line line{threeTools(NdiPoseReply::Bx, 115200), {}};

@@ -311,7 +311,8 @@ void HostDriver::handOver(LocalTime now)
     StoreJob job;
     job.facts = m_ledger.handOver();
     if (now >= m_nextKeep) {
-        for (const auto& [object, event] : std::exchange(m_unkept, {}))
+        m_kept = std::exchange(m_unkept, {});
+        for (const auto& [object, event] : m_kept)
             job.actions.push_back(event);
         m_nextKeep = now + kKeepInterval;
     }
@@ -358,8 +359,16 @@ void HostDriver::take(const StoreReport& report, LocalTime now)
         giveUp(report.facts.error(), now);
     }
     if (!report.actions)
-        m_refusal = report.actions.error();
+        keepAgain(report.actions.error(), now);
+    m_kept.clear();
     takeMoved(report.moved);
+}
+
+void HostDriver::keepAgain(const Error& why, LocalTime now)
+{
+    m_refusal = why;
+    m_unkept.merge(m_kept); // those of which no newer one came meanwhile
+    m_nextKeep = now + kWatchInterval;
 }
 
 void HostDriver::takeMoved(const Result<std::optional<std::filesystem::path>>& moved)

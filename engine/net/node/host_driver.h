@@ -90,6 +90,8 @@ private:
     /// Takes what the disk reports.
     void takeReport(LocalTime now);
     void take(const StoreReport& report, LocalTime now);
+    /// The actions that were handed over are not stored.
+    void keepAgain(const Error& why, LocalTime now);
     void takeMoved(const Result<std::optional<std::filesystem::path>>& moved);
     void share(const SharedObject& object);
     void compareViews(LocalTime now);
@@ -126,6 +128,7 @@ private:
     LocalTime m_nextViews = LocalTime::max();
     std::uint16_t m_epoch = 0;
     std::map<ObjectId, EventCpo> m_unkept; // not stored on disk yet
+    std::map<ObjectId, EventCpo> m_kept;   // these are with the writer
     LocalTime m_nextKeep{};
     LocalTime m_returnsEnd; // until then participants of the last run may return
     LocalTime m_nextWatch{};

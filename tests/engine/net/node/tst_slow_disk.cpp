@@ -302,6 +302,34 @@ private Q_SLOTS:
         QCOMPARE(disk.facts.size(), std::size_t(before.value + 2));
     }
 
+    void actionThatCouldNotBeStoredIsStoredOnceItCan()
+    {
+        HeldStore::Disk disk;
+        DriverWorld world{disk};
+        world.host->propose(
+            kStation, fact::ObjectShared{{}, ParticipantId{0}, ObjectKind::Jaw, "jaw"}, world.now);
+        world.run(10ms);
+        const ObjectId jaw = world.board.state()->objects().begin()->first;
+        const auto turnFrom = [&](double scale) {
+            const ActedPose from{RigidTransform{}, scale};
+            world.host->act(jaw, {ActionKind::Rotation, Vec3::UnitZ(), 0.5, from}, world.now);
+        };
+        world.host->waitForDisk(world.now);
+        disk.full = true;
+        turnFrom(1.0);
+        world.run(200ms);
+        QCOMPARE(world.board.part(&NodeBoard::View::refusal)->code, Errc::StoreFailed);
+        QVERIFY(disk.actions.empty());
+        turnFrom(2.0); // of two the newer one
+        world.run(200ms);
+        world.host->waitForDisk(world.now);
+        disk.full = false;
+        world.run(1s);
+        QCOMPARE(disk.actions.size(), std::size_t{1});
+        QCOMPARE(disk.actions.front().object, jaw);
+        QCOMPARE(disk.actions.front().scale, 2.0F);
+    }
+
     /// Two come in the same moment, and neither is stored; the first goes, and the second has its
     /// number.
     void whoseNumberWasUndoneComesInUnderAnother()

@@ -18,7 +18,7 @@ namespace carina::lab
 
 WayIn wayIn(const Target& target, Role role)
 {
-    return {target.port, role, target.codes.at(role), target.derive};
+    return {target.port, role, target.codes.at(role), target.derive, target.from};
 }
 
 bool actsBesideOthers(const AttackKind& kind)
@@ -95,6 +95,7 @@ std::span<const AttackKind> attackKinds()
                    .begin = beginIdlePaths,
                    .mostFacts = kComings,
                    .mostPaths = kIdlePaths,
+                   .isElsewhere = true,
                    .keepsOut = true},
         AttackKind{.name = "false-tube",
                    .what = "a trainee streams a second tube, in time and 200 ms ahead of the "
@@ -111,6 +112,7 @@ std::span<const AttackKind> attackKinds()
                    .mostFacts = kComings + kCrowd,
                    .factsPerS = kCrowdPerS,
                    .leastPerS = kLeastOfMany,
+                   .isElsewhere = true,
                    .keepsOut = true},
         AttackKind{.name = "strangers",
                    .what =
@@ -126,6 +128,7 @@ std::span<const AttackKind> attackKinds()
                    .what = "a trainee comes in under ever new names over one path",
                    .begin = beginNames,
                    .mostFacts = kComings,
+                   .isElsewhere = true,
                    .keepsOut = true},
         AttackKind{.name = "garbage",
                    .what = "an observer sends bytes at random",

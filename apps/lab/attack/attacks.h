@@ -13,8 +13,9 @@ struct Target {
     std::uint16_t port = 0;
     JoinCodes codes;
     DeriveKey derive;
-    std::string victim;   ///< name of a trainee who is present
-    std::string attacker; ///< name under which it comes in itself
+    std::string victim;                         ///< name of a trainee who is present
+    std::string attacker;                       ///< name under which it comes in itself
+    QHostAddress from{QHostAddress::LocalHost}; ///< where the attacker sits
 };
 
 /// With the code of a role.
@@ -64,9 +65,12 @@ struct AttackKind {
     double leastSent = 100.0; ///< it goes on until it has sent as much
     StrategyKind strategy = StrategyKind::SessionClock; ///< of the session meanwhile
     std::optional<Role> spoils{}; ///< role whose code is void by it, so that nobody new comes in
-    bool isAllOthers = false;     ///< all that can act at the same time
-    bool keepsOut = false;  ///< others of its address, who would come in late or find no place
-    bool needsRoom = false; ///< for so many names that the others would not all come in
+    /// It comes from another address than all others, and is to keep out nobody new, even for a
+    /// moment.
+    bool isElsewhere = false;
+    bool isAllOthers = false; ///< all that can act at the same time
+    bool keepsOut = false;    ///< others of its address, who would come in late or find no place
+    bool needsRoom = false;   ///< for so many names that the others would not all come in
 };
 
 /// How many can: not one that wants another strategy, nor one that voids the code by which others

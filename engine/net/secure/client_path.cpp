@@ -19,7 +19,8 @@ constexpr int kReadPerTurn = 256;
 
 ClientPath::ClientPath(const QHostAddress& host, std::uint16_t port, ClientCredentials& credentials,
                        const std::optional<ExpectedCertificate>& expected,
-                       std::function<void()> onReadable, LocalTime now, HostPlace place)
+                       std::function<void()> onReadable, LocalTime now, HostPlace place,
+                       const QHostAddress& from)
     : m_host{host},
       m_port{port},
       m_place{place},
@@ -31,9 +32,10 @@ ClientPath::ClientPath(const QHostAddress& host, std::uint16_t port, ClientCrede
 {
     m_socket->setProxy(QNetworkProxy::NoProxy);
     const bool isIpv4 = host.protocol() == QAbstractSocket::IPv4Protocol;
-    m_socket->bind(host.isLoopback() ? host
-                   : isIpv4          ? QHostAddress{QHostAddress::AnyIPv4}
-                                     : QHostAddress{QHostAddress::AnyIPv6},
+    m_socket->bind(!from.isNull()      ? from
+                   : host.isLoopback() ? host
+                   : isIpv4            ? QHostAddress{QHostAddress::AnyIPv4}
+                                       : QHostAddress{QHostAddress::AnyIPv6},
                    0);
     QObject::connect(m_socket.get(), &QUdpSocket::readyRead, m_socket.get(), std::move(onReadable));
     QObject::connect(&m_dtls, &QDtls::pskRequired, &m_dtls,

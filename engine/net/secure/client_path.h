@@ -26,9 +26,10 @@ public:
 
     /// Sends the first ClientHello. @param expected of the host; outlives the path
     /// @param onReadable called when a datagram arrived
+    /// @param from address of this computer; null: any that reaches the host
     ClientPath(const QHostAddress& host, std::uint16_t port, ClientCredentials& credentials,
                const std::optional<ExpectedCertificate>& expected, std::function<void()> onReadable,
-               LocalTime now, HostPlace place = HostPlace::Told);
+               LocalTime now, HostPlace place = HostPlace::Told, const QHostAddress& from = {});
 
     /// Reads the datagrams that arrived. @param plain receives each decrypted datagram and its time
     /// of arrival

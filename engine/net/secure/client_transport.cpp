@@ -11,9 +11,10 @@ namespace carina
 ClientTransport::ClientTransport(const QHostAddress& host, std::uint16_t port,
                                  ClientCredentials& credentials, LocalTime now,
                                  std::optional<ExpectedCertificate> expected,
-                                 std::uint16_t discoveryPort)
+                                 std::uint16_t discoveryPort, QHostAddress from)
     : m_host{normalised(host)},
       m_port{port},
+      m_from{std::move(from)},
       m_credentials{credentials},
       m_expected{std::move(expected)},
       m_discoveryPort{discoveryPort},
@@ -153,7 +154,8 @@ void ClientTransport::beginTry(LocalTime now)
         m_opening.erase(m_opening.begin());
     }
     m_opening.push_back(std::make_unique<ClientPath>(
-        m_host, m_port, m_credentials, m_expected, [this] { tellNews(); }, now));
+        m_host, m_port, m_credentials, m_expected, [this] { tellNews(); }, now, HostPlace::Told,
+        m_from));
     ++m_tries;
     m_nextTry = now + untilNextTry();
 }

@@ -42,9 +42,10 @@ public:
 
     /// @param credentials outlive the transport
     /// @param expected the certificate that the host must have, if any
+    /// @param from address of this computer; null: any that reaches the host
     ClientTransport(const QHostAddress& host, std::uint16_t port, ClientCredentials& credentials,
                     LocalTime now, std::optional<ExpectedCertificate> expected = {},
-                    std::uint16_t discoveryPort = kDiscoveryPort);
+                    std::uint16_t discoveryPort = kDiscoveryPort, QHostAddress from = {});
     ~ClientTransport() override;
 
     /// Sets a callback, called before the listener hears of the new path.
@@ -73,6 +74,7 @@ private:
 
     QHostAddress m_host;
     std::uint16_t m_port;
+    QHostAddress m_from;
     ClientCredentials& m_credentials;
     std::optional<ExpectedCertificate> m_expected; // the paths refer to it
     std::unique_ptr<ClientPath> m_path;

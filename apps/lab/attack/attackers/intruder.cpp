@@ -13,7 +13,13 @@ namespace carina::lab
 Intruder::Intruder(const WayIn& way)
     : m_role{way.role},
       m_credentials{way.role, way.code, TokenFolder{{}, way.role, "Intruder"}, way.derive},
-      m_transport{QHostAddress{QHostAddress::LocalHost}, way.port, m_credentials, monotonicNow()}
+      m_transport{QHostAddress{QHostAddress::LocalHost},
+                  way.port,
+                  m_credentials,
+                  monotonicNow(),
+                  {},
+                  kDiscoveryPort,
+                  way.from}
 {
     m_pump = std::make_unique<TransportPump>(m_transport, *this);
 }

@@ -18,7 +18,8 @@ struct WayIn {
     std::uint16_t port = 0; ///< of the host, on this computer
     Role role = Role::Observer;
     JoinCode code;
-    DeriveKey derive; ///< quick: the key is known already
+    DeriveKey derive;                           ///< quick: the key is known already
+    QHostAddress from{QHostAddress::LocalHost}; ///< its own, of this computer
 };
 
 /// A client that keeps to none of the rules: one encrypted path to a host, over which it sends what

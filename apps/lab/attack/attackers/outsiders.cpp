@@ -75,7 +75,7 @@ public:
             m_paths.erase(m_paths.begin());
         m_paths.push_back({std::make_unique<ClientPath>(
             QHostAddress{QHostAddress::LocalHost}, m_target.port, m_credentials, m_nothing, [] {},
-            now)});
+            now, HostPlace::Told, m_target.from)});
     }
     [[nodiscard]] std::int64_t sent() const override { return m_opened; }
     [[nodiscard]] std::int64_t mostPaths() const override { return m_mostOpen; }

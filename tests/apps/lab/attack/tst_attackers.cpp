@@ -87,10 +87,19 @@ private Q_SLOTS:
         QVERIFY(!attack->isTakenForAnother());
     }
 
+    void idlePathsAreCountedOnceTheyAreOpen_data()
+    {
+        QTest::addColumn<QString>("from");
+        QTest::newRow("from the address of all") << QStringLiteral("127.0.0.1");
+        QTest::newRow("from elsewhere") << QStringLiteral("127.0.0.2");
+    }
     void idlePathsAreCountedOnceTheyAreOpen()
     {
+        QFETCH(const QString, from);
         Course course;
-        const UnderWay attack{"paths", course.target()};
+        Target target = course.target();
+        target.from = QHostAddress{from};
+        const UnderWay attack{"paths", target};
         QTRY_VERIFY_WITH_TIMEOUT(attack->sent() > 2, kPatienceMs);
         QVERIFY(attack->mostPaths() > 0);
         QVERIFY(attack->mostPaths() <= attack->sent());

@@ -125,11 +125,12 @@ std::span<const AttackKind> attackKinds()
                    .begin = beginForeignActions,
                    .mostFacts = kComings + 1.0},
         AttackKind{.name = "names",
-                   .what = "a trainee comes in under ever new names over one path",
+                   .what = "a trainee comes in under 200 names, as fast as the host lets it, of "
+                           "which 64 are there at a time",
                    .begin = beginNames,
-                   .mostFacts = kComings,
+                   .mostFacts = kComings + 2.0 * kNewNames,
                    .isElsewhere = true,
-                   .keepsOut = true},
+                   .needsRoom = true},
         AttackKind{.name = "garbage",
                    .what = "an observer sends bytes at random",
                    .begin = beginGarbage,
@@ -168,8 +169,9 @@ std::span<const AttackKind> attackKinds()
                    .mostFacts = kComings + kOwn,
                    .factsPerS = kOwnPerS},
         AttackKind{.name = "together",
-                   .what = "nineteen attackers at once, in all of these ways but \"messages\", "
-                           "\"new-codes\" and \"gallery\", which would hinder the others",
+                   .what = "eighteen attackers at once, in all of these ways but \"messages\", "
+                           "\"new-codes\", \"gallery\" and \"names\", which would hinder "
+                           "the others",
                    .begin = beginTogether,
                    // All trainees share the budget of one address.
                    .mostFacts = double(kAttackersAtOnce) * kComings + kSharing + 2.0 * kInstructing

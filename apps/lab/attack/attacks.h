@@ -75,7 +75,7 @@ struct AttackKind {
 
 /// How many can: not one that wants another strategy, nor one that voids the code by which others
 /// come in, nor one that needs their room.
-inline constexpr std::size_t kAttackersAtOnce = 19;
+inline constexpr std::size_t kAttackersAtOnce = 18;
 [[nodiscard]] bool actsBesideOthers(const AttackKind& kind);
 
 [[nodiscard]] std::span<const AttackKind> attackKinds();

@@ -29,7 +29,7 @@ constexpr std::array kRoles{Role::Instructor, Role::Trainee, Role::Observer};
 constexpr Duration kPatience = 30s; ///< until one is in
 constexpr auto kLook = 10ms;
 constexpr int kGoing_ms = 5000;
-// Of ten guests one is an instructor, two are observers, and the others trainees: so 234 guests,
+// Of ten guests one is an instructor, two are observers, and the others trainees: so 235 guests,
 // the attackers and who comes new are fewer of each role than may be present from one address
 // (mostPresentFrom).
 constexpr int kOfTen = 10;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <deque>
 #include <utility>
 
 namespace carina::lab
@@ -139,26 +140,66 @@ class Names : public Attack
 {
 public:
     explicit Names(const Target& target)
-        : m_name{target.attacker}, m_intruder{wayIn(target, Role::Trainee)}
+        : m_way{wayIn(target, Role::Trainee)}, m_name{target.attacker}
     {
     }
 
     void step() override
     {
-        if (!m_intruder.isIn())
-            return;
-        for (int i = 0; i < kHellos; ++i) {
-            ++m_names;
-            m_intruder.hello(m_name + std::to_string(m_names), ProposalId{m_names}, m_names);
+        const LocalTime now = monotonicNow();
+        if (now >= m_next && m_names < kNewNames) {
+            m_next = now + kInterval;
+            makeRoom();
+            m_present.push_back(
+                std::make_unique<Attendee>(m_way, m_name + ' ' + std::to_string(m_names++)));
         }
+        for (const auto& one : m_present)
+            one->attends();
     }
-    [[nodiscard]] std::int64_t sent() const override { return m_intruder.sent(); }
+    [[nodiscard]] std::int64_t sent() const override
+    {
+        std::int64_t sum = m_sentByGone;
+        for (const auto& one : m_present)
+            sum += one->intruder().sent();
+        return sum;
+    }
+    [[nodiscard]] std::vector<Measured> measured(Duration length) const override
+    {
+        static_cast<void>(length);
+        const auto in = std::ranges::count_if(m_present, wasIn);
+        return {{"names under which it came in", double(m_goneWhoWereIn + in), kLeastNames,
+                 double(kNewNames)}};
+    }
 
 private:
-    static constexpr int kHellos = 5;
+    /// More than the host lets in of an address, of those who are new.
+    static constexpr Duration kInterval = std::chrono::milliseconds{20};
+    static constexpr std::size_t kPresent = 64;
+    /// What the host lets in at once, and some.
+    static constexpr double kLeastNames = 100.0;
+
+    static bool wasIn(const std::unique_ptr<Attendee>& one)
+    {
+        return one->intruder().welcome().has_value();
+    }
+    void makeRoom()
+    {
+        if (m_present.size() < kPresent)
+            return;
+        const std::unique_ptr<Attendee> oldest = std::move(m_present.front());
+        m_present.pop_front();
+        oldest->leave();
+        m_sentByGone += oldest->intruder().sent();
+        m_goneWhoWereIn += wasIn(oldest) ? 1 : 0;
+    }
+
+    WayIn m_way;
     std::string m_name;
-    Intruder m_intruder;
-    std::uint32_t m_names = 0;
+    std::deque<std::unique_ptr<Attendee>> m_present;
+    int m_names = 0;
+    std::int64_t m_goneWhoWereIn = 0;
+    std::int64_t m_sentByGone = 0;
+    LocalTime m_next{};
 };
 
 } // namespace

@@ -12,7 +12,8 @@ namespace carina::lab
 [[nodiscard]] std::unique_ptr<Attack> beginTurns(const Target& target);
 /// Says Hello as one that has nothing of the log, for the host to send all of it again.
 [[nodiscard]] std::unique_ptr<Attack> beginHungry(const Target& target);
-/// Comes in over one path under ever new names.
+/// Comes in under ever new names, each over a path of its own, until it has so many.
+inline constexpr int kNewNames = 200;
 [[nodiscard]] std::unique_ptr<Attack> beginNames(const Target& target);
 
 } // namespace carina::lab

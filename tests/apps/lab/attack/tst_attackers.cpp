@@ -126,6 +126,13 @@ private Q_SLOTS:
         QCOMPARE(attack->mostPaths(), std::int64_t{0});
     }
 
+    void newNamesComeInAsFastAsTheHostLetsThem()
+    {
+        Course course;
+        const UnderWay attack{"names", course.target()};
+        QTRY_VERIFY_WITH_TIMEOUT(attack.isHeld(), kPatienceMs);
+    }
+
     void countsThePatientsThatAnInstructorHadLaid()
     {
         Course course;

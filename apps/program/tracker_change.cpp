@@ -47,7 +47,8 @@ QString wizardsFolder()
 } // namespace
 
 TrackerChange::TrackerChange(const Beginning& beginning)
-    : m_site{beginning.site},
+    : m_siteOfStart{beginning.site},
+      m_site{beginning.site},
       m_identity{identityOf(beginning.tracker)},
       m_isOfSite{beginning.isOfSite},
       m_conversation{beginning.conversation}
@@ -69,17 +70,26 @@ void TrackerChange::ask(QWidget& window, SharedTools& tools)
         return showProblem(window, chosen.error());
     if (!*chosen)
         return;
-    const QString siteBefore = m_site;
-    if (m_site.isEmpty() && !(*chosen)->isSimulated()) {
-        m_site = QFileDialog::getOpenFileName(
+    QString site;
+    if (m_siteOfStart.isEmpty() && !(*chosen)->isSimulated()) {
+        site = QFileDialog::getOpenFileName(
             &window, changeWords("Where does the patient lie? The site of carina-registration"),
             beside, changeWords("Sites (*.json)"));
-        if (m_site.isEmpty())
+        if (site.isEmpty())
             return;
     }
-    if (!give(window, tools, *std::move(chosen)))
-        m_site = siteBefore;
-    else if (m_site != siteBefore)
+    use(window, tools, **std::move(chosen), site);
+}
+
+void TrackerChange::use(QWidget& window, SharedTools& tools, TrackerChoice tracker,
+                        const QString& site)
+{
+    const QString before = m_site;
+    if (m_siteOfStart.isEmpty())
+        m_site = site;
+    if (!give(window, tools, std::move(tracker)))
+        m_site = before;
+    else if (m_site != before)
         watchNow();
 }
 

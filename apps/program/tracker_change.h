@@ -32,9 +32,13 @@ public:
     /// The site as of now, for a patient.
     [[nodiscard]] Result<SharedTools::Place> placeOf(const PatientModel& patient) const;
 
-    /// Asks for a tracker, and for the file of a site where there is none and the tracker needs
-    /// one, and tracks with it. What goes wrong is shown; the tracker before is used on then.
+    /// Asks for a tracker, and for the file of a site where the program did not begin with one and
+    /// the tracker needs one, and tracks with it. What goes wrong is shown; the tracker before is
+    /// used on then.
     void ask(QWidget& window, SharedTools& tools);
+    /// Tracks with a tracker that a person chose, at the site that they chose with it: another
+    /// tracker has another one, or none. The site that the program began with holds for all.
+    void use(QWidget& window, SharedTools& tools, TrackerChoice tracker, const QString& site = {});
     /// Goes on without a tracker.
     void take(QWidget& window, SharedTools& tools);
 
@@ -53,6 +57,7 @@ private:
     /// @returns whether it tracks with it now; else the window said why not.
     bool give(QWidget& window, SharedTools& tools, std::optional<TrackerChoice> tracker);
 
+    QString m_siteOfStart; ///< empty: each tracker is chosen with its own
     QString m_site;
     QString m_identity; ///< of the tracker
     bool m_isOfSite;

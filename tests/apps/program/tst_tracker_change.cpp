@@ -218,6 +218,30 @@ private Q_SLOTS:
         QVERIFY(program.tracked().empty());
     }
 
+    /// The simulated tracker needs no site.
+    void theSiteOfOneTrackerIsNotThatOfTheNext()
+    {
+        Running running;
+        Tools program{{}, std::nullopt, false};
+        QVERIFY(program.tools.lay(patient()));
+        program.change.watch(program.window, program.tools);
+        const TrackerChoice device{running.chin.described(ToolRole::Jaw).described};
+        program.change.use(program.window, program.tools, device, running.site);
+        QVERIFY(program.tools.standing()->state == RegistrationState::Unverified);
+        const TrackerChoice simulated{SimulatedDevice{}};
+        program.change.use(program.window, program.tools, simulated);
+        QVERIFY(program.tools.standing()->state == RegistrationState::Simulated);
+    }
+
+    void theSiteOfTheStartHoldsForEachTracker()
+    {
+        Running running;
+        Tools program{running.site, std::nullopt, false};
+        QVERIFY(program.tools.lay(patient()));
+        program.change.use(program.window, program.tools, TrackerChoice{SimulatedDevice{}});
+        QVERIFY(program.tools.standing()->state == RegistrationState::Unverified);
+    }
+
     void leavesTheTrackerThatWasNamedBesideTheSite()
     {
         Running running;

@@ -318,6 +318,8 @@ void RegistrationModel::setOperator(const QString& name)
 
 void RegistrationModel::useTracker()
 {
+    if (!has(ToolRole::Stylus))
+        return m_editor.refuse(registrationInstruction(*this));
     Site next = withTracker(site(), trackerName().toStdString());
     next.step = SiteStep::Stylus;
     m_editor.become(std::move(next));

@@ -125,6 +125,8 @@ public:
     [[nodiscard]] KnownVolume usualVolume() const { return m_workplace.usualVolume; }
     /// What keeps the tracker from tracking, as a translated sentence; empty where nothing does.
     [[nodiscard]] QString trackerTrouble() const;
+    /// Whether the tracker has such a tool, seen or not.
+    [[nodiscard]] bool has(ToolRole role) const { return m_watch.has(role); }
     /// The tools that the tracker reports, and how it sees them now.
     [[nodiscard]] std::vector<ToolStatus> tools() const;
 

@@ -27,9 +27,15 @@ public:
 
     static QString tracker(const RegistrationModel& model)
     {
-        return model.task(SiteStep::Tracker).state == TaskState::Done
-                   ? tr("The %1 is in use. Continue with the stylus.").arg(model.trackerName())
-                   : tr("Check that stylus and chin probe are visible, then use this tracker.");
+        if (!model.has(ToolRole::Stylus))
+            return tr("This tracker has no stylus, with which the manikin is touched: connect it "
+                      "again with a tool of that role, or another tracker.");
+        if (model.task(SiteStep::Tracker).state == TaskState::Done)
+            return tr("The %1 is in use. Continue with the stylus.").arg(model.trackerName());
+        return model.has(ToolRole::Jaw)
+                   ? tr("Check that stylus and chin probe are visible, then use this tracker.")
+                   : tr("Check that the stylus is visible, then use this tracker. It has no chin "
+                        "probe: the patient's jaw will not follow the manikin's.");
     }
 
     static QString stylus(const RegistrationModel& model)

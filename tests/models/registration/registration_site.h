@@ -26,6 +26,8 @@ public:
     {
         std::vector<TrackedTool> tools{{"Stylus", ToolRole::Stylus, &m_stylus},
                                        {"Chin", ToolRole::Jaw, &m_chin}};
+        if (!m_hasStylus)
+            tools.erase(tools.begin());
         if (m_hasTools) {
             tools.push_back({"ETT", ToolRole::Tube, &m_tube});
             tools.push_back({"Scope", ToolRole::Laryngoscope, &m_laryngoscope});
@@ -38,6 +40,7 @@ public:
     mutable PoseHistory m_tube;
     mutable PoseHistory m_laryngoscope;
     bool m_hasTools = false;
+    bool m_hasStylus = true;
 };
 
 /// A technician's desk without hardware and without time: the manikin truly lies at X_TA and the
@@ -49,6 +52,8 @@ public:
     static constexpr Length kHeight = metres(1.5);
 
     explicit RegistrationSite(bool hasTools = false) { m_tracker.m_hasTools = hasTools; }
+    /// For the models that are made from now on.
+    void removeStylus() { m_tracker.m_hasStylus = false; }
 
     [[nodiscard]] std::filesystem::path file() const
     {

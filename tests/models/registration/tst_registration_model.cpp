@@ -44,6 +44,18 @@ private Q_SLOTS:
         QVERIFY(!model->site().verification);
     }
 
+    void aTrackerWithoutAStylusIsNotUsed()
+    {
+        RegistrationSite site;
+        site.removeStylus();
+        const auto model = site.model();
+        QVERIFY(model->instruction().contains(QStringLiteral("no stylus")));
+        model->useTracker();
+        QCOMPARE(model->step(), SiteStep::Tracker);
+        QCOMPARE(model->task(SiteStep::Tracker).state, TaskState::Open);
+        QVERIFY(model->problem().contains(QStringLiteral("no stylus")));
+    }
+
     void findsTheTipBySwinging()
     {
         RegistrationSite site;

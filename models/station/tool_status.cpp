@@ -39,7 +39,9 @@ std::optional<double> ageOf(const std::vector<PoseSample>& samples, SessionTime 
     const auto seen = std::find_if(samples.rbegin(), samples.rend(), [](const PoseSample& sample) {
         return sample.validity != Validity::Lost;
     });
-    return seen == samples.rend() ? std::nullopt : std::optional{toSeconds(now - seen->time)};
+    if (seen == samples.rend())
+        return std::nullopt;
+    return toSeconds(std::max(now - seen->time, Duration{})); // it may have come since `now`
 }
 
 /// Why a tool has no pose, or one with care; empty where the device tells nothing.

@@ -127,6 +127,15 @@ private Q_SLOTS:
         QVERIFY(status.predicted_mm.value() < 1e-6);
     }
 
+    /// Of a pose that came after the time of the look.
+    void noToolIsYoungerThanNow()
+    {
+        OneTool tracker;
+        tracker.see(10, -120ms);
+        QCOMPARE(tracker.status().age_s.value(), 0.0);
+        QVERIFY(tracker.status().isVisible);
+    }
+
     void aHiddenToolKeepsItsRateWhileItsAgeGrows()
     {
         OneTool tracker;

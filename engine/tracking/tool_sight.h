@@ -14,6 +14,7 @@ enum class ToolSight : std::uint8_t {
     Interference,      ///< other infrared light disturbs
     BadFit,            ///< the markers do not fit the tool's definition
     Failed,            ///< the device fell behind, or failed otherwise
+    Silent,            ///< the device does not answer, or is not there
 };
 
 } // namespace carina

@@ -60,6 +60,8 @@ QString reasonOf(ToolSight sight)
         return toolWords(QT_TRANSLATE_NOOP("ToolStatus", "its markers do not fit its definition"));
     case ToolSight::Failed:
         return toolWords(QT_TRANSLATE_NOOP("ToolStatus", "the tracker reports a fault"));
+    case ToolSight::Silent:
+        return toolWords(QT_TRANSLATE_NOOP("ToolStatus", "device silent"));
     case ToolSight::Unsaid:
         break;
     }
@@ -131,10 +133,10 @@ ToolStatus statusOf(const TrackedTool& tool, ToolSight sight, SessionTime now)
         status.p_T = newest.X_FO.translation();
     const bool isDelivered = now - newest.time <= kSilent;
     status.rate_Hz = isDelivered ? rateOf(samples) : 0.0;
-    if (!isDelivered)
+    if (!isDelivered && sight != ToolSight::Silent)
         status.text = away; // what was said of it is over
     status.state = status.text;
-    if (!isDelivered || newest.validity == Validity::Lost)
+    if (!isDelivered || newest.validity == Validity::Lost || sight == ToolSight::Silent)
         return status;
     status.isVisible = true;
     status.state = visibleState(newest.validity, reason);

@@ -25,7 +25,7 @@ struct ToolStatus {
     bool isVisible = false; ///< tracked, with recent samples
     QString text{};         ///< its state, and of a visible one sample rate and quality
     /// "visible", "partly out of view", "out of view", "never seen", or where the device tells it
-    /// why: "other infrared light disturbs"
+    /// why: "other infrared light disturbs", "device silent"
     QString state{};
     double rate_Hz = 0.0;          ///< samples a second, the lost ones included; 0 while none come
     std::optional<double> age_s{}; ///< of the newest sample in which it was seen

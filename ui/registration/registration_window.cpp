@@ -313,7 +313,9 @@ void RegistrationWindow::hear(const QString& words)
 void RegistrationWindow::refreshTools()
 {
     QStringList texts;
-    if (const QString trouble = m_registration.trackerTrouble(); !trouble.isEmpty())
+    const bool isToldByPage = m_registration.step() == SiteStep::Tracker;
+    if (const QString trouble = m_registration.trackerTrouble();
+        !trouble.isEmpty() && !isToldByPage)
         texts << QStringLiteral("▲ ") + trouble;
     for (const ToolStatus& tool : m_registration.tools())
         if (isOfUse(tool, m_registration.step()))

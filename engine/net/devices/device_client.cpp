@@ -69,6 +69,7 @@ public:
     }
     [[nodiscard]] bool isLost() const override { return false; } // it is asked again
     [[nodiscard]] std::string trouble() const override { return m_client.trouble(); }
+    [[nodiscard]] bool isSilent() const override { return m_client.isSilent(); }
     [[nodiscard]] std::optional<DeviceFound> found() const override
     {
         const auto found = m_client.found();
@@ -112,6 +113,7 @@ public:
     }
     [[nodiscard]] bool isLost() const override { return m_client.isLost(); }
     [[nodiscard]] std::string trouble() const override { return m_client.trouble(); }
+    [[nodiscard]] bool isSilent() const override { return m_client.isSilent(); }
     [[nodiscard]] std::optional<DeviceFound> found() const override
     {
         std::vector<std::string> sent = m_client.sentTools();

@@ -54,6 +54,8 @@ public:
     [[nodiscard]] virtual bool isLost() const = 0;
     /// What keeps a tool, or the device, from tracking; empty if nothing does.
     [[nodiscard]] virtual std::string trouble() const = 0;
+    /// Whether the device does not answer; not before that lasts.
+    [[nodiscard]] virtual bool isSilent() const = 0;
     /// The device, while it answers.
     [[nodiscard]] virtual std::optional<DeviceFound> found() const = 0;
     /// Leaves the device idle before the port is closed: what that takes is for advance() and

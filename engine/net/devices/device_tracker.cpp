@@ -130,7 +130,7 @@ private:
             return reopenLater(m_client->trouble());
         for (const DeviceSight& sight : m_client->takeSights())
             m_tracker.take(sight, now);
-        m_tracker.say(trouble(), m_client->found());
+        m_tracker.say(trouble(), m_client->found(), m_client->isSilent());
         m_timer.start(timeUntil(m_client->nextWake(), now));
     }
 
@@ -212,6 +212,8 @@ std::string DeviceTracker::trouble() const
 ToolSight DeviceTracker::sightOf(std::size_t tool) const
 {
     const std::lock_guard lock{m_mutex};
+    if (m_isSilent)
+        return ToolSight::Silent;
     return m_found ? m_sights.at(tool) : ToolSight::Unsaid; // of a device that answers
 }
 
@@ -221,11 +223,27 @@ std::optional<DeviceFound> DeviceTracker::found() const
     return m_found;
 }
 
-void DeviceTracker::say(std::string trouble, std::optional<DeviceFound> found)
+void DeviceTracker::say(std::string trouble, std::optional<DeviceFound> found, bool isSilent)
 {
-    const std::lock_guard lock{m_mutex};
-    m_trouble = std::move(trouble);
-    m_found = std::move(found);
+    bool wasSilent = false;
+    {
+        const std::lock_guard lock{m_mutex};
+        m_trouble = std::move(trouble);
+        m_found = std::move(found);
+        wasSilent = std::exchange(m_isSilent, isSilent);
+    }
+    if (isSilent && !wasSilent)
+        loseTools();
+}
+
+void DeviceTracker::loseTools()
+{
+    const auto present = m_clock();
+    if (!present)
+        return;
+    for (Tool& tool : m_tracked)
+        if (tool.X_TO)
+            tool.history.push({.time = *present, .X_FO = *tool.X_TO, .validity = Validity::Lost});
 }
 
 void DeviceTracker::take(const DeviceSight& sight, LocalTime now)

@@ -15,7 +15,8 @@ namespace carina
 
 /// A tracker at a serial port or on the network: the client of its protocol (DeviceClient) with a
 /// port, on a thread of its own. A port that cannot be opened, or is closed, is tried again by
-/// itself, so that a device may be plugged in, or a server be started, at any time.
+/// itself, so that a device may be plugged in, or a server be started, at any time. When a device
+/// falls silent, each tool that it saw gets one lost sample.
 class DeviceTracker : public Tracker
 {
 public:
@@ -45,7 +46,8 @@ private:
     DeviceTracker(TrackerDescription description, ReadSessionClock clock,
                   std::unique_ptr<DeviceLog> log);
     void take(const DeviceSight& sight, LocalTime now);
-    void say(std::string trouble, std::optional<DeviceFound> found = {});
+    void say(std::string trouble, std::optional<DeviceFound> found = {}, bool isSilent = true);
+    void loseTools();
 
     TrackerDescription m_description;
     ReadSessionClock m_clock;
@@ -55,6 +57,7 @@ private:
     mutable std::mutex m_mutex;
     std::string m_trouble;
     std::optional<DeviceFound> m_found;
+    bool m_isSilent = false;
     std::vector<ToolSight> m_sights; ///< of each tool, at the newest exposure
     QThread m_thread;
     std::unique_ptr<Line> m_line; ///< of m_thread, while that runs

@@ -156,11 +156,13 @@ void IgtlClient::missOverdueTools()
 
 std::vector<IgtlSight> IgtlClient::takeSights() { return std::exchange(m_sights, {}); }
 
+bool IgtlClient::isSilent() const { return m_now - m_heard >= kSilence; }
+
 std::string IgtlClient::trouble() const
 {
     if (m_reader.isLost())
         return "it does not speak OpenIGTLink";
-    if (m_now - m_heard >= kSilence)
+    if (isSilent())
         return "it is silent";
     std::string missing;
     std::string refused;

@@ -70,6 +70,8 @@ public:
     [[nodiscard]] bool isLost() const { return m_reader.isLost(); }
     /// What keeps a tool, or the server, from tracking; empty if nothing does.
     [[nodiscard]] std::string trouble() const;
+    /// Whether nothing has come for two seconds.
+    [[nodiscard]] bool isSilent() const;
     /// The names of the tools that came since start(), those that are not wanted among them, in
     /// the order in which they first came; at most 32.
     [[nodiscard]] const std::vector<std::string>& sentTools() const { return m_sent; }

@@ -136,6 +136,21 @@ private Q_SLOTS:
         QVERIFY(tracker.status().isVisible);
     }
 
+    void saysThatTheDeviceIsSilent()
+    {
+        OneTool tracker;
+        tracker.told = ToolSight::Silent;
+        QCOMPARE(tracker.status().state, QStringLiteral("never seen: device silent"));
+        tracker.see(50, 10ms);
+        QCOMPARE(tracker.status().state, QStringLiteral("device silent"));
+        QVERIFY(!tracker.status().isVisible);
+        OneTool longAgo;
+        longAgo.told = ToolSight::Silent;
+        longAgo.see(50, 5s);
+        QCOMPARE(longAgo.status().state, QStringLiteral("device silent"));
+        QCOMPARE(longAgo.status().text, QStringLiteral("device silent"));
+    }
+
     void aHiddenToolKeepsItsRateWhileItsAgeGrows()
     {
         OneTool tracker;

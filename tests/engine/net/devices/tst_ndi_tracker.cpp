@@ -175,6 +175,11 @@ private Q_SLOTS:
             QTRY_VERIFY_WITH_TIMEOUT(samplesOf(**tracker) > 10, 20000);
         }
         QTRY_VERIFY_WITH_TIMEOUT(!(*tracker)->trouble().empty(), 10000);
+        QCOMPARE((*tracker)->sightOf(0), ToolSight::Silent);
+        const auto lastIsLost = [&] {
+            return (*tracker)->tools()[0].history->samples().back().validity == Validity::Lost;
+        };
+        QTRY_VERIFY(lastIsLost());
         const std::size_t before = samplesOf(**tracker);
         const ServedTerminal device{link};
         QTRY_VERIFY_WITH_TIMEOUT(samplesOf(**tracker) > before + 10, 20000);

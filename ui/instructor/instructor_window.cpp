@@ -103,10 +103,10 @@ void InstructorWindow::fillPanels(const ProgramTracker& tracker)
     lesson->setModel(m_models.lesson);
     m_ui->partsLayout->insertWidget(0, lesson);
     lesson->putBefore(*m_ui->parts);
-    auto* tools = new ProgramTrackerPanel{tracker};
-    m_ui->trackerDock->setWidget(tools);
-    connect(tools, &ProgramTrackerPanel::wanted, this, &InstructorWindow::trackerWanted);
-    connect(tools, &ProgramTrackerPanel::unwanted, this, &InstructorWindow::trackerUnwanted);
+    m_tools = new ProgramTrackerPanel{tracker};
+    m_ui->trackerDock->setWidget(m_tools);
+    connect(m_tools, &ProgramTrackerPanel::wanted, this, &InstructorWindow::trackerWanted);
+    connect(m_tools, &ProgramTrackerPanel::unwanted, this, &InstructorWindow::trackerUnwanted);
     refreshInvitation();
     connect(m_ui->invitation, &InvitationPanel::newCodeWanted, &m_models.conduct,
             &ConductModel::changeCode);
@@ -415,6 +415,15 @@ QStringList InstructorWindow::unusual(const StationMoment& moment) const
     return told;
 }
 
+/// Of what participants share; else of the console's own tools.
+QString InstructorWindow::trackedText() const
+{
+    if (const auto oldest = m_models.participants.oldestSample_ms())
+        return tr("Oldest sample %1\u00a0ms").arg(qRound(*oldest));
+    const int own = m_tools->seen();
+    return own > 0 ? tr("Own tools tracked: %1").arg(own) : tr("Nothing is tracked");
+}
+
 void InstructorWindow::refreshStatus()
 {
     const SessionNode& node = m_models.session.node();
@@ -433,8 +442,7 @@ void InstructorWindow::refreshStatus()
         told += tr("● Airway: %1").arg(m_models.airway.inForceText());
     told += m_models.people.workText();
     told += tr("Patient: %1").arg(QString::fromStdString(scene.patient().name()));
-    const auto oldest = m_models.participants.oldestSample_ms();
-    told += oldest ? tr("Oldest sample %1\u00a0ms").arg(qRound(*oldest)) : tr("Nothing is tracked");
+    told += trackedText();
     told += m_shownLocked ? tr("Locked: nobody new comes in")
                           : tr("Trainees join at port %1").arg(node.port());
     told += tr("%1 frames per second").arg(qRound(scene.scene().statistics().framesPerSecond));

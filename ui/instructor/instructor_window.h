@@ -117,6 +117,7 @@ private:
     void refreshInvitation();
     void refresh();
     void refreshStatus();
+    [[nodiscard]] QString trackedText() const;
     [[nodiscard]] QStringList unusual(const StationMoment& moment) const;
 
     ChangeHistory m_history;
@@ -127,6 +128,7 @@ private:
     std::unique_ptr<PanelDocks> m_docks;
     std::unique_ptr<SessionControl> m_control;
     StatusLine* m_status;
+    ProgramTrackerPanel* m_tools = nullptr; ///< of the console's own tracker
     QAction* m_projectorShown = nullptr;
     std::unique_ptr<ProjectorWindow> m_projector;
     SessionPhase m_shownPhase = SessionPhase::Prepared;

@@ -2,7 +2,6 @@
 
 #include "ui/tracker/offer_box.h"
 #include "ui/tracker/record_button.h"
-#include "ui/tracker/tracker_panel.h"
 #include "widgets/plain_label.h"
 
 #include <QPushButton>
@@ -13,14 +12,13 @@ namespace carina
 {
 
 ProgramTrackerPanel::ProgramTrackerPanel(const ProgramTracker& tracker, QWidget* parent)
-    : QWidget{parent}
+    : QWidget{parent}, m_tools{new TrackerPanel{tracker.sight, tracker.sound}}
 {
     auto* column = new QVBoxLayout{this};
-    auto* tools = new TrackerPanel{tracker.sight, tracker.sound};
     if (tracker.treatment.choose)
-        tools->offer(tracker.treatment);
-    column->addWidget(tools, 1);
-    setFocusProxy(tools);
+        m_tools->offer(tracker.treatment);
+    column->addWidget(m_tools, 1);
+    setFocusProxy(m_tools);
     if (tracker.recording)
         column->addWidget(new RecordButton{*tracker.recording});
     if (tracker.offer)

@@ -4,6 +4,7 @@
 #include "models/station/tool_status.h"
 #include "models/tracker/kept_sound.h"
 #include "models/tracker/pose_recording.h"
+#include "ui/tracker/tracker_panel.h"
 
 #include <QWidget>
 
@@ -36,6 +37,9 @@ class ProgramTrackerPanel : public QWidget
 public:
     explicit ProgramTrackerPanel(const ProgramTracker& tracker, QWidget* parent = nullptr);
 
+    /// How many tools are visible.
+    [[nodiscard]] int seen() const { return m_tools->seen(); }
+
 Q_SIGNALS:
     /// A person wants to connect a tracker, or another one.
     void wanted();
@@ -44,6 +48,8 @@ Q_SIGNALS:
 
 private:
     void offerAnother(QVBoxLayout& column, const ProgramTracker& tracker);
+
+    TrackerPanel* m_tools;
 };
 
 } // namespace carina

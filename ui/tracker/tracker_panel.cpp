@@ -13,6 +13,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <utility>
 
 namespace carina
@@ -198,6 +199,7 @@ void TrackerPanel::place(const std::vector<ToolStatus>& tools)
 void TrackerPanel::show(const std::vector<ToolStatus>& tools)
 {
     const auto volume = volumeOf(KnownVolume(m_volume->currentData().toInt()));
+    m_seen = int(std::ranges::count(tools, true, &ToolStatus::isVisible));
     m_table->setRowCount(int(tools.size()));
     for (int row = 0; row < int(tools.size()); ++row) {
         const ToolStatus& tool = tools[std::size_t(row)];

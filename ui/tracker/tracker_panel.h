@@ -47,6 +47,8 @@ public:
 
     /// Shows how it is now; a timer calls it every kInterval_ms.
     void look();
+    /// How many tools were visible then.
+    [[nodiscard]] int seen() const { return m_seen; }
 
 Q_SIGNALS:
     /// A tool was seen and is not any more, since two looks.
@@ -72,6 +74,7 @@ private:
     QCheckBox* m_sound;
     QComboBox* m_volume;
     VolumeView* m_places;
+    int m_seen = 0;
     std::optional<KnownVolume> m_suggested; ///< last
 };
 

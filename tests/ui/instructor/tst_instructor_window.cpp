@@ -997,6 +997,20 @@ private Q_SLOTS:
         QVERIFY2(told.contains(QStringLiteral("30")), qPrintable(told));
     }
 
+    void saysThatItsOwnToolsAreTracked()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        const auto& status = shown.find<QLabel>("status");
+        const QString nothing = QStringLiteral("Nothing is tracked");
+        QVERIFY(soon([&] { return status.accessibleName().contains(nothing); }));
+        shown.sight = TrackerSight{.tools = {{.name = QStringLiteral("Tube"), .isVisible = true},
+                                             {.name = QStringLiteral("Stylus")}}};
+        const QString own = QStringLiteral("Own tools tracked: 1");
+        QVERIFY(soon([&] { return status.accessibleName().contains(own); }));
+        QVERIFY(!status.accessibleName().contains(nothing));
+    }
+
     void saysThatMotionIsShownLarger()
     {
         const test::ScratchFolder kept;

@@ -201,6 +201,15 @@ bool canHaveConversation(TrackerSource source)
            || source == TrackerSource::Description;
 }
 
+bool canCalibrateCamera(const TrackerForm& form)
+{
+    const bool isOfPlus =
+        form.description.trimmed().endsWith(QLatin1StringView{".xml"}, Qt::CaseInsensitive);
+    const bool mayBeCamera = form.source == TrackerSource::Webcam
+                             || (form.source == TrackerSource::Description && !isOfPlus);
+    return mayBeCamera && !whatIsMissing(form);
+}
+
 std::span<const int> offeredRates() { return usualSerialRates(); }
 
 std::span<const ToolRole> offeredRoles()

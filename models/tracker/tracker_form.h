@@ -77,6 +77,10 @@ struct OfferedAddress {
 /// Whether the bytes of a tracker of this source can be recorded.
 [[nodiscard]] bool canHaveConversation(TrackerSource source);
 
+/// Whether what is filled in may be a camera, which can be calibrated: a webcam, or a description
+/// that is no device set of PLUS; nothing is missing.
+[[nodiscard]] bool canCalibrateCamera(const TrackerForm& form);
+
 /// The rates of a serial port that are offered as the fastest, in bits a second, best first.
 [[nodiscard]] std::span<const int> offeredRates();
 

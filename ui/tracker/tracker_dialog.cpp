@@ -422,7 +422,7 @@ void TrackerDialog::refresh()
                                  : missing.value_or(QString{}));
     m_use->setEnabled(!missing && !isReading);
     m_try->setEnabled(!missing);
-    m_calibrate->setEnabled(!missing);
+    m_calibrate->setEnabled(canCalibrateCamera(form()));
     m_webcam->setCanCalibrate(!missing);
     m_recordRow->setVisible(m_offersToRecord && canHaveConversation(form().source));
     m_found->setText(m_trial.text());

@@ -72,6 +72,20 @@ private Q_SLOTS:
         QVERIFY2(missing.value_or(said).contains(said), qPrintable(missing.value_or(said)));
     }
 
+    void calibratesWhatMayBeACamera()
+    {
+        TrackerForm form{.source = TrackerSource::Description};
+        QVERIFY(!canCalibrateCamera(form));
+        form.description = QStringLiteral("/site/tracker.json");
+        QVERIFY(canCalibrateCamera(form));
+        form.description = QStringLiteral("/site/PlusDeviceSet.XML ");
+        QVERIFY(!canCalibrateCamera(form));
+        form.source = TrackerSource::Webcam;
+        QVERIFY(!canCalibrateCamera(form));
+        form.webcam = QStringLiteral("0");
+        QVERIFY(canCalibrateCamera(form));
+    }
+
     void describesAPolarisAsItWasFilledIn()
     {
         const QTemporaryDir folder;

@@ -76,7 +76,10 @@ public:
         if (!isPlus)
             return refused("it is no configuration of PLUS");
         if (!device)
-            return fail(Errc::UnknownFormat, m_file.string());
+            return fail(Errc::UnknownFormat,
+                        m_file.string()
+                            + ": it names no tracker of a supported type, which are "
+                              "PolarisTracker, NDITracker and OpenIGTLinkTracker");
         return *std::move(device);
     }
 

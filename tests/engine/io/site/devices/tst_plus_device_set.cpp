@@ -102,6 +102,16 @@ private Q_SLOTS:
         QCOMPARE(described->tools[1].role, ToolRole::Other); // there is a tube already
     }
 
+    void saysThatNoTrackerIsSupported()
+    {
+        const auto described =
+            read(QByteArray{kPolarisSet}.replace("PolarisTracker", "SavedDataSource"));
+        QVERIFY(!described);
+        QVERIFY(described.error().detail.ends_with(
+            "set.xml: it names no tracker of a supported type, which are PolarisTracker, "
+            "NDITracker and OpenIGTLinkTracker"));
+    }
+
     void refusesOtherFiles_data()
     {
         QTest::addColumn<QByteArray>("xml");

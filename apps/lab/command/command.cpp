@@ -8,6 +8,7 @@
 #include <QJsonValue>
 #include <QVariant>
 
+#include <cmath>
 #include <cstdio>
 
 namespace carina::lab
@@ -25,6 +26,8 @@ void print(std::FILE* stream, const QByteArray& text)
 QJsonValue rounded(const QJsonValue& value)
 {
     constexpr int kDigits = 12;
+    constexpr int kDecimals = 6;
+    constexpr double kLarge = 1e6;
     if (value.isObject()) {
         QJsonObject object = value.toObject();
         for (auto field = object.begin(); field != object.end(); ++field)
@@ -37,9 +40,12 @@ QJsonValue rounded(const QJsonValue& value)
             array.append(rounded(each));
         return array;
     }
-    if (value.toVariant().typeId() == QMetaType::Double)
-        return QByteArray::number(value.toDouble(), 'g', kDigits).toDouble();
-    return value;
+    if (value.toVariant().typeId() != QMetaType::Double)
+        return value;
+    const double number = value.toDouble();
+    return (std::abs(number) < kLarge ? QByteArray::number(number, 'g', kDigits)
+                                      : QByteArray::number(number, 'f', kDecimals))
+        .toDouble();
 }
 
 /// What a command printed, and on stderr what it warns of.

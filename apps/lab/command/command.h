@@ -73,7 +73,8 @@ inline constexpr Key kAcceptable{"acceptable",
                                  "whether the result may be used; if not, the exit status is 1"};
 
 /// An object as it is printed. Numbers have twelve significant digits: more are noise of rounding,
-/// such as 0.30000000000000004.
+/// such as 0.30000000000000004. Those of a million and more have six decimals: a time in seconds
+/// since 1970 keeps its microseconds.
 [[nodiscard]] QByteArray printed(const QJsonObject& object);
 
 /// Runs carina-lab, which has these commands, on a whole command line: prints the object on stdout

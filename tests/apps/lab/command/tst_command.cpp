@@ -185,6 +185,13 @@ private Q_SLOTS:
                  QStringLiteral("count needs --limit with a whole number from 1 to 10."));
     }
 
+    void printsTheMicrosecondsOfATime()
+    {
+        const QByteArray text = printed({{kCount, 1127242654.1876216}, {kSchema, -12345678.5}});
+        QVERIFY2(text.contains("1127242654.187622"), text.constData());
+        QVERIFY2(text.contains("-12345678.5"), text.constData());
+    }
+
     void printsNumbersWithoutTheNoiseOfRounding()
     {
         const double sum = 0.1 + 0.2;

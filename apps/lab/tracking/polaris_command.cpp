@@ -114,17 +114,32 @@ struct SimulationOrder {
     }
 };
 
-/// The description of the tracker and the definitions of its tools, as a technician would write
-/// them.
-Result<void> writeDescription(const std::filesystem::path& folder, const std::string& address,
-                              const SimulationOrder& order)
+/// The tracker and its tools, as a technician would describe them.
+TrackerDescription descriptionOf(const SimulationOrder& order, const std::string& address)
 {
-    std::vector<DescribedTool> tools = order.tools.described;
-    for (DescribedTool& tool : tools)
+    TrackerDescription described{
+        .address = address, .fastestRate = 115200, .tools = order.tools.described};
+    for (DescribedTool& tool : described.tools)
         if (tool.name == order.wired)
             tool.definition.reset();
-    return writeTrackerFile(folder / "tracker.json",
-                            {.address = address, .fastestRate = 115200, .tools = std::move(tools)});
+    return described;
+}
+
+/// On stderr, as soon as it is there: where it serves, and which file is the definition of which
+/// tool (writeTrackerFile).
+void announce(const std::filesystem::path& file, const TrackerDescription& described)
+{
+    std::string tools;
+    int written = 0;
+    for (const DescribedTool& tool : described.tools) {
+        const std::string definition =
+            tool.definition ? file.stem().string() + '-' + std::to_string(++written) + ".rom"
+                            : "plugged in";
+        tools += (tools.empty() ? "" : ", ") + tool.name + " (" + definition + ')';
+    }
+    const std::string text =
+        "serves at " + described.address + "; " + file.string() + " describes it: " + tools + '\n';
+    std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
 /// What the device states of what it sees.
@@ -268,8 +283,11 @@ Result<QJsonObject> serve(const std::filesystem::path& folder, const SimulationO
         return tl::unexpected(line.error());
     const std::string address =
         order.port ? "127.0.0.1:" + std::to_string(*order.port) : link.string();
-    if (const auto wrote = writeDescription(folder, address, order); !wrote)
+    const TrackerDescription described = descriptionOf(order, address);
+    const std::filesystem::path file = folder / "tracker.json";
+    if (const auto wrote = writeTrackerFile(file, described); !wrote)
         return tl::unexpected(wrote.error());
+    announce(file, described);
     PolarisDevice device{settingsOf(order), statedPoses(order, std::move(poseOf))};
     const LocalTime begin = monotonicNow();
     FaultMaker faults{device, order.fault, order.faulty(), begin};
@@ -336,7 +354,8 @@ Command polarisCommand()
                           "recording, at a pseudo-terminal whose rate paces its replies, or at a "
                           "TCP port. DIR/tracker.json, "
                           "which is written with the definitions of its tools, is for --tracker "
-                          "of carina-trainee and carina-registration.",
+                          "of carina-trainee and carina-registration. That it serves, where, and "
+                          "which file defines which tool is told on stderr.",
                   .options = {kPatient, polaris_option::kRecording, polaris_option::kTcp,
                               polaris_option::kSeconds, polaris_option::kNoise,
                               polaris_option::kTool, polaris_option::kHide, polaris_option::kWired,

@@ -4,11 +4,17 @@
 #include "engine/io/anatomy_set/anatomy_set.h"
 #include "engine/io/anatomy_set/builtin_cache.h"
 #include "models/errors/error_text.h"
+#include "models/tracker/background_work.h"
 #include "ui/import/import_dialog.h"
 
 #include <QCoreApplication>
+#include <QEventLoop>
+#include <QProgressDialog>
+#include <QTimer>
 
+#include <chrono>
 #include <cstdio>
+#include <optional>
 
 namespace carina::program
 {
@@ -17,6 +23,7 @@ namespace
 
 const QString kAnatomy = QStringLiteral("anatomy");
 const QString kPatient = QStringLiteral("patient");
+constexpr std::chrono::milliseconds kLongWait{700}; ///< until that is told
 
 /// Whom `--patient` means; without it a child, or an adult for an imported set.
 Result<PatientParameters> figuresOf(const QCommandLineParser& parser, bool imported)
@@ -62,6 +69,31 @@ Result<Anatomy> importedPatient(const std::filesystem::path& folder, bool forPer
     return std::move(loaded->set.anatomy);
 }
 
+/// The built-in patient with these figures, from the cache or made.
+Result<SharedPatientModel> builtIn(const PatientParameters& figures)
+{
+    return cachedPatient(figures, AnatomyCache::defaultFolder()).and_then([](Anatomy&& anatomy) {
+        return patientOf(std::move(anatomy));
+    });
+}
+
+/// The same, while a window tells a person who waits long.
+Result<SharedPatientModel> builtInForPerson(const PatientParameters& figures)
+{
+    QProgressDialog shown{
+        QCoreApplication::translate("Program", "The patient is being made. This takes a while, "
+                                               "the first time only."),
+        QString{}, 0, 0};
+    std::optional<Result<SharedPatientModel>> made; // set by the thread that makes it
+    BackgroundWork making;
+    QEventLoop until;
+    QObject::connect(&making, &BackgroundWork::finished, &until, &QEventLoop::quit);
+    QTimer::singleShot(kLongWait, &shown, &QWidget::show);
+    making.start([&](const Progress& /*goesOn*/) { made = builtIn(figures); });
+    until.exec();
+    return *std::move(made);
+}
+
 } // namespace
 
 void addPatientOptions(QCommandLineParser& parser)
@@ -101,12 +133,12 @@ Result<ChosenPatient> choosePatient(const QCommandLineParser& parser)
     const auto dimensions = dimensionsFor(*figures);
     if (!dimensions)
         return tl::unexpected(dimensions.error());
-    auto anatomy = imported
-                       ? importedPatient(parser.value(kAnatomy).toStdString(), hasPerson(parser))
-                       : cachedPatient(*figures, AnatomyCache::defaultFolder());
-    if (!anatomy)
-        return tl::unexpected(anatomy.error());
-    auto model = patientOf(std::move(*anatomy));
+    const bool forPerson = hasPerson(parser);
+    auto model =
+        imported ? importedPatient(parser.value(kAnatomy).toStdString(), forPerson)
+                       .and_then([](Anatomy&& anatomy) { return patientOf(std::move(anatomy)); })
+        : forPerson ? builtInForPerson(*figures)
+                    : builtIn(*figures);
     if (!model)
         return tl::unexpected(model.error());
     return ChosenPatient{*std::move(model), *dimensions};

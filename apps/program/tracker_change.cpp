@@ -74,7 +74,7 @@ void TrackerChange::ask(QWidget& window, SharedTools& tools)
     if (m_siteOfStart.isEmpty() && !(*chosen)->isSimulated()) {
         site = QFileDialog::getOpenFileName(
             &window, changeWords("Where does the patient lie? The site of carina-registration"),
-            beside, changeWords("Sites (*.json)"));
+            beside, changeWords("Sites (*site*.json);;Other names (*.json)"));
         if (site.isEmpty())
             return;
     }

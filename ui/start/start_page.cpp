@@ -316,8 +316,9 @@ void StartPage::chooseFolder()
 
 void StartPage::chooseSite()
 {
-    const QString file = QFileDialog::getOpenFileName(this, tr("The site of carina-registration"),
-                                                      m_site->text(), tr("Sites (*.json)"));
+    const QString file =
+        QFileDialog::getOpenFileName(this, tr("The site of carina-registration"), m_site->text(),
+                                     tr("Sites (*site*.json);;Other names (*.json)"));
     if (!file.isEmpty())
         m_site->setText(file);
 }

@@ -213,6 +213,9 @@ QWidget* TrackerDialog::fileFields(QLineEdit& file, const QString& title, const 
     });
     auto* fields = new QWidget;
     auto* row = new QHBoxLayout{fields};
+    auto* caption = new PlainLabel{tr("File")};
+    caption->setBuddy(&file);
+    row->addWidget(caption);
     row->addWidget(&file, 1);
     row->addWidget(browse);
     if (choice != nullptr)

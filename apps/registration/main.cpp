@@ -46,7 +46,10 @@ void addOptions(QCommandLineParser& parser)
     parser.setApplicationDescription(
         words("Registers a patient's anatomy to a manikin by touched landmarks."));
     parser.addOption(
-        {kSite, words("File of the site, saved after every step; a stored site is continued."),
+        {kSite,
+         words("File of the site, saved after every step; a stored site is continued. Without "
+               "this option %1.")
+             .arg(QDir::toNativeSeparators(defaultSite())),
          QStringLiteral("FILE"), defaultSite()});
     parser.addOption({kHands,
                       words("Hand that holds the stylus of the simulated tracker: scripted does "

@@ -35,6 +35,9 @@ constexpr Key kPoints{"points", "of POLYDATA and POINT", 1};
 constexpr Key kPolygons{"polygons", "of POLYDATA", 1};
 constexpr Key kSkipped{"skipped", "true for a type that is not read", 1};
 constexpr Key kReencoded{"reencodes", "whether encoding it gives the same bytes", 1};
+constexpr Key kAcceptable{
+    lab::kAcceptable.name,
+    "false where no message is read or passed over; the exit status is 1 then"};
 constexpr Key kRefused{"refused", "the reason of each message that is refused, in their order"};
 constexpr Key kSchema{"schema", "carina.igtl/1"};
 } // namespace igtl_key
@@ -135,7 +138,9 @@ QJsonObject decoded(std::span<const std::byte> stream)
     }
     if (reader.isWithin())
         refuse("the end of the last message is missing");
-    return {{igtl_key::kMessages, messages}, {igtl_key::kRefused, refused}};
+    return {{igtl_key::kMessages, messages},
+            {igtl_key::kRefused, refused},
+            {igtl_key::kAcceptable, !messages.isEmpty()}};
 }
 
 Result<QJsonObject> decodeFile(const Words& words)
@@ -156,25 +161,25 @@ Result<QJsonObject> decodeFile(const Words& words)
 
 Command igtlCommand()
 {
-    return {
-        .name = "igtl",
-        .theme = "tracking",
-        .summary = "decodes messages of OpenIGTLink",
-        .uses = {{.lines = {"decode FILE"},
-                  .text = "Decodes the messages of OpenIGTLink in a file, one behind the other "
-                          "as they travel: headers of version 1 and 2, every checksum is "
-                          "checked.",
-                  .notes = {{"FILE", "the bytes of a connection, or of one message"}},
-                  .schema = igtl_key::kSchema,
-                  .keys = {igtl_key::kFile, igtl_key::kMessages, igtl_key::kType, igtl_key::kDevice,
-                           igtl_key::kVersion, igtl_key::kTime, igtl_key::kMetadata,
-                           igtl_key::kPoses, igtl_key::kName, igtl_key::kPosition,
-                           igtl_key::kRotation, igtl_key::kFault, igtl_key::kText, igtl_key::kCode,
-                           igtl_key::kPoints, igtl_key::kPolygons, igtl_key::kSkipped,
-                           igtl_key::kReencoded, igtl_key::kRefused}}},
-        .mostFiles = 2,
-        .reminder = "igtl needs \"decode FILE\".",
-        .experiment = decodeFile};
+    return {.name = "igtl",
+            .theme = "tracking",
+            .summary = "decodes messages of OpenIGTLink",
+            .uses = {{.lines = {"decode FILE"},
+                      .text = "Decodes the messages of OpenIGTLink in a file, one behind the other "
+                              "as they travel: headers of version 1 and 2, every checksum is "
+                              "checked.",
+                      .notes = {{"FILE", "the bytes of a connection, or of one message"}},
+                      .schema = igtl_key::kSchema,
+                      .keys = {igtl_key::kFile,     igtl_key::kMessages,  igtl_key::kType,
+                               igtl_key::kDevice,   igtl_key::kVersion,   igtl_key::kTime,
+                               igtl_key::kMetadata, igtl_key::kPoses,     igtl_key::kName,
+                               igtl_key::kPosition, igtl_key::kRotation,  igtl_key::kFault,
+                               igtl_key::kText,     igtl_key::kCode,      igtl_key::kPoints,
+                               igtl_key::kPolygons, igtl_key::kSkipped,   igtl_key::kReencoded,
+                               igtl_key::kRefused,  igtl_key::kAcceptable}}},
+            .mostFiles = 2,
+            .reminder = "igtl needs \"decode FILE\".",
+            .experiment = decodeFile};
 }
 
 } // namespace carina::lab

@@ -22,6 +22,9 @@ constexpr Key kCommands{"commands", "that were sent"};
 constexpr Key kReplies{"replies", "that came, those without a command among them"};
 constexpr Key kCrcErrors{"crc_errors", "commands and replies with a wrong checksum"};
 constexpr Key kPoses{"poses", "of all tools, in the replies to TX, BX and BX2"};
+constexpr Key kAcceptable{lab::kAcceptable.name,
+                          "false where no command and no reply has a right checksum; the exit "
+                          "status is 1 then"};
 constexpr Key kRefused{"refused", "one object for each command or reply that cannot be used:"};
 constexpr Key kLine{"line", "of the file, where the exchange begins", 1};
 constexpr Key kReason{"reason", "why it cannot be used", 1};
@@ -143,6 +146,8 @@ Result<QJsonObject> decodeRecording(const Words& words)
                        {ndi_key::kReplies, qint64(conversation.replies)},
                        {ndi_key::kCrcErrors, qint64(conversation.checksumErrors)},
                        {ndi_key::kPoses, poses},
+                       {ndi_key::kAcceptable,
+                        conversation.checksumErrors < conversation.commands + conversation.replies},
                        {ndi_key::kRefused, refusedIn(conversation)},
                        {ndi_key::kTools, tools}};
 }
@@ -151,27 +156,27 @@ Result<QJsonObject> decodeRecording(const Words& words)
 
 Command ndiCommand()
 {
-    return {
-        .name = "ndi",
-        .theme = "tracking",
-        .summary = "decodes a recorded conversation with a Polaris",
-        .uses = {{.lines = {"decode FILE"},
-                  .text = "Decodes the commands and replies of a recorded conversation with a "
-                          "tracker of NDI: every checksum is checked, and the poses in the "
-                          "replies to TX, BX and BX2 are printed.",
-                  .notes = {{"FILE", "lines \"sent:0012 = TX:0001031A\" and \"recv:0012 = "
-                                     "...\", or \"1127242654.21 : (INFO) 41. command[12] "
-                                     "...\" with bytes that do not print as \\xHH, or the "
-                                     "same without times and with the bytes as they were"}},
-                  .schema = ndi_key::kSchema,
-                  .keys = {ndi_key::kRecording, ndi_key::kCommands, ndi_key::kReplies,
-                           ndi_key::kCrcErrors, ndi_key::kPoses, ndi_key::kRefused, ndi_key::kLine,
-                           ndi_key::kReason, ndi_key::kTools, ndi_key::kHandle, ndi_key::kSeen,
-                           ndi_key::kToolPoses, ndi_key::kFrame, ndi_key::kPosition,
-                           ndi_key::kRotation, ndi_key::kError, ndi_key::kStatus, ndi_key::kTime}}},
-        .mostFiles = 2,
-        .reminder = "ndi needs \"decode FILE\".",
-        .experiment = decodeRecording};
+    return {.name = "ndi",
+            .theme = "tracking",
+            .summary = "decodes a recorded conversation with a Polaris",
+            .uses = {{.lines = {"decode FILE"},
+                      .text = "Decodes the commands and replies of a recorded conversation with a "
+                              "tracker of NDI: every checksum is checked, and the poses in the "
+                              "replies to TX, BX and BX2 are printed.",
+                      .notes = {{"FILE", "lines \"sent:0012 = TX:0001031A\" and \"recv:0012 = "
+                                         "...\", or \"1127242654.21 : (INFO) 41. command[12] "
+                                         "...\" with bytes that do not print as \\xHH, or the "
+                                         "same without times and with the bytes as they were"}},
+                      .schema = ndi_key::kSchema,
+                      .keys = {ndi_key::kRecording, ndi_key::kCommands, ndi_key::kReplies,
+                               ndi_key::kCrcErrors, ndi_key::kPoses, ndi_key::kAcceptable,
+                               ndi_key::kRefused, ndi_key::kLine, ndi_key::kReason, ndi_key::kTools,
+                               ndi_key::kHandle, ndi_key::kSeen, ndi_key::kToolPoses,
+                               ndi_key::kFrame, ndi_key::kPosition, ndi_key::kRotation,
+                               ndi_key::kError, ndi_key::kStatus, ndi_key::kTime}}},
+            .mostFiles = 2,
+            .reminder = "ndi needs \"decode FILE\".",
+            .experiment = decodeRecording};
 }
 
 } // namespace carina::lab

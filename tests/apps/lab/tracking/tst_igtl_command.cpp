@@ -60,6 +60,19 @@ private Q_SLOTS:
         QCOMPARE(refused.size(), 2);
         QCOMPARE(refused[0].toString(), QStringLiteral("TRANSFORM: checksum"));
         QVERIFY(refused[1].toString().contains(QStringLiteral("missing")));
+        QVERIFY((*object)[kAcceptable].toBool());
+    }
+
+    void isNotAcceptableWhereEverythingIsRefused()
+    {
+        const test::ScratchFolder folder;
+        QByteArray damaged = bytesOf(test::messageOf(IgtlTransform{test::kQuarterTurn}));
+        damaged.back() = 'x';
+        const QString path = folder.write("igtl.bin", damaged);
+        const auto object = igtlCommand().run({QStringLiteral("decode"), path});
+        QVERIFY(object);
+        QCOMPARE((*object)[QLatin1StringView{"refused"}].toArray().size(), 1);
+        QVERIFY(!(*object)[kAcceptable].toBool(true));
     }
 
     void refusesOtherWords()

@@ -44,6 +44,18 @@ private Q_SLOTS:
         QVERIFY(std::abs(p_mm[2].toDouble() + 1581.80) < 1e-6);
         QVERIFY(std::abs(pose[QLatin1StringView{"error_mm"}].toDouble() - 0.1106) < 1e-6);
         QVERIFY(pose[QLatin1StringView{"time_s"}].isNull());
+        QVERIFY((*object)[kAcceptable].toBool());
+    }
+
+    void isNotAcceptableWhereNothingIsDecoded()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("polaris.txt"));
+        std::ofstream{path.toStdString()} << "sent:0002 = TX:0001031B\nrecv:0002 = OKAYA897\n";
+        const auto object = ndiCommand().run({QStringLiteral("decode"), path});
+        QVERIFY(object);
+        QCOMPARE((*object)[QLatin1StringView{"crc_errors"}].toInt(), 2);
+        QVERIFY(!(*object)[kAcceptable].toBool(true));
     }
 
     void refusesOtherWords()

@@ -4,6 +4,7 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace carina
@@ -15,6 +16,8 @@ constexpr int kVolumeHeight = 150;
 constexpr int kVolumeWidth = 420;
 constexpr double kMarginShare = 0.08; ///< of the depth, around the volume
 constexpr double kMarkRadius = 4.0;   // pixels
+constexpr double kNameGap = 6.0;      // pixels, between the middle of a mark and its name
+constexpr int kMostLines = 9;         ///< that a name is moved up or down
 const QColor kOutside{216, 96, 64};
 
 } // namespace
@@ -81,6 +84,36 @@ QPointF VolumeView::placeFromAbove(const Thing& thing) const
     return placeIn(half(1), thing.depth, thing.aside);
 }
 
+QPointF VolumeView::placeOf(const Thing& thing, int which) const
+{
+    return which == 0 ? placeFromSide(thing) : placeFromAbove(thing);
+}
+
+/// Each on the line of its mark, or on the nearest one that is free there.
+std::vector<QRectF> VolumeView::namesIn(int which) const
+{
+    const QRectF picture = half(which);
+    const double line = fontMetrics().height();
+    std::vector<QRectF> names;
+    for (const Thing& thing : m_things) {
+        const QPointF at = placeOf(thing, which);
+        const double width = fontMetrics().horizontalAdvance(thing.name);
+        const bool fits = at.x() + kNameGap + width <= picture.right();
+        const QRectF beside{fits ? at.x() + kNameGap : at.x() - kNameGap - width,
+                            at.y() - 0.5 * line, width, line};
+        const auto isFree = [&](const QRectF& place) {
+            return picture.top() <= place.top() && place.bottom() <= picture.bottom()
+                   && std::ranges::none_of(
+                       names, [&](const QRectF& name) { return name.intersects(place); });
+        };
+        QRectF name = beside;
+        for (int step = 1; !isFree(name) && step <= 2 * kMostLines; ++step)
+            name = beside.translated(0.0, (step % 2 == 1 ? 1 : -1) * ((step + 1) / 2) * line);
+        names.push_back(isFree(name) ? name : beside);
+    }
+    return names;
+}
+
 void VolumeView::paintEvent(QPaintEvent* /*event*/)
 {
     if (m_sections.empty())
@@ -108,8 +141,6 @@ void VolumeView::paintEvent(QPaintEvent* /*event*/)
             painter.drawPolygon(
                 QPolygonF{{at + QPointF{0.0, -kMarkRadius}, at + QPointF{kMarkRadius, kMarkRadius},
                            at + QPointF{-kMarkRadius, kMarkRadius}}});
-        painter.setPen(palette().color(QPalette::WindowText));
-        painter.drawText(at + QPointF{kMarkRadius + 2.0, kMarkRadius}, thing.name);
     };
     for (const int which : {0, 1}) {
         painter.setPen(palette().color(QPalette::Mid));
@@ -118,8 +149,19 @@ void VolumeView::paintEvent(QPaintEvent* /*event*/)
         painter.setPen(palette().color(QPalette::WindowText));
         painter.drawText(half(which).adjusted(4, 2, -4, -2), Qt::AlignTop | Qt::AlignLeft,
                          which == 0 ? tr("From the side") : tr("From above"));
-        for (const Thing& thing : m_things)
-            mark(which == 0 ? placeFromSide(thing) : placeFromAbove(thing), thing);
+        const std::vector<QRectF> names = namesIn(which);
+        for (std::size_t i = 0; i < m_things.size(); ++i) {
+            mark(placeOf(m_things[i], which), m_things[i]);
+            const QPointF at = placeOf(m_things[i], which);
+            if (std::abs(names[i].center().y() - at.y()) > 0.5 * names[i].height()) {
+                const bool isRight = names[i].left() > at.x();
+                painter.setPen(palette().color(QPalette::Mid));
+                painter.drawLine(at, QPointF{isRight ? names[i].left() : names[i].right(),
+                                             names[i].center().y()});
+            }
+            painter.setPen(palette().color(QPalette::WindowText));
+            painter.drawText(names[i], Qt::AlignCenter | Qt::TextDontClip, m_things[i].name);
+        }
     }
 }
 

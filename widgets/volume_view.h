@@ -42,6 +42,10 @@ public:
     /// Where a thing is drawn in the picture from the side, and from above.
     [[nodiscard]] QPointF placeFromSide(const Thing& thing) const;
     [[nodiscard]] QPointF placeFromAbove(const Thing& thing) const;
+    /// Where the names of the things are drawn, in their order: beside the thing, and none upon
+    /// another while there is room.
+    [[nodiscard]] std::vector<QRectF> namesFromSide() const { return namesIn(0); }
+    [[nodiscard]] std::vector<QRectF> namesFromAbove() const { return namesIn(1); }
 
     [[nodiscard]] QSize sizeHint() const override;
 
@@ -50,6 +54,8 @@ protected:
 
 private:
     [[nodiscard]] QRectF half(int which) const;
+    [[nodiscard]] QPointF placeOf(const Thing& thing, int which) const;
+    [[nodiscard]] std::vector<QRectF> namesIn(int which) const;
     [[nodiscard]] QPointF placeIn(const QRectF& picture, double depth, double across) const;
     [[nodiscard]] double unit() const;
 

@@ -45,6 +45,27 @@ private Q_SLOTS:
         QVERIFY(inside != empty && view.grab().toImage() != inside);
     }
 
+    void drawsNoNameUponAnother()
+    {
+        Pyramid view;
+        const std::vector<VolumeView::Thing> things{{QStringLiteral("Stylus"), 1.5, 0.0, 0.0},
+                                                    {QStringLiteral("Chin probe"), 1.5, 0.0, 0.01},
+                                                    {QStringLiteral("Tube"), 1.52, 0.01, 0.0},
+                                                    {QStringLiteral("Headset"), 9.0, 0.0, 9.0}};
+        view.setThings(things);
+        const std::vector<QRectF> pictures{{0, 0, 200, 150}, {200, 0, 200, 150}};
+        int which = 0;
+        for (const auto& names : {view.namesFromSide(), view.namesFromAbove()}) {
+            QCOMPARE(names.size(), things.size());
+            for (std::size_t i = 0; i < names.size(); ++i) {
+                QVERIFY(pictures[std::size_t(which)].contains(names[i]));
+                for (std::size_t j = 0; j < i; ++j)
+                    QVERIFY(!names[i].intersects(names[j]));
+            }
+            ++which;
+        }
+    }
+
 private:
     struct Pyramid : VolumeView {
         Pyramid()

@@ -15,6 +15,8 @@ ProgramTrackerPanel::ProgramTrackerPanel(const ProgramTracker& tracker, QWidget*
     : QWidget{parent}, m_tools{new TrackerPanel{tracker.sight, tracker.sound}}
 {
     auto* column = new QVBoxLayout{this};
+    if (tracker.canBeGiven)
+        offerAnother(*column, tracker);
     if (tracker.treatment.choose)
         m_tools->offer(tracker.treatment);
     column->addWidget(m_tools, 1);
@@ -23,8 +25,6 @@ ProgramTrackerPanel::ProgramTrackerPanel(const ProgramTracker& tracker, QWidget*
         column->addWidget(new RecordButton{*tracker.recording});
     if (tracker.offer)
         column->addWidget(new OfferBox{*tracker.offer});
-    if (tracker.canBeGiven)
-        offerAnother(*column, tracker);
 }
 
 void ProgramTrackerPanel::offerAnother(QVBoxLayout& column, const ProgramTracker& tracker)

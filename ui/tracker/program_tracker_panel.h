@@ -27,9 +27,9 @@ struct ProgramTracker {
     OfferSwitch* offer = nullptr;       ///< to other programs; outlives the window
 };
 
-/// The tools of a program's tracker as they are seen now, and below them what a person may do with
-/// the tracker: choose how its poses are treated, record them, give what is shown to programs of
-/// other makers, connect another one, go on without.
+/// The tools of a program's tracker as they are seen now; above them a person connects another
+/// tracker or goes on without, and below them chooses how its poses are treated, records them, and
+/// gives what is shown to programs of other makers.
 class ProgramTrackerPanel : public QWidget
 {
     Q_OBJECT

@@ -9,6 +9,7 @@
 #include <QComboBox>
 #include <QFormLayout>
 #include <QHeaderView>
+#include <QScrollBar>
 #include <QTableWidget>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -81,9 +82,9 @@ TrackerPanel::TrackerPanel(Sight sight, KeptSound sound, ToolUse use, QWidget* p
     m_trouble->setWordWrap(true);
     m_table->setObjectName(QStringLiteral("toolTable"));
     m_table->setAccessibleName(tr("Tools as the tracker sees them"));
-    m_table->setHorizontalHeaderLabels({tr("Tool"), tr("State"), tr("Rate, Hz"), tr("Age, s"),
-                                        tr("Fit, mm"), tr("Expected, mm"), tr("Ahead, mm"),
-                                        tr("To edge, mm")});
+    m_table->setHorizontalHeaderLabels({tr("Tool"), tr("State"), tr("Rate,\nHz"), tr("Age,\ns"),
+                                        tr("Fit,\nmm"), tr("Expected,\nmm"), tr("Ahead,\nmm"),
+                                        tr("To edge,\nmm")});
     m_table->horizontalHeaderItem(kToolAge)->setToolTip(
         tr("How old the newest pose is in which the tool was seen"));
     m_table->horizontalHeaderItem(kToolError)
@@ -105,6 +106,7 @@ TrackerPanel::TrackerPanel(Sight sight, KeptSound sound, ToolUse use, QWidget* p
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setSelectionMode(QAbstractItemView::NoSelection);
     m_table->setTabKeyNavigation(false);
+    m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_sound->setObjectName(QStringLiteral("sound"));
     m_sound->setToolTip(tr("Two beeps of this computer when a tool was lost for half a second to a "
                            "second, one when it is back"));
@@ -225,6 +227,18 @@ void TrackerPanel::show(const std::vector<ToolStatus>& tools)
                            ? QString::number(qRound(1e3 * volume->insideBy(*tool.p_T)))
                            : none());
     }
+    fitRows();
+}
+
+/// All tools are in sight: what is around the panel scrolls.
+void TrackerPanel::fitRows()
+{
+    const int frame =
+        2 * m_table->frameWidth() + m_table->horizontalScrollBar()->sizeHint().height();
+    int height = m_table->horizontalHeader()->sizeHint().height() + frame;
+    for (int row = 0; row < m_table->rowCount(); ++row)
+        height += m_table->rowHeight(row);
+    m_table->setMinimumHeight(height);
 }
 
 void TrackerPanel::listen(const std::vector<ToolStatus>& tools)

@@ -60,6 +60,7 @@ Q_SIGNALS:
 
 private:
     void show(const std::vector<ToolStatus>& tools);
+    void fitRows();
     void listen(const std::vector<ToolStatus>& tools);
     void makeSound(int beeps);
     void suggest(KnownVolume volume);

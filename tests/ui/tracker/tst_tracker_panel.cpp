@@ -62,6 +62,17 @@ private Q_SLOTS:
         QVERIFY(panel.findChild<QLabel*>(QStringLiteral("trouble"))->text().isEmpty());
     }
 
+    void showsTheRowsOfAllToolsWithoutScrolling()
+    {
+        std::vector<ToolStatus> tools(9, seen("Tube"));
+        TrackerPanel panel{[&] { return std::optional{TrackerSight{{}, tools}}; }};
+        panel.resize(panel.minimumSizeHint());
+        panel.show();
+        const auto& table = *panel.findChild<QTableWidget*>(QStringLiteral("toolTable"));
+        QTRY_VERIFY(table.viewport()->height() > 0);
+        QVERIFY(table.visualItemRect(table.item(8, 0)).bottom() <= table.viewport()->height());
+    }
+
     void offersToPredictAndToSmooth()
     {
         TrackerPanel panel{[]() -> std::optional<TrackerSight> { return TrackerSight{}; }};

@@ -236,7 +236,7 @@ Result<std::vector<DriftFigure>> figuresByDelay(const FigureSettings& settings)
             curveOf(name, kDelays_ms, measured, [](const auto& of) { return mm(of.position); }));
     }
     // The same for all strategies, for it is asked of the links.
-    const std::string limit = "limit of who goes on until it hears";
+    const std::string limit = "limit until heard";
     pair.orientation.curves.push_back(
         curveOf(limit, kDelays_ms, measured, [](const auto& of) { return deg(of.limit); }));
     pair.position.curves.push_back(

@@ -227,7 +227,7 @@ Use figuresInVirtualTime()
              {"drift-by-delay",
               "time average against the one-way delay, 0.1 to 100 ms, of which 1/21 is a queue, "
               "for all strategies, with the limit of a viewer who goes on with the old motion "
-              "until it hears"}},
+              "until it hears (\"limit until heard\")"}},
         .options = {figures_option::kFolder, figures_option::kScenario, figures_option::kActions,
                     figures_option::kSeed, figures_option::kSeeds, figures_option::kRawAngle},
         .schema = figures_key::kSchema,

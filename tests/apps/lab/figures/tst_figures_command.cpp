@@ -188,7 +188,7 @@ private Q_SLOTS:
         QVERIFY(table);
         const std::size_t delays = table->rows() / (syncStrategies().size() + 1);
         const std::size_t firstLimit = table->rows() - delays;
-        QCOMPARE(table->text(firstLimit, 0), QStringLiteral("limit of who goes on until it hears"));
+        QCOMPARE(table->text(firstLimit, 0), QStringLiteral("limit until heard"));
         for (std::size_t row = 0; row < firstLimit; ++row) {
             const std::size_t limit = firstLimit + row % delays;
             QCOMPARE(table->text(row, 1), table->text(limit, 1));

@@ -3,6 +3,7 @@
 #include "apps/lab/attack/attackers/intruder.h"
 #include "engine/sync/strategies/strategy_choice.h"
 
+#include <limits>
 #include <span>
 
 namespace carina::lab
@@ -28,6 +29,12 @@ struct Measured {
     double least; ///< below it the attack did not do what it is for
     double most;  ///< above it the host did not hold; infinite: no bound
 };
+
+/// Something without which the attack did not do what it is for, and which may be ever so much.
+[[nodiscard]] inline Measured atLeast(double least, const char* what, std::int64_t figure)
+{
+    return {what, static_cast<double>(figure), least, std::numeric_limits<double>::infinity()};
+}
 
 /// An attack under way.
 class Attack

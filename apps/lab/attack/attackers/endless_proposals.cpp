@@ -16,7 +16,21 @@ namespace
 class Proposing : public Participating
 {
 public:
-    using Participating::Participating;
+    Proposing(const Target& target, Role role) : Participating{target, role}
+    {
+        attendee().intruder().onRecord([this](const WireRecord& record) {
+            const bool isRefusal = std::holds_alternative<ProposalRefused>(record)
+                                   || std::holds_alternative<HelloRefused>(record);
+            m_refused += isRefusal ? 1 : 0;
+        });
+    }
+
+    [[nodiscard]] std::vector<Measured> measured(Duration length) const override
+    {
+        static_cast<void>(length);
+        return {atLeast(kLeastRefused, "proposals and Hellos refused, and paths that were ended",
+                        m_refused + intruder().ended())};
+    }
 
 protected:
     void flood(Intruder& intruder) override
@@ -30,6 +44,10 @@ protected:
 
 private:
     static constexpr int kProposals = 100;
+    /// Who floods is put out within a turn of the host, with few answers, and tries again.
+    static constexpr double kLeastRefused = 5.0;
+
+    std::int64_t m_refused = 0;
 
     /// @pre it was welcomed
     [[nodiscard]] virtual FactBody body(const Intruder& intruder) = 0;

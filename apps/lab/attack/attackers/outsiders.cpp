@@ -34,16 +34,24 @@ public:
         const QHostAddress host{QHostAddress::LocalHost};
         for (int i = 0; i < kHellos && !m_hello.isEmpty(); ++i)
             m_sent += m_socket.writeDatagram(m_hello, host, m_port) == m_hello.size() ? 1 : 0;
-        while (readRaw(m_socket)) {}
+        while (readRaw(m_socket))
+            ++m_answered;
     }
     [[nodiscard]] std::int64_t sent() const override { return m_sent; }
+    [[nodiscard]] std::vector<Measured> measured(Duration length) const override
+    {
+        static_cast<void>(length);
+        return {atLeast(kLeastAnswered, "ClientHellos that the host answered", m_answered)};
+    }
 
 private:
+    static constexpr double kLeastAnswered = 100.0;
     static constexpr int kHellos = 5;
     std::uint16_t m_port;
     QUdpSocket m_socket;
     QByteArray m_hello;
     std::int64_t m_sent = 0;
+    std::int64_t m_answered = 0; ///< with a cookie
 };
 
 class IdlePaths : public Attack
@@ -105,8 +113,10 @@ public:
     void step() override
     {
         for (std::unique_ptr<Intruder>& path : m_paths) {
-            if (path && path->ended() > 0)
+            if (path && path->ended() > 0) {
+                ++m_ended;
                 m_before += std::exchange(path, nullptr)->sent();
+            }
             if (!path)
                 path = std::make_unique<Intruder>(m_way);
             if (path->isIn())
@@ -125,11 +135,18 @@ public:
     }
     [[nodiscard]] std::int64_t mostPaths() const override { return m_mostOpen; }
 
+    [[nodiscard]] std::vector<Measured> measured(Duration length) const override
+    {
+        static_cast<void>(length);
+        return {atLeast(double(kPaths), "paths that the host ended", m_ended)};
+    }
+
 private:
     static constexpr std::size_t kPaths = 16;
     WayIn m_way;
     std::array<std::unique_ptr<Intruder>, kPaths> m_paths;
     std::int64_t m_before = 0; ///< over paths that were ended
+    std::int64_t m_ended = 0;
     std::int64_t m_mostOpen = 0;
 };
 

@@ -67,7 +67,7 @@ private Q_SLOTS:
         std::vector<ToolStatus> tools(9, seen("Tube"));
         TrackerPanel panel{[&] { return std::optional{TrackerSight{{}, tools}}; }};
         panel.resize(panel.minimumSizeHint());
-        panel.show();
+        panel.setVisible(true);
         const auto& table = *panel.findChild<QTableWidget*>(QStringLiteral("toolTable"));
         QTRY_VERIFY(table.viewport()->height() > 0);
         QVERIFY(table.visualItemRect(table.item(8, 0)).bottom() <= table.viewport()->height());

@@ -28,7 +28,7 @@ constexpr Duration kNewcomersAfter = 2s; ///< the beginning of an attack
 constexpr Duration kNewcomerWaits = 10s;
 // Addresses of this computer, which for a host are two places.
 constexpr quint32 kHere = 0x7F000001;
-constexpr quint32 kElsewhere = 0x7F000002;
+constexpr quint32 kOtherAddress = 0x7F000002;
 constexpr std::array kNewcomers{Role::Trainee, Role::Observer, Role::Instructor};
 /// An attack that is to send more than it can ends without it.
 constexpr Duration kLongest = 120s;
@@ -237,7 +237,7 @@ private:
         static_cast<void>(m_honest->takeMissed());
         auto attack = kind.begin({m_session->port(), m_session->codes(), m_derive,
                                   StartedSession::kTrainee, std::string{"Intruder "} + kind.name,
-                                  QHostAddress{kind.isElsewhere ? kElsewhere : kHere}});
+                                  QHostAddress{kind.isElsewhere ? kOtherAddress : kHere}});
         const LocalTime began = monotonicNow();
         const auto step = [&] {
             attack->step();

@@ -12,11 +12,12 @@ namespace carina
 {
 
 ProgramTrackerPanel::ProgramTrackerPanel(const ProgramTracker& tracker, QWidget* parent)
-    : QWidget{parent}, m_tools{new TrackerPanel{tracker.sight, tracker.sound}}
+    : QWidget{parent}
 {
     auto* column = new QVBoxLayout{this};
     if (tracker.canBeGiven)
         offerAnother(*column, tracker);
+    m_tools = new TrackerPanel{tracker.sight, tracker.sound};
     if (tracker.treatment.choose)
         m_tools->offer(tracker.treatment);
     column->addWidget(m_tools, 1);

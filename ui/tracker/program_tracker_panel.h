@@ -49,7 +49,7 @@ Q_SIGNALS:
 private:
     void offerAnother(QVBoxLayout& column, const ProgramTracker& tracker);
 
-    TrackerPanel* m_tools;
+    TrackerPanel* m_tools = nullptr;
 };
 
 } // namespace carina

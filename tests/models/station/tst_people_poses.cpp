@@ -117,6 +117,8 @@ private Q_SLOTS:
         node.decide(fact::WorkTaken{kTess, kTom});
         QCOMPARE(tube(), kTessTube);
         node.decide(fact::ParticipantLeft{kTess});
+        QCOMPARE(tube(), kTomsTube); // the work passes on
+        node.decide(fact::ParticipantLeft{kTom});
         QCOMPARE(tube(), ObjectId{});
     }
 

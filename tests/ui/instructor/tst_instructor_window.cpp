@@ -46,7 +46,7 @@ constexpr ParticipantId kOlga = FakeSessionNode::kObserver;
 constexpr StationId kRoom{1};
 constexpr ObjectId kPatient = FakeSessionNode::kPatient;
 constexpr ObjectId kLungs{3};
-constexpr std::size_t kPanels = 10;
+constexpr std::size_t kPanels = 11;
 constexpr std::chrono::seconds kDrawn{30}; ///< a frame, by a loaded software renderer
 
 /// One with the same surfaces as the console's.

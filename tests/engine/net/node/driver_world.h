@@ -74,6 +74,18 @@ public:
         return *m_guests.back();
     }
 
+    /// So many at once; no more at a moment than the paths that one address may have idle.
+    std::vector<Guest*> addCrowd(int size, Role role = Role::Trainee)
+    {
+        std::vector<Guest*> crowd;
+        for (int n = 0; n < size; ++n) {
+            if (n > 0 && n % int(HostPaths::kMostIdleOfCode) == 0)
+                run(std::chrono::milliseconds{1});
+            crowd.push_back(&add("Guest " + std::to_string(n), role));
+        }
+        return crowd;
+    }
+
     /// From now on the guest comes by another path, with the role's code; what is on its way to it
     /// on the old one is lost.
     void movePath(Guest& guest, Role role = Role::Trainee)

@@ -48,8 +48,7 @@ private Q_SLOTS:
         HeldStore::Disk disk;
         DriverWorld world{disk};
         QVERIFY(world.host);
-        for (int i = 0; i < kCrowd; ++i)
-            world.add("Guest " + std::to_string(i), Role::Trainee);
+        world.addCrowd(kCrowd);
         world.run(20ms);
         constexpr std::ptrdiff_t inAtOnce = 2 * HostEntry::kNewcomers;
         QVERIFY(present(world.board, Role::Trainee) >= inAtOnce);
@@ -68,8 +67,7 @@ private Q_SLOTS:
         HeldStore::Disk disk;
         DriverWorld world{disk};
         QVERIFY(world.host);
-        for (int i = 0; i < kCrowd; ++i)
-            world.add("Guest " + std::to_string(i), Role::Trainee);
+        world.addCrowd(kCrowd);
         world.run(20ms);
         QVERIFY(present(world.board, Role::Trainee) < kCrowd);
         addFromElsewhere(world, "Anna", Role::Trainee);

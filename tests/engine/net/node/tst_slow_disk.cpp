@@ -310,24 +310,23 @@ private Q_SLOTS:
             kStation, fact::ObjectShared{{}, ParticipantId{0}, ObjectKind::Jaw, "jaw"}, world.now);
         world.run(10ms);
         const ObjectId jaw = world.board.state()->objects().begin()->first;
-        const auto turnFrom = [&](double scale) {
-            const ActedPose from{RigidTransform{}, scale};
-            world.host->act(jaw, {ActionKind::Rotation, Vec3::UnitZ(), 0.5, from}, world.now);
+        const auto turnBy = [&](double rate) {
+            world.host->act(jaw, {ActionKind::Rotation, Vec3::UnitZ(), rate, {}}, world.now);
         };
         world.host->waitForDisk(world.now);
         disk.full = true;
-        turnFrom(1.0);
+        turnBy(1.0);
         world.run(200ms);
         QCOMPARE(world.board.part(&NodeBoard::View::refusal)->code, Errc::StoreFailed);
         QVERIFY(disk.actions.empty());
-        turnFrom(2.0); // of two the newer one
+        turnBy(2.0); // of two the newer one
         world.run(200ms);
         world.host->waitForDisk(world.now);
         disk.full = false;
         world.run(1s);
         QCOMPARE(disk.actions.size(), std::size_t{1});
         QCOMPARE(disk.actions.front().object, jaw);
-        QCOMPARE(disk.actions.front().scale, 2.0F);
+        QCOMPARE(disk.actions.front().rate, 2.0F);
     }
 
     /// Two come in the same moment, and neither is stored; the first goes, and the second has its
@@ -357,9 +356,7 @@ private Q_SLOTS:
         HeldStore::Disk disk;
         DriverWorld world{disk};
         constexpr std::ptrdiff_t kCrowd = 100;
-        std::vector<DriverWorld::Guest*> crowd;
-        for (int i = 0; i < kCrowd; ++i)
-            crowd.push_back(&world.add("Trainee number " + std::to_string(i)));
+        const std::vector<DriverWorld::Guest*> crowd = world.addCrowd(kCrowd);
         const auto refused = [&] {
             return std::ranges::any_of(crowd, [](const auto* guest) {
                 return guest->board.part(&NodeBoard::View::refusal).has_value();

@@ -21,7 +21,8 @@ ProgramTrackerPanel::ProgramTrackerPanel(const ProgramTracker& tracker, QWidget*
     if (tracker.treatment.choose)
         m_tools->offer(tracker.treatment);
     column->addWidget(m_tools, 1);
-    setFocusProxy(m_tools);
+    if (!focusProxy())
+        setFocusProxy(m_tools);
     if (tracker.recording)
         column->addWidget(new RecordButton{*tracker.recording});
     if (tracker.offer)
@@ -43,6 +44,7 @@ void ProgramTrackerPanel::offerAnother(QVBoxLayout& column, const ProgramTracker
     connect(take, &QPushButton::clicked, this, &ProgramTrackerPanel::unwanted);
     column.addWidget(invitation);
     column.addWidget(give);
+    setFocusProxy(give); // the first by the keyboard, too
     column.addWidget(take);
     auto* timer = new QTimer{this};
     const auto refresh = [invitation, take, sight = tracker.sight] {

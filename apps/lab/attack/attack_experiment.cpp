@@ -130,9 +130,11 @@ private:
     {
         const LaidPatients first{*m_node};
         layInHaste();
+        changeAirway({{AirwayEventKind::TongueOedema, 0.5}});
         if (!waitFor([&] { return !first.areLaid(*m_node); }))
             return fail(Errc::HostSilent, "no other patient was laid");
         workFor(kCalm, [] {});
+        changeAirway({});
         first.layAgain(*m_instructor);
         if (!waitFor([&] { return first.areLaid(*m_node); }))
             return fail(Errc::HostSilent, "the patient was not laid again");
@@ -151,6 +153,13 @@ private:
                     m_instructor->propose(station,
                                           fact::AnatomyChosen{madeHash(patient), nameOf(patient)});
             }
+    }
+
+    /// The first time the programs make a shader for it, and keep it.
+    void changeAirway(const AirwayEvents& events)
+    {
+        for (const auto& [station, laid] : m_node->state()->stations())
+            m_instructor->propose(station, fact::AirwayEventsSet{events, {}});
     }
 
     Result<void> comeInGuests()

@@ -909,7 +909,8 @@ private Q_SLOTS:
         QDockWidget& dock = shown.dock("trackerDock");
         QVERIFY(dock.isEnabled()); // in front
         auto& tools = shown.find<QTableWidget>("toolTable");
-        QCOMPARE(shown.window.focusWidget(), static_cast<QWidget*>(&tools));
+        QCOMPARE(shown.window.focusWidget(),
+                 static_cast<QWidget*>(&shown.find<QPushButton>("connectTracker")));
         QCOMPARE(tools.rowCount(), 0);
         QCOMPARE(dock.findChild<QLabel*>(QStringLiteral("trouble"))->text(),
                  QStringLiteral("This program has no tracker."));

@@ -10,7 +10,7 @@ namespace carina::test
 inline FieldDisplacement throatAt(const ThroatField& throat, const Vec3& p_A,
                                   const RigidTransform& X_AJ, ThroatTissue tissue)
 {
-    const JawPull<double> pull = jawPull(throat.frame(), tissue, jawShift(X_AJ), p_A);
+    const DisplacementAt<double> pull = jawPull(throat.frame(), tissue, jawShift(X_AJ), p_A);
     return {pull.d, pull.gradient};
 }
 

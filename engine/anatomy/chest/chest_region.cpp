@@ -61,20 +61,6 @@ std::optional<ThroatTissue> tissueOf(ChestRegion region)
     }
 }
 
-std::optional<BladeTissue> bladeTissueOf(ChestRegion region)
-{
-    switch (region) {
-    case ChestRegion::Throat:
-        return BladeTissue::Tongue;
-    case ChestRegion::Larynx:
-        return BladeTissue::Larynx;
-    case ChestRegion::Pharynx:
-        return BladeTissue::Pharynx;
-    default:
-        return std::nullopt;
-    }
-}
-
 std::optional<AirwayTissue> airwayTissueOf(ChestRegion region)
 {
     switch (region) {

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "engine/anatomy/anatomy.h"
-#include "engine/geometry/deformation/airway_formula.h"
-#include "engine/geometry/deformation/blade_formula.h"
+#include "engine/geometry/deformation/airway_tissue.h"
 #include "engine/geometry/deformation/throat_formula.h"
 
 namespace carina
@@ -31,10 +30,8 @@ inline constexpr std::size_t kChestRegions = 12;
 /// The kind of tissue as which a region follows the jaw; nothing for a region that does not.
 [[nodiscard]] std::optional<ThroatTissue> tissueOf(ChestRegion region);
 
-/// The kind of tissue as which a region gives way to a blade; nothing for a region that does not.
-[[nodiscard]] std::optional<BladeTissue> bladeTissueOf(ChestRegion region);
-
-/// The kind of tissue as which events change a region; nothing for a region that they do not.
+/// The kind of tissue as which a blade and events move a region; nothing for a region that they do
+/// not.
 [[nodiscard]] std::optional<AirwayTissue> airwayTissueOf(ChestRegion region);
 
 } // namespace carina

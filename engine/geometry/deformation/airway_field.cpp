@@ -1,6 +1,7 @@
 #include "engine/geometry/deformation/airway_field.h"
 
 #include "engine/core/expects.h"
+#include "engine/geometry/deformation/moved_mesh.h"
 
 #include <algorithm>
 
@@ -111,17 +112,11 @@ AirwayFrame<float> inSingle(const AirwayFrame<double>& frame)
 
 TriangleMesh deformed(const TriangleMesh& mesh_A, const AirwayField& airway, AirwayTissue tissue)
 {
-    CARINA_EXPECTS(mesh_A.normals.size() == mesh_A.positions.size());
-    TriangleMesh out = mesh_A;
     if (!airway.isThere())
-        return out;
-    const AirwayFrame<float> frame = inSingle(airway.frame());
-    for (std::size_t i = 0; i < mesh_A.positions.size(); ++i) {
-        const JawPull<float> pull = airwayPull<float>(frame, tissue, mesh_A.positions[i]);
-        out.positions[i] += pull.d;
-        out.normals[i] = turnedNormal<float>(pull.gradient, mesh_A.normals[i]);
-    }
-    return out;
+        return mesh_A;
+    return movedMesh(mesh_A, [tissue, frame = inSingle(airway.frame())](const Vector3<float>& p_A) {
+        return airwayPull<float>(frame, tissue, p_A);
+    });
 }
 
 } // namespace carina

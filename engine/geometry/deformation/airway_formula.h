@@ -4,27 +4,12 @@
 
 #include <array>
 #include <cmath>
-#include <cstdint>
 
 namespace carina
 {
 
 /// The closed form behind AirwayField, for double and float. resources/shaders/organ.vert is a
 /// second implementation, for the graphics card.
-
-/// Kinds of soft tissue, by what of the field moves them; in the order of ChestRegion, and bits of
-/// AirwayTissues.
-enum class AirwayTissue : std::uint8_t {
-    Throat,  ///< tongue, muscles, lining of the mouth
-    Pharynx, ///< its walls, and the palate
-    Larynx,  ///< with epiglottis and cords
-};
-using AirwayTissues = std::uint8_t;
-[[nodiscard]] constexpr AirwayTissues only(AirwayTissue tissue)
-{
-    return static_cast<AirwayTissues>(1U << static_cast<unsigned>(tissue));
-}
-inline constexpr AirwayTissues kAllAirwayTissues = 7;
 
 /// Tissue that swells, in A, metres. With all zeros nothing moves.
 template <class T> struct SwellingFrame {
@@ -119,7 +104,7 @@ template <class T> NarrowingShare<T> narrowingShare(T along, T up)
 
 /// The displacement at p of what a swelling moves, and its gradient (AirwayField).
 template <class T>
-[[nodiscard]] JawPull<T> swellingPull(const SwellingFrame<T>& swelling, const Vector3<T>& p)
+[[nodiscard]] DisplacementAt<T> swellingPull(const SwellingFrame<T>& swelling, const Vector3<T>& p)
 {
     using std::sqrt;
     const Vector3<T> from = p - swelling.centre;
@@ -144,7 +129,7 @@ template <class T>
 
 /// The displacement at p of the walls of a lumen, and its gradient (AirwayField).
 template <class T>
-[[nodiscard]] JawPull<T> narrowingPull(const NarrowingFrame<T>& lumen, const Vector3<T>& p)
+[[nodiscard]] DisplacementAt<T> narrowingPull(const NarrowingFrame<T>& lumen, const Vector3<T>& p)
 {
     using formula::Smooth;
     const T across = lumen.across.dot(p) + lumen.acrossFrom;
@@ -173,10 +158,10 @@ template <class T>
 /// The displacement at p of one of the tissues by all that changes an airway, one after the other,
 /// and its gradient.
 template <class T>
-[[nodiscard]] JawPull<T> airwayPull(const AirwayFrame<T>& airway, AirwayTissue tissue,
-                                    const Vector3<T>& p)
+[[nodiscard]] DisplacementAt<T> airwayPull(const AirwayFrame<T>& airway, AirwayTissue tissue,
+                                           const Vector3<T>& p)
 {
-    JawPull<T> pull{Vector3<T>::Zero(), Matrix3<T>::Zero()};
+    DisplacementAt<T> pull{Vector3<T>::Zero(), Matrix3<T>::Zero()};
     const auto narrow = [&](const NarrowingFrame<T>& lumen) {
         if (lumen.closing != T(0))
             pull = followedBy(pull, p,

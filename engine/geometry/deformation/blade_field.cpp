@@ -1,6 +1,7 @@
 #include "engine/geometry/deformation/blade_field.h"
 
 #include "engine/core/expects.h"
+#include "engine/geometry/deformation/moved_mesh.h"
 
 namespace carina
 {
@@ -56,19 +57,13 @@ BladeFrame<float> inSingle(const BladeFrame<double>& frame)
     return single;
 }
 
-TriangleMesh deformed(const TriangleMesh& mesh_A, const BladeField& blade, BladeTissue tissue)
+TriangleMesh deformed(const TriangleMesh& mesh_A, const BladeField& blade, AirwayTissue tissue)
 {
-    CARINA_EXPECTS(mesh_A.normals.size() == mesh_A.positions.size());
-    TriangleMesh out = mesh_A;
     if (!blade.isThere())
-        return out;
-    const BladeFrame<float> frame = inSingle(blade.frame());
-    for (std::size_t i = 0; i < mesh_A.positions.size(); ++i) {
-        const JawPull<float> pull = bladePull<float>(frame, tissue, mesh_A.positions[i]);
-        out.positions[i] += pull.d;
-        out.normals[i] = turnedNormal<float>(pull.gradient, mesh_A.normals[i]);
-    }
-    return out;
+        return mesh_A;
+    return movedMesh(mesh_A, [tissue, frame = inSingle(blade.frame())](const Vector3<float>& p_A) {
+        return bladePull<float>(frame, tissue, p_A);
+    });
 }
 
 } // namespace carina

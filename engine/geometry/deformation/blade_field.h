@@ -80,6 +80,6 @@ private:
 /// The deformed mesh with its exact normals, in single precision: the reference for the vertex
 /// shader resources/shaders/organ.vert.
 [[nodiscard]] TriangleMesh deformed(const TriangleMesh& mesh_A, const BladeField& blade,
-                                    BladeTissue tissue);
+                                    AirwayTissue tissue);
 
 } // namespace carina

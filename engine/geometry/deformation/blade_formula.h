@@ -1,22 +1,15 @@
 #pragma once
 
+#include "engine/geometry/deformation/airway_tissue.h"
 #include "engine/geometry/deformation/throat_formula.h"
 
 #include <cmath>
-#include <cstdint>
 
 namespace carina
 {
 
 /// The closed form behind BladeField, for double and float. resources/shaders/organ.vert is a
 /// second implementation, for the graphics card.
-
-/// Kinds of soft tissue, by how a laryngoscope's blade moves them.
-enum class BladeTissue : std::uint8_t {
-    Tongue,  ///< and what lies around it: the blade's face pushes it away
-    Larynx,  ///< with the epiglottis: leans over as the blade pulls or lifts the epiglottis
-    Pharynx, ///< its lining: goes with the larynx beside it and with the tongue's base above
-};
 
 /// The parameters of one blade in a patient, in A, metres. With all zeros nothing moves.
 template <class T> struct BladeFrame {
@@ -110,7 +103,7 @@ template <class T> Smooth<T> followingLean(T height)
 
 /// The displacement at p of what the face of a blade pushes away, and its gradient (BladeField).
 template <class T>
-[[nodiscard]] JawPull<T> bladePush(const BladeFrame<T>& blade, const Vector3<T>& p)
+[[nodiscard]] DisplacementAt<T> bladePush(const BladeFrame<T>& blade, const Vector3<T>& p)
 {
     using formula::Smooth;
     using formula::step;
@@ -140,7 +133,7 @@ template <class T>
 /// The displacement at p of the larynx, which the blade tilts with its epiglottis, and its
 /// gradient.
 template <class T>
-[[nodiscard]] JawPull<T> larynxTilt(const BladeFrame<T>& blade, const Vector3<T>& p)
+[[nodiscard]] DisplacementAt<T> larynxTilt(const BladeFrame<T>& blade, const Vector3<T>& p)
 {
     const formula::Smooth<T> lean = formula::leaning<T>(blade.up.dot(p) + blade.upFrom);
     const formula::Smooth<T> behind = formula::step<T>(blade.back.dot(p) + blade.backFrom);
@@ -153,8 +146,8 @@ template <class T>
 /// gradient: less and less behind it and towards the chin.
 /// @param share at the height of p
 template <class T>
-[[nodiscard]] JawPull<T> forwardShift(const BladeFrame<T>& blade, const Vector3<T>& p,
-                                      const formula::Smooth<T>& share)
+[[nodiscard]] DisplacementAt<T> forwardShift(const BladeFrame<T>& blade, const Vector3<T>& p,
+                                             const formula::Smooth<T>& share)
 {
     using formula::Smooth;
     using formula::step;
@@ -172,7 +165,7 @@ template <class T>
 /// The displacement at p of the tongue's base, and its gradient: more and more up to height
 /// kTongueHeight, by kTongueShare of the tilt from there on.
 template <class T>
-[[nodiscard]] JawPull<T> tongueBaseShift(const BladeFrame<T>& blade, const Vector3<T>& p)
+[[nodiscard]] DisplacementAt<T> tongueBaseShift(const BladeFrame<T>& blade, const Vector3<T>& p)
 {
     constexpr auto kPerHeight = T(1.0 / formula::kTongueHeight);
     constexpr auto kShare = T(formula::kTongueShare);
@@ -182,27 +175,28 @@ template <class T>
 
 /// The displacement at p of the lining of the pharynx, and its gradient.
 template <class T>
-[[nodiscard]] JawPull<T> pharynxShift(const BladeFrame<T>& blade, const Vector3<T>& p)
+[[nodiscard]] DisplacementAt<T> pharynxShift(const BladeFrame<T>& blade, const Vector3<T>& p)
 {
     return forwardShift<T>(blade, p, formula::followingLean<T>(blade.up.dot(p) + blade.upFrom));
 }
 
 /// One displacement after another, and the gradient of both.
 template <class T, class Second>
-[[nodiscard]] JawPull<T> followedBy(const JawPull<T>& first, const Vector3<T>& p, Second second)
+[[nodiscard]] DisplacementAt<T> followedBy(const DisplacementAt<T>& first, const Vector3<T>& p,
+                                           Second second)
 {
-    const JawPull<T> then = second(Vector3<T>{p + first.d});
+    const DisplacementAt<T> then = second(Vector3<T>{p + first.d});
     return {first.d + then.d, first.gradient + then.gradient + then.gradient * first.gradient};
 }
 
 /// The displacement at p of one of the tissues, and its gradient.
 template <class T>
-[[nodiscard]] JawPull<T> bladePull(const BladeFrame<T>& blade, BladeTissue tissue,
-                                   const Vector3<T>& p)
+[[nodiscard]] DisplacementAt<T> bladePull(const BladeFrame<T>& blade, AirwayTissue tissue,
+                                          const Vector3<T>& p)
 {
-    if (tissue == BladeTissue::Larynx)
+    if (tissue == AirwayTissue::Larynx)
         return larynxTilt(blade, p);
-    if (tissue == BladeTissue::Pharynx)
+    if (tissue == AirwayTissue::Pharynx)
         return pharynxShift(blade, p);
     return followedBy(tongueBaseShift(blade, p), p,
                       [&blade](const Vector3<T>& moved) { return bladePush(blade, moved); });

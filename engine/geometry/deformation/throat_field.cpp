@@ -1,6 +1,6 @@
 #include "engine/geometry/deformation/throat_field.h"
 
-#include "engine/core/expects.h"
+#include "engine/geometry/deformation/moved_mesh.h"
 
 namespace carina
 {
@@ -38,18 +38,12 @@ JawShift<float> inSingle(const JawShift<double>& jaw)
 TriangleMesh deformed(const TriangleMesh& mesh_A, const FollowingThroat& throat,
                       ThroatTissue tissue)
 {
-    CARINA_EXPECTS(mesh_A.normals.size() == mesh_A.positions.size());
-    const ThroatFrame<float> frame = inSingle(throat.field.frame());
     const JawShift<float> jaw = inSingle(jawShift(throat.X_AJ));
-    TriangleMesh out = mesh_A;
     if (jaw.turn.isZero(0.0F) && jaw.shift.isZero(0.0F))
-        return out;
-    for (std::size_t i = 0; i < mesh_A.positions.size(); ++i) {
-        const JawPull<float> pull = jawPull<float>(frame, tissue, jaw, mesh_A.positions[i]);
-        out.positions[i] += pull.d;
-        out.normals[i] = turnedNormal<float>(pull.gradient, mesh_A.normals[i]);
-    }
-    return out;
+        return mesh_A;
+    const ThroatFrame<float> frame = inSingle(throat.field.frame());
+    return movedMesh(
+        mesh_A, [&](const Vector3<float>& p_A) { return jawPull<float>(frame, tissue, jaw, p_A); });
 }
 
 } // namespace carina

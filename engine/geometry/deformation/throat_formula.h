@@ -43,7 +43,7 @@ template <class T> struct JawShare {
 };
 
 /// A displacement, metres, and its gradient.
-template <class T> struct JawPull {
+template <class T> struct DisplacementAt {
     Vector3<T> d;
     Matrix3<T> gradient;
 };
@@ -117,8 +117,8 @@ template <class T>
 
 /// The displacement at p and its gradient (see ThroatField).
 template <class T>
-[[nodiscard]] JawPull<T> jawPull(const ThroatFrame<T>& frame, ThroatTissue tissue,
-                                 const JawShift<T>& jaw, const Vector3<T>& p)
+[[nodiscard]] DisplacementAt<T> jawPull(const ThroatFrame<T>& frame, ThroatTissue tissue,
+                                        const JawShift<T>& jaw, const Vector3<T>& p)
 {
     const JawShare<T> share = jawShare(frame, tissue, p);
     const T s = share.value;

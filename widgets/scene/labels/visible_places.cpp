@@ -289,12 +289,13 @@ std::optional<Vec3> drawnAt(const ScenePart& part, const Vec3& p_F, const SceneF
     Vec3 p = p_F;
     if (part.region != ChestRegion::Still)
         p += frame.chest.field.at(p, frame.chest.of(part.region)).d_A;
-    if (const auto tissue = airwayTissueOf(part.region); tissue && frame.airway.isThere())
-        p += airwayPull(frame.airway.frame(), *tissue, p).d;
+    const auto moved = airwayTissueOf(part.region);
+    if (moved && frame.airway.isThere())
+        p += airwayPull(frame.airway.frame(), *moved, p).d;
     if (const auto tissue = tissueOf(part.region))
         p += jawPull(frame.throat.field.frame(), *tissue, jawShift(frame.throat.X_AJ), p).d;
-    if (const auto tissue = bladeTissueOf(part.region); tissue && frame.blade.isThere())
-        p += bladePull(frame.blade.frame(), *tissue, p).d;
+    if (moved && frame.blade.isThere())
+        p += bladePull(frame.blade.frame(), *moved, p).d;
     const auto place = placeOf(frame, part.body, part.liftedWith);
     return place ? std::optional{place->at(p)} : std::nullopt;
 }

@@ -237,7 +237,7 @@ void TestLaryngoscopyPath::leavesNoTongueInsideTheBlade()
             laryngoscopyPose(person.airway, person.throat, blade, step, kUsualLift);
         const TriangleMesh moved = deformed(
             deformed(tongue->levels.front(), {person.throat, pose.X_AJ}, ThroatTissue::Airway),
-            pose.field, BladeTissue::Tongue);
+            pose.field, AirwayTissue::Throat);
         for (const Vec3f& p : moved.positions) {
             const Vec3 p_L = pose.X_AL.inverse() * p.cast<double>();
             const double share = -p_L.z() / blade.form.reach;

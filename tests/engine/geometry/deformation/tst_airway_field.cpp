@@ -125,7 +125,7 @@ void TestAirwayField::movesNothingWithoutAChange()
         QVERIFY(!field.isThere());
         for (const AirwayTissue tissue : kTissues) {
             for (const Vec3& p_A : places()) {
-                const JawPull<double> pull = airwayPull<double>(field.frame(), tissue, p_A);
+                const DisplacementAt<double> pull = airwayPull<double>(field.frame(), tissue, p_A);
                 QCOMPARE(pull.d.norm(), 0.0);
                 QCOMPARE(pull.gradient.norm(), 0.0);
             }
@@ -335,7 +335,7 @@ void TestAirwayField::deformsMeshesAsTheFieldSays()
         const TriangleMesh moved = deformed(mesh, field, tissue);
         for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
             const Vec3 p_A = mesh.positions[i].cast<double>();
-            const JawPull<double> pull = airwayPull<double>(field.frame(), tissue, p_A);
+            const DisplacementAt<double> pull = airwayPull<double>(field.frame(), tissue, p_A);
             QVERIFY((moved.positions[i].cast<double>() - p_A - pull.d).norm()
                     < kPositionTolerance_m);
             const Mat3 j = Mat3::Identity() + pull.gradient;

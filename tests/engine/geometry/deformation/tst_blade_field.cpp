@@ -18,7 +18,7 @@ constexpr double kDeterminantTolerance = 1e-9;
 constexpr double kPositionTolerance_m = 5e-8; ///< single precision within a quarter metre
 constexpr double kNormalTolerance_deg = 0.5;
 
-const std::array kTissues{BladeTissue::Tongue, BladeTissue::Larynx, BladeTissue::Pharynx};
+const std::array kTissues{AirwayTissue::Throat, AirwayTissue::Larynx, AirwayTissue::Pharynx};
 
 /// Any blade at any pose near the places, with a larynx tilted by up to 28 mm, the most.
 BladeField anyBlade(std::mt19937& random)
@@ -91,7 +91,7 @@ void TestBladeField::hasItsTipAndItsMiddleWhereTheFormSays()
 void TestBladeField::movesNothingWithoutABlade()
 {
     const TriangleMesh mesh = test::meshOf(places());
-    for (const BladeTissue tissue : kTissues) {
+    for (const AirwayTissue tissue : kTissues) {
         for (const Vec3& p_A : places()) {
             QCOMPARE(bladePull<double>(BladeField{}.frame(), tissue, p_A).d.norm(), 0.0);
             QCOMPARE(bladePull<double>(BladeField{}.frame(), tissue, p_A).gradient.norm(), 0.0);
@@ -209,7 +209,7 @@ void TestBladeField::foldsNowhereWhereverABladeIs()
             const Mat3 pharynx = Mat3::Identity() + pharynxShift<double>(frame, p_A).gradient;
             QVERIFY(pharynx.determinant() >= 0.2 - kDeterminantTolerance);
             const Mat3 both =
-                Mat3::Identity() + bladePull<double>(frame, BladeTissue::Tongue, p_A).gradient;
+                Mat3::Identity() + bladePull<double>(frame, AirwayTissue::Throat, p_A).gradient;
             QVERIFY(both.determinant() > 0.0);
         }
     }
@@ -220,7 +220,7 @@ void TestBladeField::hasTheSlopesOfItsDisplacement()
     std::mt19937 random{9};
     for (int n = 0; n < 20; ++n) {
         const BladeFrame<double> frame = anyBlade(random).frame();
-        for (const BladeTissue tissue : kTissues)
+        for (const AirwayTissue tissue : kTissues)
             for (const Vec3& p_A : places()) {
                 const Mat3 gradient = bladePull<double>(frame, tissue, p_A).gradient;
                 for (int axis = 0; axis < 3; ++axis) {
@@ -239,11 +239,11 @@ void TestBladeField::deformsMeshesAsTheFieldSays()
     std::mt19937 random{13};
     const TriangleMesh mesh = test::meshOf(places());
     const BladeField blade = anyBlade(random);
-    for (const BladeTissue tissue : kTissues) {
+    for (const AirwayTissue tissue : kTissues) {
         const TriangleMesh moved = deformed(mesh, blade, tissue);
         for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
             const Vec3 p_A = mesh.positions[i].cast<double>();
-            const JawPull<double> pull = bladePull<double>(blade.frame(), tissue, p_A);
+            const DisplacementAt<double> pull = bladePull<double>(blade.frame(), tissue, p_A);
             QVERIFY((moved.positions[i].cast<double>() - p_A - pull.d).norm()
                     < kPositionTolerance_m);
             // Normals go with the inverse transpose.

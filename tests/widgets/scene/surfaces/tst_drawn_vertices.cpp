@@ -186,6 +186,7 @@ void TestDrawnVertices::drawsWhatABladePushesAsTheReference_data()
 {
     QTest::addColumn<ChestRegion>("region");
     QTest::newRow("tongue") << ChestRegion::Throat;
+    QTest::newRow("pharynx") << ChestRegion::Pharynx;
     QTest::newRow("larynx and epiglottis") << ChestRegion::Larynx;
 }
 
@@ -200,7 +201,7 @@ void TestDrawnVertices::drawsWhatABladePushesAsTheReference()
         const TriangleMesh& mesh = part.levels.front();
         DrawnVertices drawn = DrawnVertices::of(mesh, region).value();
         const TriangleMesh followed = deformed(mesh, following, *tissueOf(region));
-        const TriangleMesh reference = deformed(followed, blade, *bladeTissueOf(region));
+        const TriangleMesh reference = deformed(followed, blade, *airwayTissueOf(region));
         const auto [positions, normals] = drawn.at(lungs.field(), {}, following, blade).value();
         float furthest = 0.0F;
         for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -233,10 +234,10 @@ void TestDrawnVertices::drawsWhatEventsChangeAsTheReference()
     for (const BreathingPart& part : lungs.parts()) {
         const TriangleMesh& mesh = part.levels.front();
         DrawnVertices drawn = DrawnVertices::of(mesh, region).value();
-        const TriangleMesh changed = deformed(mesh, airway, *airwayTissueOf(region));
-        TriangleMesh reference = deformed(changed, following, *tissueOf(region));
-        if (const auto tissue = bladeTissueOf(region))
-            reference = deformed(reference, blade, *tissue);
+        const AirwayTissue tissue = *airwayTissueOf(region);
+        const TriangleMesh changed = deformed(mesh, airway, tissue);
+        const TriangleMesh reference =
+            deformed(deformed(changed, following, *tissueOf(region)), blade, tissue);
         const auto [positions, normals] =
             drawn.at(lungs.field(), {}, following, blade, airway).value();
         float furthest = 0.0F;

@@ -109,7 +109,7 @@ LaryngoscopeSight StationLaryngoscope::at(const StationMoment& moment,
         return {.state = LaryngoscopeState::Lost};
     if (isAway(moment))
         return {.state = LaryngoscopeState::Away};
-    Laryngoscopy* laryngoscopy = changedBy(moment.airwayEvents);
+    Laryngoscopy* laryngoscopy = changedAt(moment);
     if (laryngoscopy == nullptr)
         return {.state = LaryngoscopeState::NoLarynx};
     const Blade blade = bladeOf(*tool);
@@ -128,22 +128,35 @@ LaryngoscopeSight StationLaryngoscope::at(const StationMoment& moment,
 }
 
 /// nullptr without what a laryngoscope is to show.
-Laryngoscopy* StationLaryngoscope::changedBy(const AirwayEvents& events)
+Laryngoscopy* StationLaryngoscope::changedAt(const StationMoment& moment)
 {
     if (!m_laryngoscopy)
         m_laryngoscopy = Laryngoscopy::of(*m_patient, carina::bladeOf(kUsualBlade));
     if (!m_laryngoscopy->has_value())
         return nullptr;
     Laryngoscopy& laryngoscopy = **m_laryngoscopy;
-    laryngoscopy.changeAirway(events);
+    laryngoscopy.changeAirway(moment.airwayEvents, inspirationAt(moment));
     return &laryngoscopy;
+}
+
+/// That of the moment, but since the one before not faster than cords go: a patient stops breathing
+/// at any point of a breath.
+double StationLaryngoscope::inspirationAt(const StationMoment& moment)
+{
+    const double aim = moment.inspiration.value_or(kInspirationAsMade);
+    const double most = std::abs(toSeconds(moment.time - m_cords.time)) / toSeconds(kCordsGo);
+    m_cords = {moment.time,
+               std::clamp(aim, m_cords.inspiration - most, m_cords.inspiration + most)};
+    return m_cords.inspiration;
 }
 
 AirwayField StationLaryngoscope::changesAt(const StationMoment& moment)
 {
-    if (moment.airwayEvents.empty())
+    const PersonPose* tool = laryngoscopeOf(moment);
+    const bool isSeen = tool != nullptr && tool->pose.validity != Validity::Lost && !isAway(moment);
+    if (!isSeen && moment.airwayEvents.empty())
         return {};
-    const Laryngoscopy* laryngoscopy = changedBy(moment.airwayEvents);
+    const Laryngoscopy* laryngoscopy = changedAt(moment);
     return laryngoscopy ? laryngoscopy->changes() : AirwayField{};
 }
 

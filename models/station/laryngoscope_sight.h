@@ -45,9 +45,11 @@ struct LaryngoscopeSight {
 /// somebody; of several one that is seen, of these the first that was shared; nullptr without one.
 [[nodiscard]] const PersonPose* laryngoscopeOf(const StationMoment& moment);
 
-/// The laryngoscope of a station in its patient, and what events change of that patient's airway.
-/// The places by which a blade moves tissue, and events change it, are looked for when there first
-/// is one or the other.
+/// The laryngoscope of a station in its patient, and what events and breath change of that
+/// patient's airway. The places by which a blade moves tissue, and events change it, are looked for
+/// when there first is one or the other. While one of them is there the cords part with the
+/// patient's own inspiration and come together with expiration; of who does not breathe they stay
+/// as they are in the surfaces, and go there within kCordsGo.
 class StationLaryngoscope
 {
 public:
@@ -72,8 +74,8 @@ public:
     /// @param throat of the patient, as it is drawn at that moment
     [[nodiscard]] LaryngoscopeSight at(const StationMoment& moment, const FollowingThroat& throat);
 
-    /// What the events of a moment change of the airway, to be drawn; nothing where there are none,
-    /// and of a patient that lacks what a laryngoscope is to show.
+    /// What events and breath change of the airway at a moment, to be drawn; nothing where there is
+    /// no event and no laryngoscope is seen, and of a patient that lacks what one is to show.
     [[nodiscard]] AirwayField changesAt(const StationMoment& moment);
 
     /// The glottis, as it is drawn there. @pre there was a Live one
@@ -82,12 +84,23 @@ public:
 
 private:
     [[nodiscard]] std::optional<Blade> knownBladeOf(const PersonPose& laryngoscope) const;
-    [[nodiscard]] Laryngoscopy* changedBy(const AirwayEvents& events);
+    [[nodiscard]] Laryngoscopy* changedAt(const StationMoment& moment);
+    [[nodiscard]] double inspirationAt(const StationMoment& moment);
+
+    /// Where in a breath the cords were.
+    struct Cords {
+        SessionTime time{};
+        double inspiration = kInspirationAsMade;
+    };
 
     const PatientModel* m_patient;
+    Cords m_cords;
     std::optional<Blade> m_ownBlade;
     std::optional<Result<Laryngoscopy>> m_laryngoscopy;
 };
+
+/// The time in which cords go from the narrowest to the widest of a breath at the fastest.
+inline constexpr Duration kCordsGo = std::chrono::milliseconds{150};
 
 /// What keeps the view of a laryngoscope from being shown, and what to do, as a sentence; empty
 /// while it is Live.

@@ -16,6 +16,7 @@ struct StationMoment {
     SessionTime time{};
     ChestShape breathing;                 ///< from the respiratory mechanics
     BodyPosition position{};              ///< how the patient lies or sits
+    std::optional<double> inspiration;    ///< RespiratoryFold::inspiration
     AirwayEvents airwayEvents;            ///< what makes the airway difficult, as severe as it is
     ChestPose pose;                       ///< the pose of the chest that shows `breathing`
     Volume notDrawn{};                    ///< volume of the lungs that the pose cannot show

@@ -121,6 +121,13 @@ bool RespiratoryFold::isVentilated() const
 
 bool RespiratoryFold::isStill() const { return !isVentilated() && m_settings.ownBreathing <= 0.0; }
 
+std::optional<double> RespiratoryFold::inspiration() const
+{
+    if (m_state.effort.si <= 0.0)
+        return std::nullopt;
+    return std::clamp(m_state.muscle / m_state.effort, 0.0, 1.0); // the effort may have lessened
+}
+
 Pressure RespiratoryFold::muscleAt(double breaths) const
 {
     const double share =

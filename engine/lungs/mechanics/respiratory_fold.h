@@ -125,6 +125,9 @@ public:
     /// Running values of the present breath.
     [[nodiscard]] const BreathTally& breath() const { return m_state.tally; }
     [[nodiscard]] Pressure muscle() const { return m_state.muscle; }
+    /// How far the inspiratory muscles have risen to their peak in the present breath, 0 to 1;
+    /// nothing where the patient makes no effort.
+    [[nodiscard]] std::optional<double> inspiration() const;
     /// Whether a ventilator or a bag delivers the breaths.
     [[nodiscard]] bool isVentilated() const;
     /// Whether nothing breathes: the patient has stopped, and is not ventilated.

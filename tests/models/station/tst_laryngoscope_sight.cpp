@@ -62,6 +62,24 @@ double tilt_mm(const LaryngoscopeSight& sight)
     return 1e3 * d.dot(moved.forward_A());
 }
 
+/// How far the cords are apart between their processes, as drawn while no blade moves them.
+double widthAt(Station& station, SessionTime t, std::optional<double> inspiration)
+{
+    StationMoment moment = station.view.at(t, 0);
+    for (PersonPose& person : moment.people)
+        person.pose.validity = Validity::Tracked; // it stays in view
+    moment.inspiration = inspiration;
+    const AirwayFrame<double> frame = station.laryngoscope.changesAt(moment).frame();
+    const auto airway =
+        Laryngoscopy::of(patient(), bladeOf(BladeKind::Macintosh3))->script().airway;
+    const Vec3 right_A = airway.up_A.cross(airway.forward_A());
+    const Vec3 p_A_middle =
+        airway.p_A_commissure + 0.6 * (airway.p_A_notch - airway.p_A_commissure);
+    const Vec3 p_A_edge = p_A_middle + 0.1 * airway.glottis().si * right_A;
+    const Vec3 moved = p_A_edge + airwayPull(frame, AirwayTissue::Larynx, p_A_edge).d;
+    return (moved - p_A_middle).dot(right_A);
+}
+
 } // namespace
 
 class TestLaryngoscopeSight : public QObject
@@ -209,6 +227,36 @@ private Q_SLOTS:
         QVERIFY((seen.p_A_notch - expected.p_A_notch).norm() < kFloat_m);
         QVERIFY((seen.p_A_notch - healthy.p_A_notch).norm() > kSeen_m);
         QVERIFY((glottisNow().p_A_notch - healthy.p_A_notch).norm() < kFloat_m); // it has gone
+    }
+
+    /// Wider with the patient's inspiration than with expiration, by what was seen in people.
+    void partsTheCordsWithEachBreath()
+    {
+        Station station;
+        station.node.sees(kFirst, poseIn(LaryngoscopyStep::Full).X_AL, kNow);
+        QVERIFY(station.view.at(kNow, 0).inspiration.has_value());
+        const double made_m = widthAt(station, kNow, std::nullopt);
+        const double inspired_m = widthAt(station, kNow + 1s, 1.0);
+        const double expired_m = widthAt(station, kNow + 2s, 0.0);
+        QVERIFY(std::abs(inspired_m / made_m - 10.1 / 9.0) < 0.01);
+        QVERIFY(std::abs(expired_m / made_m - 5.7 / 9.0) < 0.01);
+    }
+
+    void letsNoCordJumpWhereABreathEnds()
+    {
+        Station station;
+        station.node.sees(kFirst, poseIn(LaryngoscopyStep::Full).X_AL, kNow);
+        const double expired_m = widthAt(station, kNow, 0.0);
+        const double next_m = widthAt(station, kNow + 16ms, std::nullopt);
+        QVERIFY(next_m > expired_m);
+        QVERIFY(next_m - expired_m < 0.13 * expired_m);
+        QVERIFY(widthAt(station, kNow + kCordsGo, std::nullopt) > 1.5 * expired_m);
+    }
+
+    void movesNoCordsThatNobodySees()
+    {
+        Station station;
+        QVERIFY(!station.laryngoscope.changesAt(station.view.at(kNow, 0)).isThere());
     }
 
     void takesThatOfWhoIsAtWork()

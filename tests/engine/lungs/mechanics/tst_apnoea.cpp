@@ -52,6 +52,7 @@ private Q_SLOTS:
     void retainsCarbonDioxide();
     void failsBeforeItStops();
     void isVentilatedByABag();
+    void inspiresByItsOwnEffortAlone();
     void continuesFromACheckpoint();
 };
 
@@ -105,6 +106,33 @@ void TestApnoea::failsBeforeItStops()
     QVERIFY(failing.lastBreath().rate >= 0.95 * kSlowestOwn);
     QVERIFY(failing.lastBreath().tidalVolume < 0.7 * whole.lastBreath().tidalVolume);
     QVERIFY(failing.lastBreath().tidalVolume > 0.3 * whole.lastBreath().tidalVolume);
+}
+
+// The muscles rest in more than a third of a breath, and stay at their peak for a while; a patient
+// that makes no effort inspires nothing by itself.
+void TestApnoea::inspiresByItsOwnEffortAlone()
+{
+    RespiratorySettings settings = quietAdult();
+    RespiratoryFold fold{settings};
+    QVERIFY(!fold.inspiration());
+    run(fold, 30.0);
+    int resting = 0;
+    int atPeak = 0;
+    const auto steps = std::lround(60.0 / kRespiratoryStep);
+    for (int step = 0; step < steps; ++step) {
+        fold.step();
+        const double inspiration = fold.inspiration().value_or(-1.0);
+        QVERIFY(inspiration >= 0.0 && inspiration <= 1.0);
+        resting += int(inspiration == 0.0);
+        atPeak += int(inspiration > 0.99);
+    }
+    QVERIFY(3 * resting > steps);
+    QVERIFY(20 * atPeak > steps);
+    settings.ownBreathing = 0.0;
+    settings.bag = {perMinute(12.0), millilitres(500.0)};
+    fold.set(settings);
+    run(fold, 20.0);
+    QVERIFY(!fold.inspiration());
 }
 
 void TestApnoea::isVentilatedByABag()

@@ -140,7 +140,7 @@ Result<void> SharedTools::replace(const SharedPatientModel& patient,
     m_fault.reset();
     nameLaryngoscope();
     publishPoses();
-    if (m_hardware.tracker)
+    if (m_laid->tracking)
         share();
     for (const auto& told : m_onReplaced)
         told();

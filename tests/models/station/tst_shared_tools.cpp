@@ -257,6 +257,18 @@ private Q_SLOTS:
         QVERIFY(!station.node.published.front().newest());
     }
 
+    /// Who shares a tube could be given the work with it.
+    void sharesNothingUntilItIsRegistered()
+    {
+        Station station{recording()};
+        station.site.isRegistered = false;
+        QVERIFY(station.tools.lay(patient()));
+        QVERIFY(station.node.published.empty());
+        station.site.isRegistered = true;
+        station.tools.takePlace();
+        QVERIFY(!station.node.published.empty());
+    }
+
     /// As others see by it which blade it has.
     void sharesALaryngoscopeByTheNameOfItsBlade()
     {

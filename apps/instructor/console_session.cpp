@@ -107,12 +107,10 @@ ConsoleSession::open(HostedSession hosted, const program::ChosenPatient& patient
                      const QCommandLineParser& parser)
 {
     introduceFirst(*hosted.node, patient, isAskedFor);
-    if (!options.codes.isEmpty())
-        if (const auto written = program::writeCodes(options.codes, hosted.node->joinCodes());
-            !written)
-            return tl::unexpected(written.error());
     std::unique_ptr<ConsoleSession> session{
         new ConsoleSession{std::move(hosted), patient, options.folder, tracker}};
+    if (const auto written = session->keepCodes(options.codes); !written)
+        return tl::unexpected(written.error());
     session->show(options.measure.size);
     if (const auto followed = session->follow(parser); !followed)
         return tl::unexpected(followed.error());
@@ -120,6 +118,21 @@ ConsoleSession::open(HostedSession hosted, const program::ChosenPatient& patient
     if (options.starts && session->m_session.canStart())
         session->m_session.start();
     return session;
+}
+
+/// In a file, whenever one is replaced, too; where that cannot be written the old ones stay in it,
+/// and the window shows the new.
+Result<void> ConsoleSession::keepCodes(const QString& file)
+{
+    if (file.isEmpty())
+        return {};
+    QObject::connect(&m_session, &SessionModel::changed, &m_window,
+                     [this, file, kept = m_hosted.node->joinCodes()]() mutable {
+                         const JoinCodes now = m_hosted.node->joinCodes();
+                         if (now != kept && program::writeCodes(file, now))
+                             kept = now;
+                     });
+    return program::writeCodes(file, m_hosted.node->joinCodes());
 }
 
 void ConsoleSession::show(const QSize& size)

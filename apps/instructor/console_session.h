@@ -54,6 +54,7 @@ private:
     ConsoleSession(HostedSession hosted, const program::ChosenPatient& patient,
                    const QString& folder, ConsoleTracker& tracker);
     void offerTracker();
+    [[nodiscard]] Result<void> keepCodes(const QString& file);
     void show(const QSize& size);
     [[nodiscard]] Result<void> follow(const QCommandLineParser& parser);
     void setStation(StationId station);

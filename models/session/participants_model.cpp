@@ -392,7 +392,7 @@ QString ParticipantsModel::absenceText(const Participant& participant)
 {
     if (!participant.removal)
         return participant.fellSilent ? tr("▲ away") : tr("○ left");
-    return participant.removal->banned ? tr("✕ banned") : tr("○ removed");
+    return participant.removal->banned ? tr("✕ banned") : tr("○ may return");
 }
 
 } // namespace carina

@@ -21,7 +21,10 @@ namespace
 constexpr std::array kFirst{ParticipantsModel::Name, ParticipantsModel::State,
                             ParticipantsModel::Delay, ParticipantsModel::Same,
                             ParticipantsModel::RoleColumn};
-/// Of these, what is in sight beside the names.
+/// Figures that the panel of the network has; what each sends is here, to be compared.
+constexpr std::array kElsewhere{ParticipantsModel::Age, ParticipantsModel::DriftAngle,
+                                ParticipantsModel::DriftDistance};
+/// Of the first, what is in sight beside the names.
 constexpr std::array kInSight{ParticipantsModel::State, ParticipantsModel::Delay,
                               ParticipantsModel::Same};
 constexpr int kLeastNames = 90; ///< pixels
@@ -82,8 +85,7 @@ void ParticipantsPanel::layTable()
     header->setSectionResizeMode(ParticipantsModel::Name, QHeaderView::Fixed);
     for (std::size_t place = 0; place < kFirst.size(); ++place)
         header->moveSection(header->visualIndex(kFirst[place]), int(place));
-    for (const int figure : {ParticipantsModel::Sends, ParticipantsModel::Age,
-                             ParticipantsModel::DriftAngle, ParticipantsModel::DriftDistance})
+    for (const int figure : kElsewhere)
         table.setColumnHidden(figure, true);
     table.setItemDelegateForColumn(ParticipantsModel::Name, new WrappedTextDelegate{&table});
     table.verticalHeader()->setMinimumSectionSize(table.verticalHeader()->defaultSectionSize());

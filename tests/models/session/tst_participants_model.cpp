@@ -180,7 +180,7 @@ void TestParticipantsModel::saysWhoMayNotTakePart()
              QStringLiteral("Removed by Ina: too loud"));
     QCOMPARE(table.cell(kTraineeRow, Column::State, Qt::AccessibleTextRole),
              QStringLiteral("State: banned"));
-    QCOMPARE(tomIs(fact::BanLifted{tom}), QStringLiteral("○ removed"));
+    QCOMPARE(tomIs(fact::BanLifted{tom}), QStringLiteral("○ may return"));
     table.node.decide(fact::ParticipantJoined{{}, Role::Trainee, "Tom"});
     table.deliver();
     QCOMPARE(table.cell(kTraineeRow, Column::State), QStringLiteral("✓ connected"));

@@ -68,8 +68,10 @@ QString Entrance::progress() const
         return {};
     return m_looks < kPatience
                ? tr("Joining …")
-               : tr("The instructor's computer has not answered yet. Wait, or go back with Cancel "
-                    "and compare address and port with the instructor's window.");
+               : tr(
+                   "The instructor's computer has not answered yet, or this one is too busy. Wait, "
+                   "or go back with Cancel and compare address and port with the instructor's "
+                   "window.");
 }
 
 std::unique_ptr<SessionNode> Entrance::take()

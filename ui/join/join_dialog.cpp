@@ -266,6 +266,8 @@ void JoinDialog::refresh()
     const bool isTrying = m_entrance.isTrying();
     const auto missing = whatIsMissing(form(), m_entrance.settings().tokens);
     m_missing->setText(isTrying ? m_entrance.progress() : missing ? missing->sentence : QString{});
+    if (isTrying && m_typed->isEnabled())
+        setFocus(); // a key that is typed on must not press Cancel, which else has the keyboard
     m_typed->setEnabled(!isTrying);
     m_list->setEnabled(!isTrying);
     m_join->setEnabled(!isTrying && !missing);

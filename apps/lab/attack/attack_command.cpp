@@ -212,6 +212,7 @@ Result<AttackSettings> settingsOf(const Words& words)
     if (!kinds)
         return tl::unexpected(kinds.error());
     settings.kinds = *kinds;
+    std::fprintf(stderr, "attack: waiting for the programs\n");
     settings.begins = [count = settings.kinds.size(), begun = 0](const AttackKind& kind) mutable {
         std::fprintf(stderr, "attack: %d of %zu: %s\n", ++begun, count, kind.name);
     };

@@ -102,7 +102,7 @@ private:
         m_node = *std::move(node);
         m_witness = std::make_unique<Witness>(*m_node, StartedSession::kTrainee);
         if (!waitFor([this] { return m_witness->sees(); }))
-            return fail(Errc::HostSilent, "the trainee's tube was not seen");
+            return fail(Errc::HostSilent, "the trainee's tube was not seen: is the computer busy?");
         return deriveKeys()
             .and_then([this] { return layAnotherAndBack(); })
             .and_then([this] { return comeInGuests(); })

@@ -74,8 +74,8 @@ inline constexpr Key kActionTime{"action_s", "duration of an action"};
 inline constexpr Key kAxes{"axes", "as given"};
 inline constexpr Key kScenario{"scenario", "its name"};
 inline constexpr Key kExternalClocks{"external_clocks_ms", "as given; null where there are none"};
-inline constexpr Key kLocalLag{"local_lag_ms", "as given: the bound, if it is local-lag"};
-inline constexpr Key kAsaDelays{"asa_delays", "as given: of the history, if it is the ASA"};
+inline constexpr Key kLocalLag{"local_lag_ms", "as given: the bound, which local-lag alone uses"};
+inline constexpr Key kAsaDelays{"asa_delays", "as given: of the history, which the ASA alone has"};
 inline constexpr Key kSeed{"seed", "as given"};
 inline constexpr Key kSeeds{"seeds", "as given"};
 inline constexpr Key kAtEvent{"at_event_mean_deg",

@@ -6,6 +6,7 @@
 #include "widgets/checked_spin_box.h"
 #include "widgets/plain_label.h"
 
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -18,6 +19,7 @@ namespace
 {
 
 constexpr int kSeverityStep_percent = 10;
+constexpr int kMostPercent = 100;
 constexpr int kChangeStep_s = 5;
 constexpr int kEventGap = 4; ///< pixels
 
@@ -30,6 +32,8 @@ constexpr std::array kEventLabels{QT_TRANSLATE_NOOP("carina::AirwayPanel", "&Ton
 static_assert(kEventLabels.size() == kAirwayEventKinds);
 
 std::size_t placeOf(AirwayEventKind kind) { return static_cast<std::size_t>(kind); }
+
+QString textOfPresent(int percent) { return AirwayPanel::tr("now %1\u00a0%").arg(percent); }
 
 int percentOf(double severity) { return qRound(100.0 * severity); }
 
@@ -72,8 +76,10 @@ void AirwayPanel::layOut()
     controls->setContentsMargins({});
     controls->setSpacing(kEventGap);
     addTime(*controls);
+    auto* rows = new QGridLayout;
+    controls->addLayout(rows);
     for (std::size_t place = 0; place < m_rows.size(); ++place)
-        m_rows[place] = addRow(*controls, static_cast<AirwayEventKind>(place));
+        m_rows[place] = addRow(*rows, static_cast<AirwayEventKind>(place));
     m_clear->setObjectName(QStringLiteral("clearAirway"));
     m_clear->setToolTip(tr("All events of the airway go, over the time of a change (Alt+C)"));
     controls->addWidget(m_clear);
@@ -109,8 +115,8 @@ void AirwayPanel::addTime(QBoxLayout& column)
     column.addLayout(row);
 }
 
-/// Its name, the present severity and the box stand above the slider.
-AirwayPanel::Row AirwayPanel::addRow(QBoxLayout& column, AirwayEventKind kind)
+/// Name, box and slider, and room for the present severity, so that nothing moves when it appears.
+AirwayPanel::Row AirwayPanel::addRow(QGridLayout& rows, AirwayEventKind kind)
 {
     const Row row{new PlainLabel, new CheckedSpinBox, new QSlider{Qt::Horizontal}};
     const QString name = QLatin1String{eventName(kind)};
@@ -118,27 +124,28 @@ AirwayPanel::Row AirwayPanel::addRow(QBoxLayout& column, AirwayEventKind kind)
     row.severity->setObjectName(name);
     row.severity->setAccessibleName(tr("%1, severity in per cent").arg(eventText(kind)));
     row.severity->setToolTip(shownAsIs(effect));
-    row.severity->setRange(0, 100);
+    row.severity->setRange(0, kMostPercent);
     row.severity->setSingleStep(kSeverityStep_percent);
     row.severity->setSuffix(tr(" %"));
     row.severity->setAlignment(Qt::AlignRight);
     row.slider->setObjectName(name + QStringLiteral("Slider"));
     row.slider->setAccessibleName(tr("%1, severity slider").arg(eventText(kind)));
     row.slider->setToolTip(shownAsIs(effect));
-    row.slider->setRange(0, 100);
+    row.slider->setRange(0, kMostPercent);
     row.slider->setPageStep(kSeverityStep_percent);
     row.present->setObjectName(name + QStringLiteral("Now"));
     row.present->setAccessibleName(tr("%1, present severity").arg(eventText(kind)));
     row.present->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    row.present->setMinimumWidth(
+        row.present->fontMetrics().horizontalAdvance(textOfPresent(kMostPercent)));
     auto* label = new PlainLabel{tr(kEventLabels[placeOf(kind)])};
     label->setBuddy(row.severity);
     label->setToolTip(shownAsIs(effect));
-    auto* line = new QHBoxLayout;
-    line->addWidget(label);
-    line->addWidget(row.present, 1);
-    line->addWidget(row.severity);
-    column.addLayout(line);
-    column.addWidget(row.slider);
+    const int line = int(placeOf(kind));
+    rows.addWidget(label, line, 0);
+    rows.addWidget(row.severity, line, 1);
+    rows.addWidget(row.slider, line, 2);
+    rows.addWidget(row.present, line, 3);
     return row;
 }
 
@@ -181,7 +188,7 @@ void AirwayPanel::refreshRow(AirwayEventKind kind)
     const int present = percentOf(m_model->present(kind));
     showSeverity(*row.severity, set);
     showSeverity(*row.slider, set);
-    row.present->setText(present == set ? QString{} : tr("now %1\u00a0%").arg(present));
+    row.present->setText(present == set ? QString{} : textOfPresent(present));
 }
 
 } // namespace carina

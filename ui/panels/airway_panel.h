@@ -7,6 +7,7 @@
 #include <array>
 
 class QBoxLayout;
+class QGridLayout;
 class QLabel;
 class QPushButton;
 class QSlider;
@@ -41,7 +42,7 @@ private:
 
     void layOut();
     void addTime(QBoxLayout& column);
-    [[nodiscard]] Row addRow(QBoxLayout& column, AirwayEventKind kind);
+    [[nodiscard]] Row addRow(QGridLayout& rows, AirwayEventKind kind);
     void connectRow(AirwayEventKind kind);
     void refresh();
     void refreshRow(AirwayEventKind kind);

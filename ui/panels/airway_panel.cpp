@@ -24,11 +24,15 @@ constexpr int kChangeStep_s = 5;
 constexpr int kEventGap = 4; ///< pixels
 
 /// The kinds with their keys, in the order of the enumerators.
-constexpr std::array kEventLabels{QT_TRANSLATE_NOOP("carina::AirwayPanel", "&Tongue oedema"),
+constexpr std::array kEventLabels{QT_TRANSLATE_NOOP("carina::AirwayPanel", "Tong&ue oedema"),
                                   QT_TRANSLATE_NOOP("carina::AirwayPanel", "Pharyngeal &swelling"),
                                   QT_TRANSLATE_NOOP("carina::AirwayPanel", "Epig&lottitis"),
                                   QT_TRANSLATE_NOOP("carina::AirwayPanel", "La&ryngeal oedema"),
-                                  QT_TRANSLATE_NOOP("carina::AirwayPanel", "Lary&ngospasm")};
+                                  QT_TRANSLATE_NOOP("carina::AirwayPanel", "Lary&ngospasm"),
+                                  QT_TRANSLATE_NOOP("carina::AirwayPanel", "Floppy epiglo&ttis"),
+                                  QT_TRANSLATE_NOOP("carina::AirwayPanel", "Anterior laryn&x"),
+                                  QT_TRANSLATE_NOOP("carina::AirwayPanel", "Ang&io-oedema"),
+                                  QT_TRANSLATE_NOOP("carina::AirwayPanel", "Laryngeal we&b")};
 static_assert(kEventLabels.size() == kAirwayEventKinds);
 
 std::size_t placeOf(AirwayEventKind kind) { return static_cast<std::size_t>(kind); }

@@ -57,7 +57,7 @@ void AirwayEventModel::setStation(StationId station)
     Q_EMIT changed();
 }
 
-double AirwayEventModel::severity(AirwayEventKind kind) const { return severityIn(shown(), kind); }
+double AirwayEventModel::severity(AirwayEventKind kind) const { return severityIn(events(), kind); }
 
 double AirwayEventModel::present(AirwayEventKind kind) const
 {
@@ -66,7 +66,7 @@ double AirwayEventModel::present(AirwayEventKind kind) const
 
 void AirwayEventModel::setSeverity(AirwayEventKind kind, double severity)
 {
-    set(withSeverity(shown(), kind, severity));
+    setEvents(withSeverity(events(), kind, severity));
 }
 
 QString AirwayEventModel::inForceText() const { return eventsText(presentEvents()); }
@@ -117,7 +117,7 @@ const std::optional<AirwayEventModel::Setting>& AirwayEventModel::pending() cons
     return m_latest ? m_latest : m_sent;
 }
 
-AirwayEvents AirwayEventModel::shown() const
+AirwayEvents AirwayEventModel::events() const
 {
     return pending() ? pending()->events : decidedAt(m_stations.shown, now());
 }
@@ -128,11 +128,11 @@ std::vector<AirwayEventModel::Setting> AirwayEventModel::before() const
     std::vector<Setting> settings;
     for (const StationId id : stationsOf(*m_session.node().state(), m_stations.target()))
         settings.push_back(
-            {id, id == m_stations.shown ? shown() : decidedAt(id, SessionTime::max()), {}});
+            {id, id == m_stations.shown ? events() : decidedAt(id, SessionTime::max()), {}});
     return settings;
 }
 
-void AirwayEventModel::set(const AirwayEvents& events)
+void AirwayEventModel::setEvents(const AirwayEvents& events)
 {
     CARINA_EXPECTS(areProper(events));
     const std::vector<Setting> replaced = before();
@@ -213,7 +213,7 @@ void AirwayEventModel::refresh()
         m_steps.dropOverruled([this](const auto& step, StationId station) {
             return m_sent.has_value() || isDecided(station, step.set.events);
         });
-    Shown shownNow{shown(), presentEvents(), pending().has_value(), obstacle(), canUndo()};
+    Shown shownNow{events(), presentEvents(), pending().has_value(), obstacle(), canUndo()};
     if (std::exchange(m_shown, shownNow) != shownNow)
         Q_EMIT changed();
 }

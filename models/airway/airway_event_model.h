@@ -37,13 +37,17 @@ public:
     [[nodiscard]] double severity(AirwayEventKind kind) const;
     /// The severity that is to be seen now, while it changes.
     [[nodiscard]] double present(AirwayEventKind kind) const;
+    /// All that was set likewise, without those of severity 0.
+    [[nodiscard]] AirwayEvents events() const;
     /// Whether nothing is set.
-    [[nodiscard]] bool isClear() const { return shown().empty(); }
+    [[nodiscard]] bool isClear() const { return events().empty(); }
 
     /// Sets the severity of one event, 0 to 1, and leaves the others as they are set.
     void setSeverity(AirwayEventKind kind, double severity);
+    /// Sets all events at once, as one change; what is not among them ends. @pre areProper(events)
+    void setEvents(const AirwayEvents& events);
     /// Sets no event at all.
-    void clear() { set({}); }
+    void clear() { setEvents({}); }
     /// The time over which severities change, from the next change on; at once at first.
     /// @pre 0 to kLongestAirwayChange
     void setChangeTime(Duration over) { m_over = over; }
@@ -85,12 +89,10 @@ private:
     [[nodiscard]] AirwayEvents presentEvents() const;
     [[nodiscard]] AirwayEvents decidedAt(StationId station, SessionTime t) const;
     [[nodiscard]] const std::optional<Setting>& pending() const;
-    [[nodiscard]] AirwayEvents shown() const;
     [[nodiscard]] std::vector<Setting> before() const;
     [[nodiscard]] bool isUnderWay(const AirwayEvents& sent) const;
     [[nodiscard]] bool isDecided(StationId station, const AirwayEvents& events) const;
     [[nodiscard]] static QString textOf(const AirwayEvents& events);
-    void set(const AirwayEvents& events);
     void goBackTo(const std::vector<Setting>& before);
     void ask(const Setting& setting);
     void propose(const Setting& setting);

@@ -1,11 +1,13 @@
 #include "ui/panels/airway_panel.h"
 
+#include "models/airway/airway_presets.h"
 #include "models/airway/airway_words.h"
 #include "models/text/shown_as_is.h"
 #include "ui/refusal_line.h"
 #include "widgets/checked_spin_box.h"
 #include "widgets/plain_label.h"
 
+#include <QComboBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QPushButton>
@@ -22,6 +24,7 @@ constexpr int kSeverityStep_percent = 10;
 constexpr int kMostPercent = 100;
 constexpr int kChangeStep_s = 5;
 constexpr int kEventGap = 4; ///< pixels
+constexpr int kPresetLetters = 16;
 
 /// The kinds with their keys, in the order of the enumerators.
 constexpr std::array kEventLabels{QT_TRANSLATE_NOOP("carina::AirwayPanel", "Tong&ue oedema"),
@@ -62,6 +65,7 @@ AirwayPanel::AirwayPanel(QWidget* parent)
     : QWidget{parent},
       m_obstacle{new PlainLabel},
       m_controls{new QWidget},
+      m_presets{new QComboBox},
       m_over{new CheckedSpinBox},
       m_clear{new QPushButton{tr("&Clear airway")}},
       m_refused{new RefusalLine},
@@ -79,6 +83,7 @@ void AirwayPanel::layOut()
     auto* controls = new QVBoxLayout{m_controls};
     controls->setContentsMargins({});
     controls->setSpacing(kEventGap);
+    addPresets(*controls);
     addTime(*controls);
     auto* rows = new QGridLayout;
     controls->addLayout(rows);
@@ -98,6 +103,26 @@ void AirwayPanel::layOut()
                             static_cast<QWidget*>(m_refused), static_cast<QWidget*>(m_travelling)})
         column->addWidget(widget);
     column->addStretch(1);
+}
+
+void AirwayPanel::addPresets(QBoxLayout& column)
+{
+    m_presets->setObjectName(QStringLiteral("airwayPreset"));
+    m_presets->setAccessibleName(tr("Preset of the airway"));
+    m_presets->setToolTip(tr("Sets all events as one change, over the time of a change; Custom "
+                             "stands here where the severities are of no preset"));
+    m_presets->setPlaceholderText(tr("Custom"));
+    m_presets->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_presets->setMinimumContentsLength(kPresetLetters);
+    for (const AirwayPreset& preset : airwayPresets())
+        m_presets->addItem(presetText(preset),
+                           QByteArray{preset.name.data(), qsizetype(preset.name.size())});
+    auto* label = new PlainLabel{tr("Se&veral by preset")};
+    label->setBuddy(m_presets);
+    auto* row = new QHBoxLayout;
+    row->addWidget(label);
+    row->addWidget(m_presets, 1);
+    column.addLayout(row);
 }
 
 void AirwayPanel::addTime(QBoxLayout& column)
@@ -156,6 +181,7 @@ AirwayPanel::Row AirwayPanel::addRow(QGridLayout& rows, AirwayEventKind kind)
 void AirwayPanel::setModel(AirwayEventModel& model)
 {
     m_model = &model;
+    connect(m_presets, &QComboBox::activated, this, &AirwayPanel::choosePreset);
     connect(m_over, &QSpinBox::valueChanged, this,
             [this](int seconds) { m_model->setChangeTime(std::chrono::seconds{seconds}); });
     for (std::size_t place = 0; place < m_rows.size(); ++place)
@@ -173,16 +199,32 @@ void AirwayPanel::connectRow(AirwayEventKind kind)
     connect(row.slider, &QSlider::valueChanged, row.severity, &QSpinBox::setValue);
 }
 
+void AirwayPanel::choosePreset(int place)
+{
+    const QByteArray name = m_presets->itemData(place).toByteArray();
+    if (const AirwayPreset* preset =
+            presetNamed({name.constData(), static_cast<std::size_t>(name.size())}))
+        m_model->setEvents(preset->events);
+    refreshPreset();
+}
+
 void AirwayPanel::refresh()
 {
     const QString obstacle = m_model->obstacle();
     m_obstacle->setText(obstacle);
     m_obstacle->setVisible(!obstacle.isEmpty());
     m_controls->setEnabled(obstacle.isEmpty());
+    refreshPreset();
     for (std::size_t place = 0; place < m_rows.size(); ++place)
         refreshRow(static_cast<AirwayEventKind>(place));
     m_clear->setEnabled(!m_model->isClear());
     m_travelling->setText(m_model->travellingText());
+}
+
+void AirwayPanel::refreshPreset()
+{
+    const AirwayPreset* preset = presetOf(m_model->events());
+    m_presets->setCurrentIndex(preset ? int(preset - airwayPresets().data()) : -1);
 }
 
 void AirwayPanel::refreshRow(AirwayEventKind kind)

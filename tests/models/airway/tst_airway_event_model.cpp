@@ -20,6 +20,7 @@ class TestAirwayEventModel : public QObject
 private Q_SLOTS:
     void isClearAtFirst();
     void setsOneEventAndLeavesTheOthers();
+    void setsAllEventsAsOneChange();
     void tellsTheSeverityToBeSeenWhileItChanges();
     void clearsAllOverTheTime();
     void keepsOneProposalUnderWayWhileASeverityIsDragged();
@@ -98,6 +99,22 @@ void TestAirwayEventModel::setsOneEventAndLeavesTheOthers()
     console.model.setSeverity(Laryngospasm, 0.0);
     console.settle();
     QVERIFY(console.decided() == (AirwayEvents{{TongueOedema, 0.6}}));
+}
+
+void TestAirwayEventModel::setsAllEventsAsOneChange()
+{
+    const AirwayEvents burnt{{TongueOedema, 0.3}, {LaryngealOedema, 0.7}, {LaryngealWeb, 0.1}};
+    Console console;
+    console.model.setSeverity(Laryngospasm, 1.0);
+    console.settle();
+    console.model.setEvents(burnt);
+    QVERIFY(console.model.events() == burnt);
+    QCOMPARE(console.node.proposed, 2);
+    console.settle();
+    QVERIFY(console.decided() == burnt);
+    console.model.undo();
+    console.settle();
+    QVERIFY(console.decided() == (AirwayEvents{{Laryngospasm, 1.0}}));
 }
 
 /// 0.8 over 20 s: a quarter of it after five.

@@ -1,9 +1,11 @@
+#include "models/airway/airway_presets.h"
 #include "models/airway/airway_words.h"
 #include "tests/models/fake_session_node.h"
 #include "tests/support/test_class.h"
 #include "ui/panels/airway_panel.h"
 
 #include <QApplication>
+#include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QSlider>
@@ -25,6 +27,8 @@ private Q_SLOTS:
     void setsSeverityBySliderAndBox();
     void tellsTheSeverityOfNowWhileItChanges();
     void clearsTheAirwayByItsButton();
+    void setsAPresetAsOneChange();
+    void saysCustomWhereItIsNoPreset();
     void tellsWhatTravels();
     void keepsWhatIsBeingTyped();
     void refusesATypedSeverityWithItsRange();
@@ -144,6 +148,46 @@ void TestAirwayPanel::clearsTheAirwayByItsButton()
     QVERIFY(!clear.isEnabled());
 }
 
+// By keyboard: the letter chooses it.
+void TestAirwayPanel::setsAPresetAsOneChange()
+{
+    Desk desk;
+    auto& presets = desk.find<QComboBox>("airwayPreset");
+    QCOMPARE(presets.currentText(), QStringLiteral("Clear"));
+    desk.enter("laryngospasm", QStringLiteral("50"));
+    desk.settle();
+    presets.setFocus();
+    QTest::keyClicks(&presets, QStringLiteral("ana"));
+    desk.settle();
+    desk.settle();
+    QCOMPARE(presets.currentText(), QStringLiteral("Anaphylaxis"));
+    const AirwayEvents swollen = presetNamed("anaphylaxis")->events;
+    QVERIFY(desk.decided() == swollen);
+    QCOMPARE(desk.box("laryngospasm").value(), 0);
+    for (const AirwayEvent& event : swollen)
+        QCOMPARE(desk.box(eventName(event.kind)).value(), qRound(100.0 * event.severity));
+    desk.model.undo();
+    desk.settle();
+    QVERIFY(desk.decided() == (AirwayEvents{{Laryngospasm, 0.5}}));
+}
+
+void TestAirwayPanel::saysCustomWhereItIsNoPreset()
+{
+    Desk desk;
+    const auto& presets = desk.find<QComboBox>("airwayPreset");
+    desk.model.setEvents(presetNamed("web")->events);
+    QCOMPARE(presets.currentText(), QStringLiteral("Congenital web"));
+    desk.settle();
+    QCOMPARE(presets.currentText(), QStringLiteral("Congenital web"));
+    desk.box("laryngeal_web").setValue(71);
+    desk.settle();
+    QCOMPARE(presets.currentIndex(), -1);
+    QCOMPARE(presets.placeholderText(), QStringLiteral("Custom"));
+    desk.model.clear();
+    desk.settle();
+    QCOMPARE(presets.currentText(), QStringLiteral("Clear"));
+}
+
 void TestAirwayPanel::tellsWhatTravels()
 {
     Desk desk;
@@ -183,7 +227,8 @@ void TestAirwayPanel::changesNothingForAnObserver()
     Desk desk{FakeSessionNode::kObserver};
     QCOMPARE(desk.text("airwayObstacle"),
              QStringLiteral("Only an instructor changes the patient."));
-    for (const char* name : {"airwayOver", "tongue_oedema", "tongue_oedemaSlider", "clearAirway"})
+    for (const char* name :
+         {"airwayPreset", "airwayOver", "tongue_oedema", "tongue_oedemaSlider", "clearAirway"})
         QVERIFY2(!desk.find<QWidget>(name).isEnabled(), name);
     desk.node.decide(fact::AirwayEventsSet{{{Laryngospasm, 1.0}}, {}});
     desk.settle();
@@ -212,6 +257,8 @@ void TestAirwayPanel::namesAndExplainsEveryControl()
         QCOMPARE(labels, 1);
     }
     QVERIFY(!desk.box("airwayOver").accessibleName().isEmpty());
+    const auto& presets = desk.find<QComboBox>("airwayPreset");
+    QVERIFY(!presets.accessibleName().isEmpty() && !presets.toolTip().isEmpty());
     QVERIFY(!desk.find<QPushButton>("clearAirway").toolTip().isEmpty());
 }
 

@@ -2,6 +2,7 @@
 
 #include "engine/core/expects.h"
 #include "models/airway/airway_words.h"
+#include "models/patient/session_patient.h"
 
 #include <QTimer>
 
@@ -57,11 +58,28 @@ void AirwayEventModel::setStation(StationId station)
     Q_EMIT changed();
 }
 
+void AirwayEventModel::setForAll(bool all)
+{
+    if (std::exchange(m_stations.all, all) != all)
+        Q_EMIT changed();
+}
+
+void AirwayEventModel::setPatient(const SessionPatient& patient)
+{
+    m_patient = &patient;
+    refresh();
+}
+
 double AirwayEventModel::severity(AirwayEventKind kind) const { return severityIn(events(), kind); }
 
 double AirwayEventModel::present(AirwayEventKind kind) const
 {
     return severityIn(presentEvents(), kind);
+}
+
+bool AirwayEventModel::canBeSet(AirwayEventKind kind) const
+{
+    return m_stations.all || m_limits.canShow(kind) || severity(kind) > 0.0;
 }
 
 void AirwayEventModel::setSeverity(AirwayEventKind kind, double severity)
@@ -206,14 +224,30 @@ void AirwayEventModel::goOn()
         ask(*next);
 }
 
+void AirwayEventModel::lookAtPatient()
+{
+    if (!m_patient)
+        return;
+    const PatientModel& patient = *m_patient->patient();
+    if (!liesAt(*m_session.node().state(), m_stations.shown, patient)) {
+        m_limits = {};
+        m_limitsOf.reset();
+    } else if (m_limitsOf != patient.contentHash()) {
+        m_limits = airwayLimitsOf(patient);
+        m_limitsOf = patient.contentHash();
+    }
+}
+
 void AirwayEventModel::refresh()
 {
     goOn();
+    lookAtPatient();
     if (m_session.node().pending().empty())
         m_steps.dropOverruled([this](const auto& step, StationId station) {
             return m_sent.has_value() || isDecided(station, step.set.events);
         });
-    Shown shownNow{events(), presentEvents(), pending().has_value(), obstacle(), canUndo()};
+    Shown shownNow{events(),   presentEvents(), pending().has_value(),
+                   obstacle(), canUndo(),       m_limits};
     if (std::exchange(m_shown, shownNow) != shownNow)
         Q_EMIT changed();
 }

@@ -1,15 +1,21 @@
 #pragma once
 
 #include "engine/session/airway/airway_rules.h"
+#include "models/airway/airway_limits.h"
 #include "models/respiration/addressed_stations.h"
 #include "models/respiration/change_steps.h"
 #include "models/session/session_model.h"
 
+#include <QPointer>
+
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace carina
 {
+
+class SessionPatient;
 
 /// The events of one station's airway, as an instructor sees and changes them.
 ///
@@ -31,7 +37,10 @@ public:
     /// Adds its changes to a history from now on, by which alone they are to be undone.
     void setHistory(ChangeHistory& history) { m_steps.setHistory(history); }
     /// Whether a change is for the patients of all open stations, by one fact with one effect time.
-    void setForAll(bool all) { m_stations.all = all; }
+    void setForAll(bool all);
+    /// Tells from now on also what the patient cannot show that lies at the station, as soon as it
+    /// is known which one does.
+    void setPatient(const SessionPatient& patient);
 
     /// The severity that was set: requested or, if no change is pending, decided; 0 without one.
     [[nodiscard]] double severity(AirwayEventKind kind) const;
@@ -41,6 +50,11 @@ public:
     [[nodiscard]] AirwayEvents events() const;
     /// Whether nothing is set.
     [[nodiscard]] bool isClear() const { return events().empty(); }
+    /// What the patient of the station cannot show of it; nothing while the patient is not known.
+    [[nodiscard]] const AirwayLimits& limits() const { return m_limits; }
+    /// Whether there is anything to set: an event that the patient shows, or one to be ended, or
+    /// one of other patients too.
+    [[nodiscard]] bool canBeSet(AirwayEventKind kind) const;
 
     /// Sets the severity of one event, 0 to 1, and leaves the others as they are set.
     void setSeverity(AirwayEventKind kind, double severity);
@@ -81,6 +95,7 @@ private:
         bool isPending = false;
         QString obstacle;
         bool canUndo = false;
+        AirwayLimits limits;
 
         friend bool operator==(const Shown&, const Shown&) = default;
     };
@@ -97,6 +112,7 @@ private:
     void ask(const Setting& setting);
     void propose(const Setting& setting);
     void goOn();
+    void lookAtPatient();
     void refresh();
 
     SessionModel& m_session;
@@ -105,7 +121,10 @@ private:
     std::optional<Setting> m_latest; ///< to be proposed once m_sent is in force
     ChangeSteps<Setting> m_steps{*this};
     Duration m_over{};
-    Shown m_shown; ///< at the latest changed()
+    QPointer<const SessionPatient> m_patient;
+    AirwayLimits m_limits;
+    std::optional<std::string> m_limitsOf; ///< content hash of the patient whose they are
+    Shown m_shown;                         ///< at the latest changed()
 };
 
 } // namespace carina

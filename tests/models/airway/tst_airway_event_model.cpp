@@ -1,6 +1,9 @@
+#include "engine/io/anatomy_set/anatomy_cache.h"
 #include "models/airway/airway_event_model.h"
 #include "models/airway/airway_words.h"
+#include "models/patient/session_patient.h"
 #include "tests/models/fake_session_node.h"
+#include "tests/models/lacking_patient.h"
 #include "tests/support/test_class.h"
 
 #include <QSignalSpy>
@@ -34,6 +37,11 @@ private Q_SLOTS:
     void letsOnlyAnInstructorChange_data();
     void letsOnlyAnInstructorChange();
     void saysThatTheSessionHasEnded();
+    void saysThatATongueIsMissing();
+    void saysThatAnEpiglottisIsTooSmall();
+    void saysWhatALarynxLacks();
+    void ofAllPatientsSetsWhatOneDoesNotShow();
+    void knowsOnlyThePatientThatLiesAtItsStation();
     void hasAWordForEverything();
 };
 
@@ -48,7 +56,14 @@ struct Console {
     SessionModel session{node};
     AirwayEventModel model{session, FakeSessionNode::kStation};
 
+    std::optional<SessionPatient> patient;
+
     explicit Console(ParticipantId self = FakeSessionNode::kInstructor) : node{self} {}
+    explicit Console(const SharedPatientModel& lying) : Console{}
+    {
+        patient.emplace(node, FakeSessionNode::kStation, lying, AnatomyCache::defaultFolder());
+        model.setPatient(*patient);
+    }
     void deliver()
     {
         node.announce();
@@ -63,11 +78,38 @@ struct Console {
     {
         return node.state()->stations().at(station).airwayEvents.decidedAt(SessionTime::max());
     }
+    /// Those that the patient shows.
+    [[nodiscard]] std::set<AirwayEventKind> shownKinds() const
+    {
+        std::set<AirwayEventKind> kinds;
+        for (int kind = 0; kind < kAirwayEventKinds; ++kind)
+            if (model.limits().canShow(static_cast<AirwayEventKind>(kind)))
+                kinds.insert(static_cast<AirwayEventKind>(kind));
+        return kinds;
+    }
     [[nodiscard]] bool showsNow(AirwayEventKind kind, double severity) const
     {
         return std::abs(model.present(kind) - severity) < kRounding;
     }
 };
+
+const SharedPatientModel& tongueless()
+{
+    static const SharedPatientModel made = test::childWithout(PartRole::Tongue);
+    return made;
+}
+
+/// About its middle.
+void shrink(AnatomyPart& part, float scale)
+{
+    for (TriangleMesh& level : part.levels) {
+        Vec3f middle = Vec3f::Zero();
+        for (const Vec3f& p : level.positions)
+            middle += p / float(level.positions.size());
+        for (Vec3f& p : level.positions)
+            p = middle + scale * (p - middle);
+    }
+}
 
 } // namespace
 
@@ -290,6 +332,80 @@ void TestAirwayEventModel::saysThatTheSessionHasEnded()
     console.node.decide(fact::PhaseChanged{SessionPhase::Ended});
     console.settle();
     QCOMPARE(console.model.obstacle(), QStringLiteral("The session has ended."));
+}
+
+/// What was set before can be ended.
+void TestAirwayEventModel::saysThatATongueIsMissing()
+{
+    Console console{tongueless()};
+    QCOMPARE(console.shownKinds().size(), std::size_t{kAirwayEventKinds - 1});
+    QCOMPARE(console.model.limits().of(TongueOedema),
+             QStringLiteral("Not shown: this patient has no tongue of its own."));
+    QVERIFY(console.model.limits().of(Epiglottitis).isEmpty());
+    QVERIFY(console.model.limits().all.isEmpty());
+    QVERIFY(!console.model.canBeSet(TongueOedema));
+    QVERIFY(console.model.canBeSet(Epiglottitis));
+    console.node.decide(fact::AirwayEventsSet{{{TongueOedema, 0.5}}, {}});
+    console.settle();
+    QVERIFY(console.model.canBeSet(TongueOedema));
+    console.model.setSeverity(TongueOedema, 0.0);
+    console.settle();
+    QVERIFY(console.decided().empty());
+    QVERIFY(!console.model.canBeSet(TongueOedema));
+}
+
+void TestAirwayEventModel::saysThatAnEpiglottisIsTooSmall()
+{
+    Anatomy anatomy = builtinPatient(BuiltinPatient::TwelveYears).value();
+    for (AnatomyPart& part : anatomy.parts)
+        if (part.role == PartRole::Epiglottis)
+            shrink(part, 0.05F);
+    const Console console{patientOf(std::move(anatomy)).value()};
+    QVERIFY(!console.shownKinds().contains(Epiglottitis));
+    QVERIFY(console.shownKinds().contains(TongueOedema));
+    QCOMPARE(console.model.limits().of(Epiglottitis),
+             QStringLiteral("Not shown: this patient has too little of what it changes."));
+}
+
+void TestAirwayEventModel::saysWhatALarynxLacks()
+{
+    const Console console{test::childWithout(PartRole::Epiglottis)};
+    QVERIFY(console.model.limits().all.contains(QStringLiteral("no epiglottis")));
+    QVERIFY(console.shownKinds().empty());
+    for (int kind = 0; kind < kAirwayEventKinds; ++kind) {
+        QVERIFY(console.model.limits().of(static_cast<AirwayEventKind>(kind)).isEmpty());
+        QVERIFY(!console.model.canBeSet(static_cast<AirwayEventKind>(kind)));
+    }
+}
+
+void TestAirwayEventModel::ofAllPatientsSetsWhatOneDoesNotShow()
+{
+    Console console{tongueless()};
+    const QSignalSpy changed{&console.model, &AirwayEventModel::changed};
+    console.model.setForAll(true);
+    QCOMPARE(changed.count(), 1);
+    QVERIFY(console.model.canBeSet(TongueOedema));
+    QVERIFY(!console.model.limits().canShow(TongueOedema));
+    console.model.setForAll(false);
+    QVERIFY(!console.model.canBeSet(TongueOedema));
+}
+
+/// While another one is chosen there and not here yet, nothing is known of it.
+void TestAirwayEventModel::knowsOnlyThePatientThatLiesAtItsStation()
+{
+    constexpr StationId kRoom{1};
+    Console console{tongueless()};
+    const QSignalSpy changed{&console.model, &AirwayEventModel::changed};
+    console.node.decide(fact::AnatomyChosen{"another", "Another"});
+    console.settle();
+    QVERIFY(console.model.limits().canShow(TongueOedema));
+    QVERIFY(!changed.isEmpty());
+    console.node.addStation("Room 5");
+    console.node.decideAt(kRoom, fact::AnatomyChosen{tongueless()->contentHash(), "Child"});
+    console.model.setStation(kRoom);
+    QVERIFY(!console.model.limits().canShow(TongueOedema));
+    console.model.setStation(FakeSessionNode::kStation);
+    QVERIFY(console.model.limits().canShow(TongueOedema));
 }
 
 void TestAirwayEventModel::hasAWordForEverything()

@@ -15,6 +15,8 @@
 #include <QSlider>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace carina
 {
 namespace
@@ -59,11 +61,19 @@ void showSeverity(QSlider& slider, int percent)
         slider.setValue(percent);
 }
 
+/// Where there is nothing to say it takes no room.
+void sayOrHide(QLabel& label, const QString& text)
+{
+    label.setText(text);
+    label.setVisible(!text.isEmpty());
+}
+
 } // namespace
 
 AirwayPanel::AirwayPanel(QWidget* parent)
     : QWidget{parent},
       m_obstacle{new PlainLabel},
+      m_notShown{new PlainLabel},
       m_controls{new QWidget},
       m_presets{new QComboBox},
       m_over{new CheckedSpinBox},
@@ -98,9 +108,12 @@ void AirwayPanel::layOut()
     m_travelling->setMinimumHeight(m_travelling->fontMetrics().lineSpacing());
     m_obstacle->setObjectName(QStringLiteral("airwayObstacle"));
     m_obstacle->setWordWrap(true);
+    m_notShown->setObjectName(QStringLiteral("airwayNotShown"));
+    m_notShown->setWordWrap(true);
     auto* column = new QVBoxLayout{this};
-    for (QWidget* widget : {static_cast<QWidget*>(m_obstacle), m_controls,
-                            static_cast<QWidget*>(m_refused), static_cast<QWidget*>(m_travelling)})
+    for (QWidget* widget :
+         {static_cast<QWidget*>(m_obstacle), static_cast<QWidget*>(m_notShown), m_controls,
+          static_cast<QWidget*>(m_refused), static_cast<QWidget*>(m_travelling)})
         column->addWidget(widget);
     column->addStretch(1);
 }
@@ -144,10 +157,11 @@ void AirwayPanel::addTime(QBoxLayout& column)
     column.addLayout(row);
 }
 
-/// Name, box and slider, and room for the present severity, so that nothing moves when it appears.
+/// Name, box and slider, and room for the present severity, so that nothing moves when it appears;
+/// below, what the patient does not show of it.
 AirwayPanel::Row AirwayPanel::addRow(QGridLayout& rows, AirwayEventKind kind)
 {
-    const Row row{new PlainLabel, new CheckedSpinBox, new QSlider{Qt::Horizontal}};
+    const Row row{new PlainLabel, new CheckedSpinBox, new QSlider{Qt::Horizontal}, new PlainLabel};
     const QString name = QLatin1String{eventName(kind)};
     const QString effect = eventEffect(kind);
     row.severity->setObjectName(name);
@@ -167,14 +181,17 @@ AirwayPanel::Row AirwayPanel::addRow(QGridLayout& rows, AirwayEventKind kind)
     row.present->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     row.present->setMinimumWidth(
         row.present->fontMetrics().horizontalAdvance(textOfPresent(kMostPercent)));
+    row.notShown->setObjectName(name + QStringLiteral("NotShown"));
+    row.notShown->setWordWrap(true);
     auto* label = new PlainLabel{tr(kEventLabels[placeOf(kind)])};
     label->setBuddy(row.severity);
     label->setToolTip(shownAsIs(effect));
-    const int line = int(placeOf(kind));
+    const int line = 2 * int(placeOf(kind));
     rows.addWidget(label, line, 0);
     rows.addWidget(row.severity, line, 1);
     rows.addWidget(row.slider, line, 2);
     rows.addWidget(row.present, line, 3);
+    rows.addWidget(row.notShown, line + 1, 0, 1, -1);
     return row;
 }
 
@@ -211,12 +228,13 @@ void AirwayPanel::choosePreset(int place)
 void AirwayPanel::refresh()
 {
     const QString obstacle = m_model->obstacle();
-    m_obstacle->setText(obstacle);
-    m_obstacle->setVisible(!obstacle.isEmpty());
+    sayOrHide(*m_obstacle, obstacle);
+    sayOrHide(*m_notShown, m_model->limits().all);
     m_controls->setEnabled(obstacle.isEmpty());
     refreshPreset();
     for (std::size_t place = 0; place < m_rows.size(); ++place)
         refreshRow(static_cast<AirwayEventKind>(place));
+    bringKeyboardToWhatCanBeSet();
     m_clear->setEnabled(!m_model->isClear());
     m_travelling->setText(m_model->travellingText());
 }
@@ -232,9 +250,24 @@ void AirwayPanel::refreshRow(AirwayEventKind kind)
     const Row& row = m_rows[placeOf(kind)];
     const int set = percentOf(m_model->severity(kind));
     const int present = percentOf(m_model->present(kind));
+    const QString& notShown = m_model->limits().of(kind);
     showSeverity(*row.severity, set);
     showSeverity(*row.slider, set);
     row.present->setText(present == set ? QString{} : textOfPresent(present));
+    for (QWidget* control :
+         {static_cast<QWidget*>(row.severity), static_cast<QWidget*>(row.slider)}) {
+        control->setEnabled(m_model->canBeSet(kind));
+        control->setAccessibleDescription(notShown);
+    }
+    sayOrHide(*row.notShown, notShown);
+}
+
+/// As the panel gets it.
+void AirwayPanel::bringKeyboardToWhatCanBeSet()
+{
+    const auto row = std::ranges::find_if(
+        m_rows, [this](const Row& at) { return at.severity->isEnabledTo(m_controls); });
+    setFocusProxy(row == m_rows.end() ? m_over : row->severity);
 }
 
 } // namespace carina

@@ -23,8 +23,9 @@ class RefusalLine;
 /// per cent, for all of them the time over which a change comes, a choice of presets, which says
 /// "Custom" where the severities are those of none, and a button that ends them. A control shows
 /// the value that is set or, while a change is pending, the requested one; beside it stands the
-/// severity that is to be seen, as long as that is another. For a person without permission the
-/// panel states the reason.
+/// severity that is to be seen, as long as that is another. An event that the patient does not show
+/// says why, and cannot be set unless it is to be ended, or is for other patients too. For a person
+/// without permission the panel states the reason.
 class AirwayPanel : public QWidget
 {
     Q_OBJECT
@@ -40,6 +41,7 @@ private:
         QLabel* present; ///< "now 35 %"
         CheckedSpinBox* severity;
         QSlider* slider;
+        QLabel* notShown; ///< why the patient does not show it
     };
 
     void layOut();
@@ -51,9 +53,11 @@ private:
     void refresh();
     void refreshPreset();
     void refreshRow(AirwayEventKind kind);
+    void bringKeyboardToWhatCanBeSet();
 
     AirwayEventModel* m_model = nullptr;
     QLabel* m_obstacle;
+    QLabel* m_notShown; ///< why the patient shows no event at all
     QWidget* m_controls;
     QComboBox* m_presets; ///< each with its name as data
     CheckedSpinBox* m_over;

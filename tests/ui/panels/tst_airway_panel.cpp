@@ -1,6 +1,9 @@
+#include "engine/io/anatomy_set/anatomy_cache.h"
 #include "models/airway/airway_presets.h"
 #include "models/airway/airway_words.h"
+#include "models/patient/session_patient.h"
 #include "tests/models/fake_session_node.h"
+#include "tests/models/lacking_patient.h"
 #include "tests/support/test_class.h"
 #include "ui/panels/airway_panel.h"
 
@@ -10,6 +13,8 @@
 #include <QPushButton>
 #include <QSlider>
 #include <QSpinBox>
+
+#include <optional>
 
 namespace carina::airway_panel_test
 {
@@ -33,6 +38,9 @@ private Q_SLOTS:
     void keepsWhatIsBeingTyped();
     void refusesATypedSeverityWithItsRange();
     void changesNothingForAnObserver();
+    void saysWhatThePatientDoesNotShow();
+    void staysToBeSetForAllStations();
+    void saysWhyAPatientShowsNoEvent();
     void namesAndExplainsEveryControl();
     void fitsIntoItsColumn();
 };
@@ -49,12 +57,24 @@ struct Desk {
     SessionModel session{node};
     AirwayEventModel model{session, FakeSessionNode::kStation};
     AirwayPanel panel;
+    std::optional<SessionPatient> patient;
 
     explicit Desk(ParticipantId self = FakeSessionNode::kInstructor) : node{self}
     {
         panel.setModel(model);
         panel.show();
         QApplication::setActiveWindow(&panel); // the display has no window manager
+    }
+    void lay(const SharedPatientModel& lying)
+    {
+        patient.emplace(node, FakeSessionNode::kStation, lying, AnatomyCache::defaultFolder());
+        model.setPatient(*patient);
+    }
+    /// The control that gets the keyboard with the panel.
+    [[nodiscard]] QString first()
+    {
+        panel.setFocus();
+        return QApplication::focusWidget()->objectName();
     }
     template <class Widget> [[nodiscard]] Widget& find(const char* name) const
     {
@@ -88,6 +108,12 @@ struct Desk {
             .airwayEvents.decidedAt(SessionTime::max());
     }
 };
+
+const SharedPatientModel& tongueless()
+{
+    static const SharedPatientModel made = test::childWithout(PartRole::Tongue);
+    return made;
+}
 
 } // namespace
 
@@ -233,6 +259,55 @@ void TestAirwayPanel::changesNothingForAnObserver()
     desk.node.decide(fact::AirwayEventsSet{{{Laryngospasm, 1.0}}, {}});
     desk.settle();
     QCOMPARE(desk.box("laryngospasm").value(), 100);
+}
+
+/// What somebody else set can be ended.
+void TestAirwayPanel::saysWhatThePatientDoesNotShow()
+{
+    Desk desk;
+    const auto& why = desk.find<QLabel>("tongue_oedemaNotShown");
+    QVERIFY(!why.isVisible());
+    desk.lay(tongueless());
+    QVERIFY(why.isVisible());
+    QCOMPARE(why.text(), QStringLiteral("Not shown: this patient has no tongue of its own."));
+    QCOMPARE(desk.box("tongue_oedema").accessibleDescription(), why.text());
+    QVERIFY(!desk.box("tongue_oedema").isEnabled());
+    QVERIFY(!desk.find<QSlider>("tongue_oedemaSlider").isEnabled());
+    QVERIFY(!desk.find<QLabel>("epiglottitisNotShown").isVisible());
+    QVERIFY(!desk.find<QLabel>("airwayNotShown").isVisible());
+    QCOMPARE(desk.first(), QStringLiteral("pharyngeal_swelling"));
+    desk.node.decide(fact::AirwayEventsSet{{{TongueOedema, 0.5}}, {}});
+    desk.settle();
+    QVERIFY(why.isVisible());
+    desk.enter("tongue_oedema", QStringLiteral("0"));
+    desk.settle();
+    QVERIFY(desk.decided().empty());
+    QVERIFY(!desk.box("tongue_oedema").isEnabled());
+}
+
+void TestAirwayPanel::staysToBeSetForAllStations()
+{
+    Desk desk;
+    desk.lay(tongueless());
+    desk.model.setForAll(true);
+    QVERIFY(desk.box("tongue_oedema").isEnabled());
+    QVERIFY(desk.find<QLabel>("tongue_oedemaNotShown").isVisible());
+    QCOMPARE(desk.first(), QStringLiteral("tongue_oedema"));
+}
+
+void TestAirwayPanel::saysWhyAPatientShowsNoEvent()
+{
+    Desk desk;
+    desk.lay(test::childWithout(PartRole::Epiglottis));
+    const auto& why = desk.find<QLabel>("airwayNotShown");
+    QVERIFY(why.isVisible());
+    QVERIFY2(why.text().contains(QStringLiteral("no epiglottis")), qPrintable(why.text()));
+    for (int kind = 0; kind < kAirwayEventKinds; ++kind) {
+        const QByteArray name = eventName(static_cast<AirwayEventKind>(kind));
+        QVERIFY2(!desk.box(name.constData()).isEnabled(), name.constData());
+        QVERIFY(!desk.find<QLabel>((name + "NotShown").constData()).isVisible());
+    }
+    QCOMPARE(desk.first(), QStringLiteral("airwayOver"));
 }
 
 /// Also each label with its key has the words of the field.

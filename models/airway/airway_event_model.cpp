@@ -99,19 +99,6 @@ QString AirwayEventModel::textOf(const AirwayEvents& events)
     return tr("Airway → %1").arg(eventsText(events));
 }
 
-QString AirwayEventModel::obstacle() const
-{
-    const auto state = m_session.node().state();
-    const auto person = state->participants().find(m_session.node().self());
-    if (person == state->participants().end())
-        return tr("Wait until the session has let you in.");
-    if (m_session.phase() == SessionPhase::Ended)
-        return tr("The session has ended.");
-    if (person->second.role != Role::Instructor)
-        return tr("Only an instructor changes the patient.");
-    return {};
-}
-
 SessionTime AirwayEventModel::now() const { return m_session.node().now().value_or(SessionTime{}); }
 
 AirwayEvents AirwayEventModel::presentEvents() const

@@ -4,6 +4,7 @@
 #include "models/airway/airway_limits.h"
 #include "models/respiration/addressed_stations.h"
 #include "models/respiration/change_steps.h"
+#include "models/session/obstacle_to_change.h"
 #include "models/session/session_model.h"
 
 #include <QPointer>
@@ -71,7 +72,7 @@ public:
     /// The pending change: "Airway → Laryngospasm 100 %"; empty if there is none.
     [[nodiscard]] QString travellingText() const;
     /// One sentence: why this person cannot change anything; empty if they can.
-    [[nodiscard]] QString obstacle() const;
+    [[nodiscard]] QString obstacle() const { return obstacleToChange(m_session); }
 
     [[nodiscard]] bool canUndo() const { return !m_steps.isEmpty(); }
     /// Reverts the last change, at each station where nobody decided otherwise since; at once, also

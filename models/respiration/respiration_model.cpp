@@ -161,19 +161,6 @@ QString RespirationModel::travellingText() const
     return lines.join(QLatin1Char('\n'));
 }
 
-QString RespirationModel::obstacle() const
-{
-    const auto state = m_session.node().state();
-    const auto person = state->participants().find(m_session.node().self());
-    if (person == state->participants().end())
-        return tr("Wait until the session has let you in.");
-    if (m_session.phase() == SessionPhase::Ended)
-        return tr("The session has ended.");
-    if (person->second.role != Role::Instructor)
-        return tr("Only an instructor changes the patient.");
-    return {};
-}
-
 RespirationModel::Decision RespirationModel::decidedAt(StationId id, std::size_t thing,
                                                        SessionTime t) const
 {

@@ -6,6 +6,7 @@
 #include "engine/session/respiration/respiration_rules.h"
 #include "models/respiration/addressed_stations.h"
 #include "models/respiration/change_steps.h"
+#include "models/session/obstacle_to_change.h"
 #include "models/session/session_model.h"
 
 #include <array>
@@ -71,7 +72,7 @@ public:
     /// there are none.
     [[nodiscard]] QString travellingText() const;
     /// One sentence: why this person cannot change anything; empty if they can.
-    [[nodiscard]] QString obstacle() const;
+    [[nodiscard]] QString obstacle() const { return obstacleToChange(m_session); }
 
     [[nodiscard]] bool canUndo() const { return !m_steps.isEmpty(); }
     /// Reverts the last change, at each station where nobody decided otherwise since.

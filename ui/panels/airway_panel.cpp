@@ -234,7 +234,7 @@ void AirwayPanel::refresh()
     refreshPreset();
     for (std::size_t place = 0; place < m_rows.size(); ++place)
         refreshRow(static_cast<AirwayEventKind>(place));
-    bringKeyboardToWhatCanBeSet();
+    offerWhatCanBeSet();
     m_clear->setEnabled(!m_model->isClear());
     m_travelling->setText(m_model->travellingText());
 }
@@ -262,11 +262,12 @@ void AirwayPanel::refreshRow(AirwayEventKind kind)
     sayOrHide(*row.notShown, notShown);
 }
 
-/// As the panel gets it.
-void AirwayPanel::bringKeyboardToWhatCanBeSet()
+/// Presets where any event can be set. The keyboard comes to the first event that can.
+void AirwayPanel::offerWhatCanBeSet()
 {
     const auto row = std::ranges::find_if(
         m_rows, [this](const Row& at) { return at.severity->isEnabledTo(m_controls); });
+    m_presets->setEnabled(row != m_rows.end());
     setFocusProxy(row == m_rows.end() ? m_over : row->severity);
 }
 

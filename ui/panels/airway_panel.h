@@ -53,7 +53,7 @@ private:
     void refresh();
     void refreshPreset();
     void refreshRow(AirwayEventKind kind);
-    void bringKeyboardToWhatCanBeSet();
+    void offerWhatCanBeSet();
 
     AirwayEventModel* m_model = nullptr;
     QLabel* m_obstacle;

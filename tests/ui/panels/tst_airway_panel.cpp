@@ -307,6 +307,7 @@ void TestAirwayPanel::saysWhyAPatientShowsNoEvent()
         QVERIFY2(!desk.box(name.constData()).isEnabled(), name.constData());
         QVERIFY(!desk.find<QLabel>((name + "NotShown").constData()).isVisible());
     }
+    QVERIFY(!desk.find<QComboBox>("airwayPreset").isEnabled());
     QCOMPARE(desk.first(), QStringLiteral("airwayOver"));
 }
 

@@ -1,15 +1,20 @@
 #pragma once
 
 #include "engine/session/airway/airway_rules.h"
-#include "models/respiration/addressed_stations.h"
-#include "models/respiration/change_steps.h"
+#include "models/airway/airway_limits.h"
+#include "models/respiration/patient_changes.h"
+#include "models/session/obstacle_to_change.h"
 #include "models/session/session_model.h"
 
+#include <QPointer>
+
 #include <optional>
-#include <vector>
+#include <string>
 
 namespace carina
 {
+
+class SessionPatient;
 
 /// The events of one station's airway, as an instructor sees and changes them.
 ///
@@ -29,21 +34,33 @@ public:
     /// was changed.
     void setStation(StationId station);
     /// Adds its changes to a history from now on, by which alone they are to be undone.
-    void setHistory(ChangeHistory& history) { m_steps.setHistory(history); }
+    void setHistory(ChangeHistory& history) { m_changes.setHistory(history); }
     /// Whether a change is for the patients of all open stations, by one fact with one effect time.
-    void setForAll(bool all) { m_stations.all = all; }
+    void setForAll(bool all);
+    /// Tells from now on also what the patient cannot show that lies at the station, as soon as it
+    /// is known which one does.
+    void setPatient(const SessionPatient& patient);
 
     /// The severity that was set: requested or, if no change is pending, decided; 0 without one.
     [[nodiscard]] double severity(AirwayEventKind kind) const;
     /// The severity that is to be seen now, while it changes.
     [[nodiscard]] double present(AirwayEventKind kind) const;
+    /// All that was set likewise, without those of severity 0.
+    [[nodiscard]] AirwayEvents events() const { return m_changes.shown(kAirway); }
     /// Whether nothing is set.
-    [[nodiscard]] bool isClear() const { return shown().empty(); }
+    [[nodiscard]] bool isClear() const { return events().empty(); }
+    /// What the patient of the station cannot show of it; nothing while the patient is not known.
+    [[nodiscard]] const AirwayLimits& limits() const { return m_limits; }
+    /// Whether there is anything to set: an event that the patient shows, or one to be ended, or
+    /// one of other patients too.
+    [[nodiscard]] bool canBeSet(AirwayEventKind kind) const;
 
     /// Sets the severity of one event, 0 to 1, and leaves the others as they are set.
     void setSeverity(AirwayEventKind kind, double severity);
+    /// Sets all events at once, as one change; what is not among them ends. @pre areProper(events)
+    void setEvents(const AirwayEvents& events);
     /// Sets no event at all.
-    void clear() { set({}); }
+    void clear() { setEvents({}); }
     /// The time over which severities change, from the next change on; at once at first.
     /// @pre 0 to kLongestAirwayChange
     void setChangeTime(Duration over) { m_over = over; }
@@ -53,57 +70,46 @@ public:
     /// The pending change: "Airway → Laryngospasm 100 %"; empty if there is none.
     [[nodiscard]] QString travellingText() const;
     /// One sentence: why this person cannot change anything; empty if they can.
-    [[nodiscard]] QString obstacle() const;
+    [[nodiscard]] QString obstacle() const { return obstacleToChange(m_session); }
 
-    [[nodiscard]] bool canUndo() const { return !m_steps.isEmpty(); }
+    [[nodiscard]] bool canUndo() const { return m_changes.canUndo(); }
     /// Reverts the last change, at each station where nobody decided otherwise since; at once, also
     /// where it was one over a time.
-    void undo();
+    void undo() { m_changes.undo(); }
 
 Q_SIGNALS:
     /// Anything of the above changed.
     void changed();
 
 private:
-    /// What is set at a station, or at all.
-    struct Setting {
-        StationId station;
-        AirwayEvents events;
-        Duration over{};
-    };
+    /// The airway is one thing of the patient, whichever of its events is changed.
+    using Changes = PatientChanges<AirwayEvents, 1>;
+    static constexpr std::size_t kAirway = 0;
+
     struct Shown {
         AirwayEvents set;
         AirwayEvents present;
         bool isPending = false;
         QString obstacle;
         bool canUndo = false;
+        AirwayLimits limits;
 
         friend bool operator==(const Shown&, const Shown&) = default;
     };
 
-    [[nodiscard]] SessionTime now() const;
+    [[nodiscard]] Changes::Quantities quantities();
     [[nodiscard]] AirwayEvents presentEvents() const;
-    [[nodiscard]] AirwayEvents decidedAt(StationId station, SessionTime t) const;
-    [[nodiscard]] const std::optional<Setting>& pending() const;
-    [[nodiscard]] AirwayEvents shown() const;
-    [[nodiscard]] std::vector<Setting> before() const;
-    [[nodiscard]] bool isUnderWay(const AirwayEvents& sent) const;
-    [[nodiscard]] bool isDecided(StationId station, const AirwayEvents& events) const;
     [[nodiscard]] static QString textOf(const AirwayEvents& events);
-    void set(const AirwayEvents& events);
-    void goBackTo(const std::vector<Setting>& before);
-    void ask(const Setting& setting);
-    void propose(const Setting& setting);
-    void goOn();
+    void lookAtPatient();
     void refresh();
 
     SessionModel& m_session;
-    AddressedStations m_stations;
-    std::optional<Setting> m_sent;   ///< proposed, not in force yet
-    std::optional<Setting> m_latest; ///< to be proposed once m_sent is in force
-    ChangeSteps<Setting> m_steps{*this};
+    Changes m_changes;
     Duration m_over{};
-    Shown m_shown; ///< at the latest changed()
+    QPointer<const SessionPatient> m_patient;
+    AirwayLimits m_limits;
+    std::optional<std::string> m_limitsOf; ///< content hash of the patient whose they are
+    Shown m_shown;                         ///< at the latest changed()
 };
 
 } // namespace carina

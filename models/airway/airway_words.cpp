@@ -25,6 +25,14 @@ QString eventText(AirwayEventKind kind)
         return airwayWords(QT_TRANSLATE_NOOP("Airway", "Laryngeal oedema"));
     case AirwayEventKind::Laryngospasm:
         return airwayWords(QT_TRANSLATE_NOOP("Airway", "Laryngospasm"));
+    case AirwayEventKind::FloppyEpiglottis:
+        return airwayWords(QT_TRANSLATE_NOOP("Airway", "Floppy epiglottis"));
+    case AirwayEventKind::AnteriorLarynx:
+        return airwayWords(QT_TRANSLATE_NOOP("Airway", "Anterior larynx"));
+    case AirwayEventKind::AngioOedema:
+        return airwayWords(QT_TRANSLATE_NOOP("Airway", "Angio-oedema"));
+    case AirwayEventKind::LaryngealWeb:
+        return airwayWords(QT_TRANSLATE_NOOP("Airway", "Laryngeal web"));
     }
     return {};
 }
@@ -48,6 +56,18 @@ QString eventEffect(AirwayEventKind kind)
     case AirwayEventKind::Laryngospasm:
         return airwayWords(QT_TRANSLATE_NOOP(
             "Airway", "The vocal cords shut: in part they leave a slit, at 100 % nothing"));
+    case AirwayEventKind::FloppyEpiglottis:
+        return airwayWords(QT_TRANSLATE_NOOP(
+            "Airway", "The epiglottis falls back over the glottis; a straight blade lifts it"));
+    case AirwayEventKind::AnteriorLarynx:
+        return airwayWords(QT_TRANSLATE_NOOP(
+            "Airway", "The larynx lies farther to the front, out of the line of sight"));
+    case AirwayEventKind::AngioOedema:
+        return airwayWords(QT_TRANSLATE_NOOP(
+            "Airway", "Lips, the front of the tongue and the entrance of the larynx swell"));
+    case AirwayEventKind::LaryngealWeb:
+        return airwayWords(QT_TRANSLATE_NOOP(
+            "Airway", "The vocal cords are joined in front, and leave a tube less room"));
     }
     return {};
 }

@@ -24,7 +24,7 @@ std::vector<AnatomyPart> partsOfThroat(const PatientModel& patient)
 {
     std::vector<AnatomyPart> parts;
     for (const PatientSurface& surface : patient.surfaces()) {
-        if (!isOfThroat(surface.description.role))
+        if (!isOfThroat(surface.description.role) && !isLip(surface.description))
             continue;
         parts.push_back(surface.description);
         parts.back().levels.push_back(*surface.levels.front());

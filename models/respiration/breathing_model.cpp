@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace carina
 {
@@ -57,7 +58,7 @@ bool same(double a, double b) { return std::abs(a - b) <= kSame * std::max(1.0, 
 } // namespace
 
 BreathingModel::BreathingModel(SessionModel& session, StationId station, QObject* parent)
-    : QObject{parent}, m_session{session}, m_stations{station}
+    : QObject{parent}, m_session{session}, m_changes{session, station, *this, quantities()}
 {
     connect(&m_session, &SessionModel::changed, this, &BreathingModel::refresh);
     auto* timer = new QTimer{this};
@@ -65,28 +66,40 @@ BreathingModel::BreathingModel(SessionModel& session, StationId station, QObject
     timer->start(kLookInterval_ms);
 }
 
+BreathingModel::Changes::Quantities BreathingModel::quantities()
+{
+    const auto parameterOf = [](std::size_t thing) { return kBreathingParameters[thing]; };
+    return {.decidedAt =
+                [this, parameterOf](StationId station, std::size_t thing, SessionTime t) {
+                    return valueAt(station, t, parameterOf(thing));
+                },
+            .propose =
+                [this, parameterOf](std::size_t thing, const Setting& setting) {
+                    propose(parameterOf(thing), setting);
+                },
+            .textOf = [parameterOf](std::size_t thing,
+                                    double value) { return textOf(parameterOf(thing), value); },
+            .requested = [this] { Q_EMIT changed(); },
+            .isSame = same};
+}
+
 void BreathingModel::setStation(StationId station)
 {
-    if (std::exchange(m_stations.shown, station) == station)
+    if (!m_changes.setStation(station))
         return;
-    for (const BreathingParameter parameter : kBreathingParameters) // what waits goes now
-        if (const auto& latest = m_wishes[std::size_t(parameter)].latest)
-            propose(parameter, *latest);
-    m_wishes = {};
     refresh();
     Q_EMIT changed();
 }
 
 void BreathingModel::setForAll(bool all)
 {
-    m_stations.all = all;
+    m_changes.setForAll(all);
     refresh();
 }
 
 double BreathingModel::value(BreathingParameter parameter) const
 {
-    const SessionTime now = m_session.node().now().value_or(SessionTime{});
-    return valueAt(m_stations.shown, now, parameter);
+    return m_changes.inForce(std::size_t(parameter));
 }
 
 double BreathingModel::valueAt(StationId id, SessionTime t, BreathingParameter parameter) const
@@ -102,13 +115,12 @@ double BreathingModel::valueAt(StationId id, SessionTime t, BreathingParameter p
 double BreathingModel::ownBreathing() const
 {
     const SessionTime now = m_session.node().now().value_or(SessionTime{});
-    return settingsAt(m_session.node(), m_stations.shown, now).ownBreathing;
+    return settingsAt(m_session.node(), m_changes.stations().shown, now).ownBreathing;
 }
 
 std::optional<double> BreathingModel::pending(BreathingParameter parameter) const
 {
-    const Wish& wish = m_wishes[std::size_t(parameter)];
-    const std::optional<Setting>& wanted = wish.latest ? wish.latest : wish.sent;
+    const std::optional<Setting>& wanted = m_changes.pending(std::size_t(parameter));
     return wanted ? std::optional{wanted->value} : std::nullopt;
 }
 
@@ -117,7 +129,7 @@ int BreathingModel::largestTidalVolume_ml() const
 {
     const SessionNode& node = m_session.node();
     Volume largest = kLargestTidalVolume;
-    for (const StationId station : stationsOf(*node.state(), m_stations.target()))
+    for (const StationId station : stationsOf(*node.state(), m_changes.stations().target()))
         largest = std::min(largest,
                            largestTidalVolume(settingsAt(node, station, SessionTime::max()).build));
     return static_cast<int>(inMillilitres(largest) + kSame);
@@ -149,64 +161,6 @@ QString BreathingModel::textOf(BreathingParameter parameter, double value)
         return tr("Volume of the bag → %1\u00a0ml").arg(value);
     }
     return {};
-}
-
-/// The values that a change would replace, at the shown station also one that is under way.
-std::vector<BreathingModel::Setting> BreathingModel::present(BreathingParameter parameter) const
-{
-    const SessionNode& node = m_session.node();
-    std::vector<Setting> settings;
-    for (const StationId station : stationsOf(*node.state(), m_stations.target()))
-        settings.push_back({station, valueAt(station, SessionTime::max(), parameter)});
-    const auto underWay = pending(parameter);
-    for (Setting& setting : settings)
-        if (setting.station == m_stations.shown)
-            setting.value = underWay.value_or(value(parameter));
-    return settings;
-}
-
-void BreathingModel::set(BreathingParameter parameter, double value)
-{
-    const std::vector<Setting> before = present(parameter);
-    if (std::ranges::all_of(before, [&](const Setting& at) { return same(value, at.value); }))
-        return;
-    // A drag is one change: only its first step is what undo goes back to.
-    const QString text = textOf(parameter, value);
-    const Setting wanted{m_stations.target(), value, m_over};
-    if (pending(parameter) && m_steps.lastIsAbout(std::size_t(parameter), wanted.station))
-        m_steps.goOn(wanted, text);
-    else
-        m_steps.add(std::size_t(parameter), wanted, before, text, [this](const auto& step) {
-            goBackTo(static_cast<BreathingParameter>(step.thing), step.before);
-        });
-    ask(parameter, wanted);
-}
-
-void BreathingModel::undo()
-{
-    if (const auto step = m_steps.takeLast())
-        goBackTo(static_cast<BreathingParameter>(step->thing), step->before);
-}
-
-void BreathingModel::goBackTo(BreathingParameter parameter, const std::vector<Setting>& before)
-{
-    for (const Setting& at : before)
-        if (at.station == m_stations.shown)
-            ask(parameter, at);
-        else
-            propose(parameter, at);
-}
-
-void BreathingModel::ask(BreathingParameter parameter, const Setting& setting)
-{
-    Wish& wish = m_wishes[std::size_t(parameter)];
-    if (wish.sent) {
-        wish.latest = setting;
-    } else {
-        wish.sent = setting;
-        propose(parameter, setting);
-    }
-    Q_EMIT changed();
 }
 
 void BreathingModel::propose(BreathingParameter parameter, const Setting& setting)
@@ -249,45 +203,14 @@ void BreathingModel::proposeBag(BreathingParameter parameter, const Setting& set
 /// What is decided there or was asked for.
 double BreathingModel::askedAt(StationId station, BreathingParameter parameter) const
 {
-    const Wish& wish = m_wishes[std::size_t(parameter)];
-    const std::optional<Setting>& wanted = wish.latest ? wish.latest : wish.sent;
+    const std::optional<Setting>& wanted = m_changes.pending(std::size_t(parameter));
     const bool isMeant = wanted && (wanted->station == station || wanted->station == kAllStations);
     return isMeant ? wanted->value : valueAt(station, SessionTime::max(), parameter);
 }
 
-bool BreathingModel::isUnderWay(BreathingParameter parameter, double sent) const
-{
-    const SessionNode& node = m_session.node();
-    if (same(value(parameter), sent))
-        return false; // in force
-    if (!node.pending().empty())
-        return true; // the host has not answered yet
-    // Decided for later, unless the host refused it or somebody decided otherwise since.
-    return same(valueAt(m_stations.shown, SessionTime::max(), parameter), sent);
-}
-
-/// Whether this is what is decided, or is asked for and not answered yet.
-bool BreathingModel::isSo(BreathingParameter parameter, StationId station, double value) const
-{
-    return m_wishes[std::size_t(parameter)].sent
-           || (m_session.node().state()->isOpen(station)
-               && same(valueAt(station, SessionTime::max(), parameter), value));
-}
-
 void BreathingModel::refresh()
 {
-    for (const BreathingParameter parameter : kBreathingParameters) {
-        Wish& wish = m_wishes[std::size_t(parameter)];
-        if (wish.sent && !isUnderWay(parameter, wish.sent->value)) {
-            wish.sent.reset();
-            if (const auto next = std::exchange(wish.latest, std::nullopt))
-                ask(parameter, *next);
-        }
-    }
-    if (m_session.node().pending().empty())
-        m_steps.dropOverruled([this](const auto& step, StationId station) {
-            return isSo(static_cast<BreathingParameter>(step.thing), station, step.set.value);
-        });
+    m_changes.follow();
     Shown shown{{}, largestTidalVolume_ml(), ownBreathing(), canUndo()};
     for (const BreathingParameter parameter : kBreathingParameters)
         shown.values[std::size_t(parameter)] = {value(parameter), pending(parameter)};

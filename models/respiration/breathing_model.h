@@ -1,14 +1,12 @@
 #pragma once
 
 #include "engine/session/facts/fact_rules.h"
-#include "models/respiration/addressed_stations.h"
-#include "models/respiration/change_steps.h"
+#include "models/respiration/patient_changes.h"
 #include "models/session/session_model.h"
 
 #include <array>
 #include <optional>
 #include <utility>
-#include <vector>
 
 namespace carina
 {
@@ -43,8 +41,8 @@ public:
     /// was changed.
     void setStation(StationId station);
     /// Adds its changes to a history from now on, by which alone they are to be undone.
-    void setHistory(ChangeHistory& history) { m_steps.setHistory(history); }
-    [[nodiscard]] bool hasHistory() const { return m_steps.hasHistory(); }
+    void setHistory(ChangeHistory& history) { m_changes.setHistory(history); }
+    [[nodiscard]] bool hasHistory() const { return m_changes.hasHistory(); }
     /// Whether a change is for the patients of all open stations, by one fact with one effect time;
     /// rate and volume of the bag, which are one fact, by one for each station.
     void setForAll(bool all);
@@ -58,33 +56,28 @@ public:
     /// The pending changes, one per line: "Breathing rate → 24 /min"; empty if there are none.
     [[nodiscard]] QString travellingText() const;
 
-    [[nodiscard]] bool canUndo() const { return !m_steps.isEmpty(); }
+    [[nodiscard]] bool canUndo() const { return m_changes.canUndo(); }
 
-    void set(BreathingParameter parameter, double value);
+    void set(BreathingParameter parameter, double value)
+    {
+        m_changes.set(std::size_t(parameter), value, m_over);
+    }
     /// How long breathing takes to stop or to go on again, from the next such change on.
     void setStoppingTime(Duration over) { m_over = over; }
     /// The share of the patient's own breathing that is left now, 0 to 1.
     [[nodiscard]] double ownBreathing() const;
     /// Sets the parameter changed last back to what it was before, at each station where nobody
     /// decided otherwise since; at once, also where the change was one over a time.
-    void undo();
+    void undo() { m_changes.undo(); }
 
 Q_SIGNALS:
     /// Values, their bounds, what is pending, or whether undo is possible changed.
     void changed();
 
 private:
-    /// A value at a station, or at all.
-    struct Setting {
-        StationId station;
-        double value = 0.0;
-        Duration over{}; ///< how long breathing takes to stop or to go on
-    };
-    /// The requested values of one parameter.
-    struct Wish {
-        std::optional<Setting> sent;   ///< proposed, not in force yet
-        std::optional<Setting> latest; ///< to be proposed once `sent` is in force
-    };
+    /// The parameters by their numbers.
+    using Changes = PatientChanges<double, kBreathingParameters.size()>;
+    using Setting = Changes::Setting;
 
     struct Shown {
         std::array<std::pair<double, std::optional<double>>, kBreathingParameters.size()> values;
@@ -95,23 +88,17 @@ private:
         friend bool operator==(const Shown&, const Shown&) = default;
     };
 
+    [[nodiscard]] Changes::Quantities quantities();
     [[nodiscard]] static QString textOf(BreathingParameter parameter, double value);
     [[nodiscard]] double valueAt(StationId station, SessionTime t,
                                  BreathingParameter parameter) const;
-    [[nodiscard]] std::vector<Setting> present(BreathingParameter parameter) const;
     [[nodiscard]] double askedAt(StationId station, BreathingParameter parameter) const;
-    [[nodiscard]] bool isSo(BreathingParameter parameter, StationId station, double value) const;
-    void goBackTo(BreathingParameter parameter, const std::vector<Setting>& before);
-    void ask(BreathingParameter parameter, const Setting& setting);
-    [[nodiscard]] bool isUnderWay(BreathingParameter parameter, double sent) const;
     void propose(BreathingParameter parameter, const Setting& setting);
     void proposeBag(BreathingParameter parameter, const Setting& setting);
     void refresh();
 
     SessionModel& m_session;
-    AddressedStations m_stations;
-    std::array<Wish, kBreathingParameters.size()> m_wishes;
-    ChangeSteps<Setting> m_steps{*this};
+    Changes m_changes;
     Duration m_over{};
     Shown m_shown; ///< at the latest changed()
 };

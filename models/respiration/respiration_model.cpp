@@ -4,7 +4,6 @@
 
 #include <QTimer>
 
-#include <algorithm>
 #include <utility>
 
 namespace carina
@@ -51,7 +50,7 @@ struct DecisionFact {
 } // namespace
 
 RespirationModel::RespirationModel(SessionModel& session, StationId station, QObject* parent)
-    : QObject{parent}, m_session{session}, m_stations{station}
+    : QObject{parent}, m_session{session}, m_changes{session, station, *this, quantities()}
 {
     connect(&m_session, &SessionModel::changed, this, &RespirationModel::refresh);
     auto* timer = new QTimer{this};
@@ -59,25 +58,41 @@ RespirationModel::RespirationModel(SessionModel& session, StationId station, QOb
     timer->start(kRespirationLook_ms);
 }
 
+RespirationModel::Changes::Quantities RespirationModel::quantities()
+{
+    return {.decidedAt = [this](StationId station, std::size_t thing,
+                                SessionTime t) { return decidedAt(station, thing, t); },
+            .propose =
+                [this](std::size_t /*thing*/, const Changes::Setting& setting) {
+                    m_session.node().propose(setting.station,
+                                             std::visit(DecisionFact{}, setting.value));
+                },
+            .textOf = [](std::size_t thing,
+                         const Decision& decision) { return textOf(thing, decision); },
+            .requested = [this] { Q_EMIT changed(); }};
+}
+
 void RespirationModel::setStation(StationId station)
 {
-    if (std::exchange(m_stations.shown, station) == station)
+    if (!m_changes.setStation(station))
         return;
-    for (const Wish& wish : m_wishes) // what waits goes now
-        if (wish.latest)
-            propose(*wish.latest);
-    m_wishes = {};
     refresh();
     Q_EMIT changed();
 }
 
-LungConditions RespirationModel::conditions() const { return std::get<LungConditions>(shown(0)); }
+LungConditions RespirationModel::conditions() const
+{
+    return std::get<LungConditions>(m_changes.shown(0));
+}
 VentilatorSettings RespirationModel::ventilator() const
 {
-    return std::get<VentilatorSettings>(shown(1));
+    return std::get<VentilatorSettings>(m_changes.shown(1));
 }
-Length RespirationModel::tube() const { return std::get<Length>(shown(2)); }
-BodyPosition RespirationModel::position() const { return std::get<BodyPosition>(shown(3)); }
+Length RespirationModel::tube() const { return std::get<Length>(m_changes.shown(2)); }
+BodyPosition RespirationModel::position() const
+{
+    return std::get<BodyPosition>(m_changes.shown(3));
+}
 
 std::optional<LungConditions> RespirationModel::with(std::size_t place, ConditionKind kind) const
 {
@@ -139,13 +154,13 @@ void RespirationModel::removeCondition(std::size_t place)
 
 QString RespirationModel::inForceText() const
 {
-    const auto conditions = std::get<LungConditions>(inForce(0));
+    const auto conditions = std::get<LungConditions>(m_changes.inForce(0));
     QString ailment = conditionText(conditions);
     if (ownBreathing() == 0.0)
         ailment = conditions.empty()
                       ? tr("Own breathing has stopped")
                       : tr("%1; own breathing has stopped", "what ails the patient").arg(ailment);
-    const auto position = std::get<BodyPosition>(inForce(3));
+    const auto position = std::get<BodyPosition>(m_changes.inForce(3));
     if (position == BodyPosition::Supine)
         return ailment;
     return tr("%1; %2", "what ails the patient; how it lies")
@@ -156,22 +171,9 @@ QString RespirationModel::travellingText() const
 {
     QStringList lines;
     for (std::size_t thing = 0; thing < kThings; ++thing)
-        if (const auto decision = pending(thing))
-            lines << tr(kThingNames[thing]).arg(std::visit(DecisionText{}, *decision));
+        if (const auto& wanted = m_changes.pending(thing))
+            lines << textOf(thing, wanted->value);
     return lines.join(QLatin1Char('\n'));
-}
-
-QString RespirationModel::obstacle() const
-{
-    const auto state = m_session.node().state();
-    const auto person = state->participants().find(m_session.node().self());
-    if (person == state->participants().end())
-        return tr("Wait until the session has let you in.");
-    if (m_session.phase() == SessionPhase::Ended)
-        return tr("The session has ended.");
-    if (person->second.role != Role::Instructor)
-        return tr("Only an instructor changes the patient.");
-    return {};
 }
 
 RespirationModel::Decision RespirationModel::decidedAt(StationId id, std::size_t thing,
@@ -187,127 +189,35 @@ RespirationModel::Decision RespirationModel::decidedAt(StationId id, std::size_t
     return decisions[thing];
 }
 
-RespirationModel::Decision RespirationModel::inForce(std::size_t thing) const
-{
-    return decidedAt(m_stations.shown, thing, m_session.node().now().value_or(SessionTime{}));
-}
-
 /// The share that is left of it now.
 double RespirationModel::ownBreathing() const
 {
     const auto state = m_session.node().state();
-    const auto station = state->stations().find(m_stations.shown);
+    const auto station = state->stations().find(m_changes.stations().shown);
     const SessionTime now = m_session.node().now().value_or(SessionTime{});
     return station == state->stations().end()
                ? 1.0
                : station->second.respiration.settingsAt(now).ownBreathing;
 }
 
-std::optional<RespirationModel::Decision> RespirationModel::pending(std::size_t thing) const
+QString RespirationModel::textOf(std::size_t thing, const Decision& decision)
 {
-    const Wish& wish = m_wishes[thing];
-    const std::optional<Setting>& wanted = wish.latest ? wish.latest : wish.sent;
-    return wanted ? std::optional{wanted->decision} : std::nullopt;
-}
-
-RespirationModel::Decision RespirationModel::shown(std::size_t thing) const
-{
-    return pending(thing).value_or(inForce(thing));
-}
-
-/// The values that a change would replace, at the shown station also one that is under way.
-std::vector<RespirationModel::Setting> RespirationModel::present(std::size_t thing) const
-{
-    std::vector<Setting> settings;
-    for (const StationId id : stationsOf(*m_session.node().state(), m_stations.target()))
-        settings.push_back(
-            {id, id == m_stations.shown ? shown(thing) : decidedAt(id, thing, SessionTime::max())});
-    return settings;
+    return tr(kThingNames[thing]).arg(std::visit(DecisionText{}, decision));
 }
 
 void RespirationModel::set(const Decision& decision)
 {
-    const std::size_t thing = decision.index();
-    const std::vector<Setting> before = present(thing);
-    const auto isSo = [&](const Setting& at) { return at.decision == decision; };
-    if (std::ranges::all_of(before, isSo) || !obstacle().isEmpty())
-        return;
-    // A drag is one change: only its first step is what undo goes back to.
-    const QString text = tr(kThingNames[thing]).arg(std::visit(DecisionText{}, decision));
-    const Setting wanted{m_stations.target(), decision};
-    if (pending(thing) && m_steps.lastIsAbout(thing, wanted.station))
-        m_steps.goOn(wanted, text);
-    else
-        m_steps.add(thing, wanted, before, text,
-                    [this](const auto& step) { goBackTo(step.before); });
-    ask(wanted);
-}
-
-void RespirationModel::undo()
-{
-    if (const auto step = m_steps.takeLast())
-        goBackTo(step->before);
-}
-
-void RespirationModel::goBackTo(const std::vector<Setting>& before)
-{
-    for (const Setting& at : before)
-        if (at.station == m_stations.shown)
-            ask(at);
-        else
-            propose(at);
-}
-
-void RespirationModel::ask(const Setting& setting)
-{
-    Wish& wish = m_wishes[setting.decision.index()];
-    if (wish.sent) {
-        wish.latest = setting;
-    } else {
-        wish.sent = setting;
-        propose(setting);
-    }
-    Q_EMIT changed();
-}
-
-void RespirationModel::propose(const Setting& setting)
-{
-    m_session.node().propose(setting.station, std::visit(DecisionFact{}, setting.decision));
-}
-
-bool RespirationModel::isUnderWay(const Decision& sent) const
-{
-    if (inForce(sent.index()) == sent)
-        return false;
-    if (!m_session.node().pending().empty())
-        return true; // the host has not answered yet
-    // Decided for later, unless the host refused it or somebody decided otherwise since.
-    return decidedAt(m_stations.shown, sent.index(), SessionTime::max()) == sent;
-}
-
-bool RespirationModel::isDecided(StationId station, const Decision& decision) const
-{
-    return m_session.node().state()->isOpen(station)
-           && decidedAt(station, decision.index(), SessionTime::max()) == decision;
+    if (obstacle().isEmpty())
+        m_changes.set(decision.index(), decision);
 }
 
 void RespirationModel::refresh()
 {
-    for (Wish& wish : m_wishes) {
-        if (!wish.sent || isUnderWay(wish.sent->decision))
-            continue;
-        wish.sent.reset();
-        if (const auto next = std::exchange(wish.latest, std::nullopt))
-            ask(*next);
-    }
-    if (m_session.node().pending().empty())
-        m_steps.dropOverruled([this](const auto& step, StationId station) {
-            return m_wishes[step.thing].sent || isDecided(station, step.set.decision);
-        });
+    m_changes.follow();
     Shown now;
     for (std::size_t thing = 0; thing < kThings; ++thing) {
-        now.decisions[thing] = shown(thing);
-        now.pending[thing] = pending(thing).has_value();
+        now.decisions[thing] = m_changes.shown(thing);
+        now.pending[thing] = m_changes.pending(thing).has_value();
     }
     now.obstacle = obstacle();
     now.canUndo = canUndo();

@@ -4,15 +4,14 @@
 #include "engine/lungs/mechanics/ventilation.h"
 #include "engine/session/facts/fact_rules.h"
 #include "engine/session/respiration/respiration_rules.h"
-#include "models/respiration/addressed_stations.h"
-#include "models/respiration/change_steps.h"
+#include "models/respiration/patient_changes.h"
+#include "models/session/obstacle_to_change.h"
 #include "models/session/session_model.h"
 
 #include <array>
 #include <optional>
 #include <utility>
 #include <variant>
-#include <vector>
 
 namespace carina
 {
@@ -36,10 +35,10 @@ public:
     /// was changed.
     void setStation(StationId station);
     /// Adds its changes to a history from now on, by which alone they are to be undone.
-    void setHistory(ChangeHistory& history) { m_steps.setHistory(history); }
-    [[nodiscard]] bool hasHistory() const { return m_steps.hasHistory(); }
+    void setHistory(ChangeHistory& history) { m_changes.setHistory(history); }
+    [[nodiscard]] bool hasHistory() const { return m_changes.hasHistory(); }
     /// Whether a change is for the patients of all open stations, by one fact with one effect time.
-    void setForAll(bool all) { m_stations.all = all; }
+    void setForAll(bool all) { m_changes.setForAll(all); }
 
     // The value requested or, if no change is pending, in force.
     [[nodiscard]] LungConditions conditions() const;
@@ -71,11 +70,11 @@ public:
     /// there are none.
     [[nodiscard]] QString travellingText() const;
     /// One sentence: why this person cannot change anything; empty if they can.
-    [[nodiscard]] QString obstacle() const;
+    [[nodiscard]] QString obstacle() const { return obstacleToChange(m_session); }
 
-    [[nodiscard]] bool canUndo() const { return !m_steps.isEmpty(); }
+    [[nodiscard]] bool canUndo() const { return m_changes.canUndo(); }
     /// Reverts the last change, at each station where nobody decided otherwise since.
-    void undo();
+    void undo() { m_changes.undo(); }
 
 Q_SIGNALS:
     /// Anything of the above changed.
@@ -85,17 +84,8 @@ private:
     /// One of the quantities; its index in the variant says which.
     using Decision = std::variant<LungConditions, VentilatorSettings, Length, BodyPosition>;
     static constexpr std::size_t kThings = std::variant_size_v<Decision>;
+    using Changes = PatientChanges<Decision, kThings>;
 
-    /// A value for a station, or for all.
-    struct Setting {
-        StationId station;
-        Decision decision;
-    };
-    /// The requested values of one quantity.
-    struct Wish {
-        std::optional<Setting> sent;   ///< proposed, not in force yet
-        std::optional<Setting> latest; ///< to be proposed once `sent` is in force
-    };
     struct Shown {
         std::array<Decision, kThings> decisions{LungConditions{}, VentilatorSettings{}, Length{},
                                                 BodyPosition{}};
@@ -106,25 +96,16 @@ private:
         friend bool operator==(const Shown&, const Shown&) = default;
     };
 
+    [[nodiscard]] Changes::Quantities quantities();
     [[nodiscard]] Decision decidedAt(StationId station, std::size_t thing, SessionTime t) const;
-    [[nodiscard]] std::vector<Setting> present(std::size_t thing) const;
-    [[nodiscard]] Decision inForce(std::size_t thing) const;
     [[nodiscard]] double ownBreathing() const;
-    [[nodiscard]] std::optional<Decision> pending(std::size_t thing) const;
-    [[nodiscard]] Decision shown(std::size_t thing) const;
-    [[nodiscard]] bool isUnderWay(const Decision& sent) const;
-    [[nodiscard]] bool isDecided(StationId station, const Decision& decision) const;
     [[nodiscard]] std::optional<LungConditions> with(std::size_t place, ConditionKind kind) const;
+    [[nodiscard]] static QString textOf(std::size_t thing, const Decision& decision);
     void set(const Decision& decision);
-    void goBackTo(const std::vector<Setting>& before);
-    void ask(const Setting& setting);
-    void propose(const Setting& setting);
     void refresh();
 
     SessionModel& m_session;
-    AddressedStations m_stations;
-    std::array<Wish, kThings> m_wishes;
-    ChangeSteps<Setting> m_steps{*this};
+    Changes m_changes;
     Shown m_shown; ///< at the latest changed()
 };
 

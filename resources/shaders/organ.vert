@@ -38,13 +38,14 @@ uniform mat4 jaw;    // columns: turn; shift; all 0 while the mouth is closed
 // Columns: across and acrossFrom; along and alongFrom; up and upFrom; closing, front, wider, outer; all 0 while
 // a lumen is as wide as in the surfaces.
 uniform mat4 cords;
+uniform mat4 web;
 uniform mat4 vestibule;
 uniform mat4 pharynx;
 // Columns: centre and perAcross2; axis and perAlong2; shift and outward; soft2, isFlat, tissues.
 struct Swelling {
     mat4 form;
 };
-uniform Swelling swellings[6];
+uniform Swelling swellings[10];
 #endif
 #ifdef BLADE_PUSHES
 // Columns: across and acrossFrom; out and outFrom; along and alongFrom; rise, sag, halfWidth.
@@ -343,12 +344,14 @@ void changeAirway(inout vec3 position, inout vec3 normal)
 {
     if (vertexPart.y < kThroat)
         return;
-    if (vertexPart.y == kLarynx)
+    if (vertexPart.y == kLarynx) {
         narrow(cords, position, normal);
+        narrow(web, position, normal);
+    }
     narrow(vestibule, position, normal);
     narrow(pharynx, position, normal);
     int tissue = 1 << int(vertexPart.y - kThroat);
-    for (int i = 0; i < 6; ++i)
+    for (int i = 0; i < 10; ++i)
         if ((int(swellings[i].form[3].z) & tissue) != 0)
             swell(swellings[i].form, position, normal);
 }

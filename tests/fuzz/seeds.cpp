@@ -174,9 +174,10 @@ std::vector<std::string> factBodies()
                            {{1, 3, LessonStyle::Ghost}, {7, 7, LessonStyle::Solid, true, true}}}},
         fact::LessonEnded{},
         fact::ParticipantFellSilent{self},
-        fact::AirwayEventsSet{
-            {{AirwayEventKind::TongueOedema, 0.5}, {AirwayEventKind::Laryngospasm, 1.0}},
-            std::chrono::seconds{30}}};
+        fact::AirwayEventsSet{{{AirwayEventKind::TongueOedema, 0.5},
+                               {AirwayEventKind::Laryngospasm, 1.0},
+                               {AirwayEventKind::LaryngealWeb, 0.25}},
+                              std::chrono::seconds{30}}};
     static_assert(std::size(bodies) == std::variant_size_v<FactBody>, "one of each kind");
     std::vector<std::string> all;
     const auto add = [&all](const FactBody& body) {

@@ -87,6 +87,7 @@ void InstructorWindow::fillPanels(const ProgramTracker& tracker)
 {
     m_ui->breathing->setModel(m_models.breathing);
     m_ui->condition->setModel(m_models.respiration);
+    m_models.airway.setPatient(m_models.patient);
     m_ui->airway->setModel(m_models.airway);
     m_ui->waveforms->setTrace(m_models.trace);
     m_ui->laryngoscope->setStation(stationScene());

@@ -1,16 +1,21 @@
 #include "ui/panels/airway_panel.h"
 
+#include "models/airway/airway_presets.h"
 #include "models/airway/airway_words.h"
 #include "models/text/shown_as_is.h"
 #include "ui/refusal_line.h"
 #include "widgets/checked_spin_box.h"
 #include "widgets/plain_label.h"
 
+#include <QComboBox>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace carina
 {
@@ -18,18 +23,26 @@ namespace
 {
 
 constexpr int kSeverityStep_percent = 10;
+constexpr int kMostPercent = 100;
 constexpr int kChangeStep_s = 5;
 constexpr int kEventGap = 4; ///< pixels
+constexpr int kPresetLetters = 16;
 
 /// The kinds with their keys, in the order of the enumerators.
-constexpr std::array kEventLabels{QT_TRANSLATE_NOOP("carina::AirwayPanel", "&Tongue oedema"),
+constexpr std::array kEventLabels{QT_TRANSLATE_NOOP("carina::AirwayPanel", "Tong&ue oedema"),
                                   QT_TRANSLATE_NOOP("carina::AirwayPanel", "Pharyngeal &swelling"),
                                   QT_TRANSLATE_NOOP("carina::AirwayPanel", "Epig&lottitis"),
                                   QT_TRANSLATE_NOOP("carina::AirwayPanel", "La&ryngeal oedema"),
-                                  QT_TRANSLATE_NOOP("carina::AirwayPanel", "Lary&ngospasm")};
+                                  QT_TRANSLATE_NOOP("carina::AirwayPanel", "Lary&ngospasm"),
+                                  QT_TRANSLATE_NOOP("carina::AirwayPanel", "Floppy epiglo&ttis"),
+                                  QT_TRANSLATE_NOOP("carina::AirwayPanel", "Anterior laryn&x"),
+                                  QT_TRANSLATE_NOOP("carina::AirwayPanel", "Ang&io-oedema"),
+                                  QT_TRANSLATE_NOOP("carina::AirwayPanel", "Laryngeal we&b")};
 static_assert(kEventLabels.size() == kAirwayEventKinds);
 
 std::size_t placeOf(AirwayEventKind kind) { return static_cast<std::size_t>(kind); }
+
+QString textOfPresent(int percent) { return AirwayPanel::tr("now %1\u00a0%").arg(percent); }
 
 int percentOf(double severity) { return qRound(100.0 * severity); }
 
@@ -48,12 +61,21 @@ void showSeverity(QSlider& slider, int percent)
         slider.setValue(percent);
 }
 
+/// Where there is nothing to say it takes no room.
+void sayOrHide(QLabel& label, const QString& text)
+{
+    label.setText(text);
+    label.setVisible(!text.isEmpty());
+}
+
 } // namespace
 
 AirwayPanel::AirwayPanel(QWidget* parent)
     : QWidget{parent},
       m_obstacle{new PlainLabel},
+      m_notShown{new PlainLabel},
       m_controls{new QWidget},
+      m_presets{new QComboBox},
       m_over{new CheckedSpinBox},
       m_clear{new QPushButton{tr("&Clear airway")}},
       m_refused{new RefusalLine},
@@ -71,9 +93,12 @@ void AirwayPanel::layOut()
     auto* controls = new QVBoxLayout{m_controls};
     controls->setContentsMargins({});
     controls->setSpacing(kEventGap);
+    addPresets(*controls);
     addTime(*controls);
+    auto* rows = new QGridLayout;
+    controls->addLayout(rows);
     for (std::size_t place = 0; place < m_rows.size(); ++place)
-        m_rows[place] = addRow(*controls, static_cast<AirwayEventKind>(place));
+        m_rows[place] = addRow(*rows, static_cast<AirwayEventKind>(place));
     m_clear->setObjectName(QStringLiteral("clearAirway"));
     m_clear->setToolTip(tr("All events of the airway go, over the time of a change (Alt+C)"));
     controls->addWidget(m_clear);
@@ -83,11 +108,34 @@ void AirwayPanel::layOut()
     m_travelling->setMinimumHeight(m_travelling->fontMetrics().lineSpacing());
     m_obstacle->setObjectName(QStringLiteral("airwayObstacle"));
     m_obstacle->setWordWrap(true);
+    m_notShown->setObjectName(QStringLiteral("airwayNotShown"));
+    m_notShown->setWordWrap(true);
     auto* column = new QVBoxLayout{this};
-    for (QWidget* widget : {static_cast<QWidget*>(m_obstacle), m_controls,
-                            static_cast<QWidget*>(m_refused), static_cast<QWidget*>(m_travelling)})
+    for (QWidget* widget :
+         {static_cast<QWidget*>(m_obstacle), static_cast<QWidget*>(m_notShown), m_controls,
+          static_cast<QWidget*>(m_refused), static_cast<QWidget*>(m_travelling)})
         column->addWidget(widget);
     column->addStretch(1);
+}
+
+void AirwayPanel::addPresets(QBoxLayout& column)
+{
+    m_presets->setObjectName(QStringLiteral("airwayPreset"));
+    m_presets->setAccessibleName(tr("Preset of the airway"));
+    m_presets->setToolTip(tr("Sets all events as one change, over the time of a change; Custom "
+                             "stands here where the severities are of no preset"));
+    m_presets->setPlaceholderText(tr("Custom"));
+    m_presets->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_presets->setMinimumContentsLength(kPresetLetters);
+    for (const AirwayPreset& preset : airwayPresets())
+        m_presets->addItem(presetText(preset),
+                           QByteArray{preset.name.data(), qsizetype(preset.name.size())});
+    auto* label = new PlainLabel{tr("Se&veral by preset")};
+    label->setBuddy(m_presets);
+    auto* row = new QHBoxLayout;
+    row->addWidget(label);
+    row->addWidget(m_presets, 1);
+    column.addLayout(row);
 }
 
 void AirwayPanel::addTime(QBoxLayout& column)
@@ -109,42 +157,48 @@ void AirwayPanel::addTime(QBoxLayout& column)
     column.addLayout(row);
 }
 
-/// Its name, the present severity and the box stand above the slider.
-AirwayPanel::Row AirwayPanel::addRow(QBoxLayout& column, AirwayEventKind kind)
+/// Name, box and slider, and room for the present severity, so that nothing moves when it appears;
+/// below, what the patient does not show of it.
+AirwayPanel::Row AirwayPanel::addRow(QGridLayout& rows, AirwayEventKind kind)
 {
-    const Row row{new PlainLabel, new CheckedSpinBox, new QSlider{Qt::Horizontal}};
+    const Row row{new PlainLabel, new CheckedSpinBox, new QSlider{Qt::Horizontal}, new PlainLabel};
     const QString name = QLatin1String{eventName(kind)};
     const QString effect = eventEffect(kind);
     row.severity->setObjectName(name);
     row.severity->setAccessibleName(tr("%1, severity in per cent").arg(eventText(kind)));
     row.severity->setToolTip(shownAsIs(effect));
-    row.severity->setRange(0, 100);
+    row.severity->setRange(0, kMostPercent);
     row.severity->setSingleStep(kSeverityStep_percent);
     row.severity->setSuffix(tr(" %"));
     row.severity->setAlignment(Qt::AlignRight);
     row.slider->setObjectName(name + QStringLiteral("Slider"));
     row.slider->setAccessibleName(tr("%1, severity slider").arg(eventText(kind)));
     row.slider->setToolTip(shownAsIs(effect));
-    row.slider->setRange(0, 100);
+    row.slider->setRange(0, kMostPercent);
     row.slider->setPageStep(kSeverityStep_percent);
     row.present->setObjectName(name + QStringLiteral("Now"));
     row.present->setAccessibleName(tr("%1, present severity").arg(eventText(kind)));
     row.present->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    row.present->setMinimumWidth(
+        row.present->fontMetrics().horizontalAdvance(textOfPresent(kMostPercent)));
+    row.notShown->setObjectName(name + QStringLiteral("NotShown"));
+    row.notShown->setWordWrap(true);
     auto* label = new PlainLabel{tr(kEventLabels[placeOf(kind)])};
     label->setBuddy(row.severity);
     label->setToolTip(shownAsIs(effect));
-    auto* line = new QHBoxLayout;
-    line->addWidget(label);
-    line->addWidget(row.present, 1);
-    line->addWidget(row.severity);
-    column.addLayout(line);
-    column.addWidget(row.slider);
+    const int line = 2 * int(placeOf(kind));
+    rows.addWidget(label, line, 0);
+    rows.addWidget(row.severity, line, 1);
+    rows.addWidget(row.slider, line, 2);
+    rows.addWidget(row.present, line, 3);
+    rows.addWidget(row.notShown, line + 1, 0, 1, -1);
     return row;
 }
 
 void AirwayPanel::setModel(AirwayEventModel& model)
 {
     m_model = &model;
+    connect(m_presets, &QComboBox::activated, this, &AirwayPanel::choosePreset);
     connect(m_over, &QSpinBox::valueChanged, this,
             [this](int seconds) { m_model->setChangeTime(std::chrono::seconds{seconds}); });
     for (std::size_t place = 0; place < m_rows.size(); ++place)
@@ -162,16 +216,33 @@ void AirwayPanel::connectRow(AirwayEventKind kind)
     connect(row.slider, &QSlider::valueChanged, row.severity, &QSpinBox::setValue);
 }
 
+void AirwayPanel::choosePreset(int place)
+{
+    const QByteArray name = m_presets->itemData(place).toByteArray();
+    if (const AirwayPreset* preset =
+            presetNamed({name.constData(), static_cast<std::size_t>(name.size())}))
+        m_model->setEvents(preset->events);
+    refreshPreset();
+}
+
 void AirwayPanel::refresh()
 {
     const QString obstacle = m_model->obstacle();
-    m_obstacle->setText(obstacle);
-    m_obstacle->setVisible(!obstacle.isEmpty());
+    sayOrHide(*m_obstacle, obstacle);
+    sayOrHide(*m_notShown, m_model->limits().all);
     m_controls->setEnabled(obstacle.isEmpty());
+    refreshPreset();
     for (std::size_t place = 0; place < m_rows.size(); ++place)
         refreshRow(static_cast<AirwayEventKind>(place));
+    offerWhatCanBeSet();
     m_clear->setEnabled(!m_model->isClear());
     m_travelling->setText(m_model->travellingText());
+}
+
+void AirwayPanel::refreshPreset()
+{
+    const AirwayPreset* preset = presetOf(m_model->events());
+    m_presets->setCurrentIndex(preset ? int(preset - airwayPresets().data()) : -1);
 }
 
 void AirwayPanel::refreshRow(AirwayEventKind kind)
@@ -179,9 +250,25 @@ void AirwayPanel::refreshRow(AirwayEventKind kind)
     const Row& row = m_rows[placeOf(kind)];
     const int set = percentOf(m_model->severity(kind));
     const int present = percentOf(m_model->present(kind));
+    const QString& notShown = m_model->limits().of(kind);
     showSeverity(*row.severity, set);
     showSeverity(*row.slider, set);
-    row.present->setText(present == set ? QString{} : tr("now %1\u00a0%").arg(present));
+    row.present->setText(present == set ? QString{} : textOfPresent(present));
+    for (QWidget* control :
+         {static_cast<QWidget*>(row.severity), static_cast<QWidget*>(row.slider)}) {
+        control->setEnabled(m_model->canBeSet(kind));
+        control->setAccessibleDescription(notShown);
+    }
+    sayOrHide(*row.notShown, notShown);
+}
+
+/// Presets where any event can be set. The keyboard comes to the first event that can.
+void AirwayPanel::offerWhatCanBeSet()
+{
+    const auto row = std::ranges::find_if(
+        m_rows, [this](const Row& at) { return at.severity->isEnabledTo(m_controls); });
+    m_presets->setEnabled(row != m_rows.end());
+    setFocusProxy(row == m_rows.end() ? m_over : row->severity);
 }
 
 } // namespace carina

@@ -7,6 +7,8 @@
 #include <array>
 
 class QBoxLayout;
+class QComboBox;
+class QGridLayout;
 class QLabel;
 class QPushButton;
 class QSlider;
@@ -18,10 +20,12 @@ class CheckedSpinBox;
 class RefusalLine;
 
 /// Shows and sets the events that make the patient's airway difficult: of each kind its severity in
-/// per cent, for all of them the time over which a change comes, and a button that ends them. A
-/// control shows the value that is set or, while a change is pending, the requested one; beside it
-/// stands the severity that is to be seen, as long as that is another. For a person without
-/// permission the panel states the reason.
+/// per cent, for all of them the time over which a change comes, a choice of presets, which says
+/// "Custom" where the severities are those of none, and a button that ends them. A control shows
+/// the value that is set or, while a change is pending, the requested one; beside it stands the
+/// severity that is to be seen, as long as that is another. An event that the patient does not show
+/// says why, and cannot be set unless it is to be ended, or is for other patients too. For a person
+/// without permission the panel states the reason.
 class AirwayPanel : public QWidget
 {
     Q_OBJECT
@@ -37,18 +41,25 @@ private:
         QLabel* present; ///< "now 35 %"
         CheckedSpinBox* severity;
         QSlider* slider;
+        QLabel* notShown; ///< why the patient does not show it
     };
 
     void layOut();
+    void addPresets(QBoxLayout& column);
     void addTime(QBoxLayout& column);
-    [[nodiscard]] Row addRow(QBoxLayout& column, AirwayEventKind kind);
+    [[nodiscard]] Row addRow(QGridLayout& rows, AirwayEventKind kind);
     void connectRow(AirwayEventKind kind);
+    void choosePreset(int place);
     void refresh();
+    void refreshPreset();
     void refreshRow(AirwayEventKind kind);
+    void offerWhatCanBeSet();
 
     AirwayEventModel* m_model = nullptr;
     QLabel* m_obstacle;
+    QLabel* m_notShown; ///< why the patient shows no event at all
     QWidget* m_controls;
+    QComboBox* m_presets; ///< each with its name as data
     CheckedSpinBox* m_over;
     std::array<Row, kAirwayEventKinds> m_rows{}; ///< by kind
     QPushButton* m_clear;

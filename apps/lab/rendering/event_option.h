@@ -9,7 +9,8 @@ namespace carina::lab
 inline constexpr Option kEvent{
     "event", "NAME[=S]",
     "what makes the airway difficult: tongue_oedema, pharyngeal_swelling, epiglottitis, "
-    "laryngeal_oedema or laryngospasm, with its severity; may be given once for each",
+    "laryngeal_oedema, laryngospasm, floppy_epiglottis, anterior_larynx, angio_oedema or "
+    "laryngeal_web, with its severity; may be given once for each",
     true};
 inline constexpr Option kEventSeverity{"severity", "0..1",
                                        "of each event that is given without one; 1 unless given"};

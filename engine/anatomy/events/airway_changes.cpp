@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace carina
 {
@@ -29,6 +30,10 @@ constexpr double kNarrowestGlottis = 5.7 / 9.0;
 constexpr double kMostOfVestibule = 0.55; ///< that the folds come together
 constexpr double kMostOfPharynx = 0.6;
 
+/// Both tissues that the tongue's base and the epiglottis before it are of.
+constexpr auto kThroatAndLarynx =
+    AirwayTissues(only(AirwayTissue::Throat) | only(AirwayTissue::Larynx));
+
 Vec3 rightOf(const UpperAirway& airway) { return airway.up_A.cross(airway.forward_A()); }
 
 /// Of the narrowest that events make of it, at least what the breath leaves.
@@ -49,6 +54,27 @@ void moveCords(AirwayField& field, const UpperAirway& airway, double closing)
                       .halfInFront = kHalfInFront * glottis,
                       .halfAtWidest = kHalfAtProcesses * glottis},
                      closing);
+}
+
+/// The more severe, the longer: up to kShutFrom it is not shut, but comes to be. It ends where its
+/// narrowing fades behind.
+void joinCords(AirwayField& field, const UpperAirway& airway, double severity)
+{
+    constexpr double kShortest = 0.25; // of the glottis
+    constexpr double kLongest = 0.6;
+    constexpr double kShutFrom = 0.2;
+    constexpr double kEnd = std::midpoint(formula::kNarrowBack, formula::kNarrowEnd);
+    const Length glottis = airway.glottis();
+    const double toWidest = std::lerp(kShortest, kLongest, severity) / kEnd;
+    const double widest = std::min(formula::kNarrowBack * toWidest / kProcesses, 1.0);
+    field.joinCords({.p_A_front = airway.p_A_commissure,
+                     .right_A = rightOf(airway),
+                     .back_A = -airway.forward_A(),
+                     .up_A = airway.up_A,
+                     .toWidest = toWidest * glottis,
+                     .halfInFront = kHalfInFront * glottis,
+                     .halfAtWidest = std::lerp(kHalfInFront, kHalfAtProcesses, widest) * glottis},
+                    std::min(severity / kShutFrom, 1.0) * AirwayField::kMostClosing);
 }
 
 void swellTongue(AirwayField& field, const UpperAirway& airway, double severity)
@@ -132,6 +158,65 @@ void swellEntrance(AirwayField& field, const UpperAirway& airway, double severit
                  .depth = size * millimetres(2.0)});
 }
 
+/// Its reach ends above the vallecula, so that the leaf bends.
+void letEpiglottisFall(AirwayField& field, const UpperAirway& airway, double severity)
+{
+    const Vec3 leaf = airway.p_A_epiglottisTip - airway.p_A_epiglottisBase;
+    const double size = leaf.norm() / kMansEpiglottis.si;
+    field.swell(
+        {.p_A_centre = airway.p_A_epiglottisTip,
+         .axis_A = leaf.normalized(),
+         .across = size * millimetres(24.0),
+         .along = size * millimetres(25.0),
+         .shift_A = -severity * size * 1e-3 * (13.0 * airway.forward_A() + 4.0 * airway.up_A),
+         .tissues = kThroatAndLarynx});
+}
+
+/// Its reach ends at the upper end of the trachea, 26 mm below the cords of a man, and near the
+/// vallecula, where a blade's tip is.
+void moveLarynxForward(AirwayField& field, const UpperAirway& airway, double severity)
+{
+    const double size = airway.glottis() / kMansGlottis;
+    const Vec3 p_A_middle = 0.5 * (airway.p_A_commissure + airway.p_A_notch);
+    field.swell(
+        {.p_A_centre = p_A_middle - size * 5e-3 * airway.up_A,
+         .axis_A = airway.up_A,
+         .across = size * millimetres(34.0),
+         .along = size * millimetres(20.0),
+         .shift_A = severity * size * 1e-3 * (11.0 * airway.forward_A() + 2.0 * airway.up_A)});
+}
+
+void swellLip(AirwayField& field, const UpperAirway& airway, const Vec3& p_A_lip, double severity)
+{
+    const double size = airway.size();
+    field.swell({.p_A_centre = p_A_lip,
+                 .axis_A = rightOf(airway),
+                 .across = size * millimetres(16.0),
+                 .along = size * millimetres(30.0),
+                 .outward = severity * size * millimetres(5.0),
+                 .shift_A = severity * size * 4e-3 * airway.forward_A(),
+                 .tissues = only(AirwayTissue::Throat)});
+}
+
+/// Lips and the front of the tongue; what swells of the larynx does so by swellEntrance.
+void swellMouth(AirwayField& field, const UpperAirway& airway, double severity)
+{
+    for (const auto& p_A_lip : {airway.p_A_upperLip, airway.p_A_lowerLip})
+        if (p_A_lip)
+            swellLip(field, airway, *p_A_lip, severity);
+    if (!airway.p_A_tongue)
+        return;
+    const double size = airway.size();
+    field.swell({.p_A_centre = *airway.p_A_tongue
+                               + size * 1e-3 * (18.0 * airway.forward_A() + 8.0 * airway.up_A),
+                 .across = size * millimetres(24.0),
+                 .along = size * millimetres(24.0),
+                 .outward = severity * size * millimetres(5.0),
+                 .shift_A = severity * size * 3e-3 * (airway.forward_A() + airway.up_A),
+                 .depth = size * millimetres(6.0),
+                 .tissues = only(AirwayTissue::Throat)});
+}
+
 } // namespace
 
 AirwayField airwayChanges(const UpperAirway& airway, const AirwayEvents& events, double inspiration)
@@ -145,14 +230,20 @@ AirwayField airwayChanges(const UpperAirway& airway, const AirwayEvents& events,
     const double closing = cordsClosing(severityOf(AirwayEventKind::Laryngospasm), inspiration);
     if (closing != 0.0 && canShow(airway, AirwayEventKind::Laryngospasm))
         moveCords(field, airway, closing);
-    const auto change = [&](AirwayEventKind kind, auto how) {
-        if (const double severity = severityOf(kind); severity > 0.0)
+    const auto change = [&](double severity, auto how) {
+        if (severity > 0.0)
             how(field, airway, severity);
     };
-    change(AirwayEventKind::TongueOedema, swellTongue);
-    change(AirwayEventKind::PharyngealSwelling, swellPharynx);
-    change(AirwayEventKind::Epiglottitis, swellEpiglottis);
-    change(AirwayEventKind::LaryngealOedema, swellEntrance);
+    change(severityOf(AirwayEventKind::LaryngealWeb), joinCords);
+    change(severityOf(AirwayEventKind::TongueOedema), swellTongue);
+    change(severityOf(AirwayEventKind::AngioOedema), swellMouth);
+    change(severityOf(AirwayEventKind::PharyngealSwelling), swellPharynx);
+    change(severityOf(AirwayEventKind::Epiglottitis), swellEpiglottis);
+    change(std::max(severityOf(AirwayEventKind::LaryngealOedema),
+                    severityOf(AirwayEventKind::AngioOedema)),
+           swellEntrance);
+    change(severityOf(AirwayEventKind::FloppyEpiglottis), letEpiglottisFall);
+    change(severityOf(AirwayEventKind::AnteriorLarynx), moveLarynxForward);
     return field;
 }
 
@@ -160,19 +251,25 @@ bool canShow(const UpperAirway& airway, AirwayEventKind kind)
 {
     constexpr double kLeastOfMans = 0.1; // smaller ones are none
     const bool hasWay = airway.size() > kLeastOfMans;
+    const bool hasGlottis = airway.glottis() > kLeastOfMans * kMansGlottis;
     switch (kind) {
     case AirwayEventKind::TongueOedema:
         return hasWay && airway.p_A_tongue;
     case AirwayEventKind::PharyngealSwelling:
         return hasWay;
     case AirwayEventKind::Epiglottitis:
+    case AirwayEventKind::FloppyEpiglottis:
         return (airway.p_A_epiglottisTip - airway.p_A_epiglottisBase).norm()
                > kLeastOfMans * kMansEpiglottis.si;
+    case AirwayEventKind::AngioOedema:
+        return hasWay && hasGlottis;
     case AirwayEventKind::LaryngealOedema:
     case AirwayEventKind::Laryngospasm:
+    case AirwayEventKind::AnteriorLarynx:
+    case AirwayEventKind::LaryngealWeb:
         break;
     }
-    return airway.glottis() > kLeastOfMans * kMansGlottis;
+    return hasGlottis;
 }
 
 } // namespace carina

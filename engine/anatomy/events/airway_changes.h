@@ -20,7 +20,14 @@ inline constexpr double kInspirationAsMade = 0.75;
 ///   wall comes forward;
 /// - Epiglottitis: the epiglottis thickens to both sides;
 /// - LaryngealOedema: the aryepiglottic folds come together, and the arytenoids bulge forward;
-/// - Laryngospasm: the cords come together, whatever the breath.
+/// - Laryngospasm: the cords come together, whatever the breath;
+/// - FloppyEpiglottis: the upper part of the epiglottis, with the tongue's base before it, falls to
+///   the back and to the feet;
+/// - AnteriorLarynx: cords and foot of the epiglottis lie farther to the front, vallecula, tip of
+///   the epiglottis and trachea where they were;
+/// - AngioOedema: lips and tongue, where the patient has them, swell, the latter in front, and the
+///   entrance of the larynx as in LaryngealOedema;
+/// - LaryngealWeb: the cords are joined from the commissure on, whatever the breath.
 ///
 /// An event that canShow() denies changes nothing.
 /// @pre areProper(events), and inspiration within 0 to 1

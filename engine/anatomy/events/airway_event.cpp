@@ -9,7 +9,8 @@ namespace
 {
 
 constexpr std::array<const char*, kAirwayEventKinds> kNames{
-    "tongue_oedema", "pharyngeal_swelling", "epiglottitis", "laryngeal_oedema", "laryngospasm"};
+    "tongue_oedema",     "pharyngeal_swelling", "epiglottitis", "laryngeal_oedema", "laryngospasm",
+    "floppy_epiglottis", "anterior_larynx",     "angio_oedema", "laryngeal_web"};
 
 } // namespace
 

@@ -15,8 +15,12 @@ enum class AirwayEventKind : std::uint8_t {
     Epiglottitis,       ///< the epiglottis swells to a ball
     LaryngealOedema,    ///< arytenoids and aryepiglottic folds swell over the glottis
     Laryngospasm,       ///< the cords shut; partly, a slit remains
+    FloppyEpiglottis,   ///< the epiglottis falls back over the glottis
+    AnteriorLarynx,     ///< the larynx lies farther to the front, out of the line of sight
+    AngioOedema,        ///< lips, the front of the tongue and the entrance of the larynx swell
+    LaryngealWeb,       ///< the cords are joined in front
 };
-inline constexpr int kAirwayEventKinds = 5;
+inline constexpr int kAirwayEventKinds = 9;
 
 /// One of them, and how severe it is.
 struct AirwayEvent {

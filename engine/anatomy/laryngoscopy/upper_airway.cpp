@@ -17,6 +17,9 @@ namespace
 constexpr double kNearMidplane = 4e-3; ///< metres to either side
 constexpr double kSameHeight = 1.5e-3; ///< metres up and down
 
+constexpr std::string_view kUpperLipWords = "upper lip";
+constexpr std::string_view kLowerLipWords = "lower lip";
+
 bool isCalled(const AnatomyPart& part, std::string_view words)
 {
     std::string name = part.name;
@@ -129,14 +132,29 @@ bool findUvula(UpperAirway& airway, std::span<const AnatomyPart> parts, double x
     return false;
 }
 
+/// The mean, in the midplane.
+std::optional<Vec3> meanInPlane(const std::vector<Vec3>& vertices, double x)
+{
+    if (vertices.empty())
+        return std::nullopt;
+    const Vec3 sum = std::accumulate(vertices.begin(), vertices.end(), Vec3{Vec3::Zero()});
+    return inPlane(sum / double(vertices.size()), x);
+}
+
 void findTongue(UpperAirway& airway, std::span<const AnatomyPart> parts, double x)
 {
-    const std::vector<Vec3> vertices =
-        verticesOf(parts, [](const AnatomyPart& p) { return p.role == PartRole::Tongue; });
-    if (vertices.empty())
-        return;
-    const Vec3 sum = std::accumulate(vertices.begin(), vertices.end(), Vec3{Vec3::Zero()});
-    airway.p_A_tongue = inPlane(sum / double(vertices.size()), x);
+    const auto isTongue = [](const AnatomyPart& p) { return p.role == PartRole::Tongue; };
+    airway.p_A_tongue = meanInPlane(verticesOf(parts, isTongue), x);
+}
+
+void findLips(UpperAirway& airway, std::span<const AnatomyPart> parts, double x)
+{
+    const auto middle = [&](std::string_view words) {
+        const auto isIt = [words](const AnatomyPart& part) { return isCalled(part, words); };
+        return meanInPlane(nearMidplane(verticesOf(parts, isIt), x), x);
+    };
+    airway.p_A_upperLip = middle(kUpperLipWords);
+    airway.p_A_lowerLip = middle(kLowerLipWords);
 }
 
 } // namespace
@@ -167,11 +185,17 @@ Result<UpperAirway> upperAirwayOf(std::span<const AnatomyPart> parts,
     if (!findUvula(airway, parts, x))
         return fail(Errc::NoAirway, "no soft palate");
     findTongue(airway, parts, x);
+    findLips(airway, parts, x);
     const std::span<const Vec3> path = pathFromTeeth(landmarks);
     const auto glottis = std::ranges::min_element(
         path, {}, [&](const Vec3& p) { return (p - landmarks.p_A_glottis).squaredNorm(); });
     airway.path_A.assign(path.begin(), glottis + 1);
     return airway;
+}
+
+bool isLip(const AnatomyPart& part)
+{
+    return isCalled(part, kUpperLipWords) || isCalled(part, kLowerLipWords);
 }
 
 UpperAirway changed(UpperAirway airway, const AirwayField& changes)
@@ -183,8 +207,9 @@ UpperAirway changed(UpperAirway airway, const AirwayField& changes)
                       &airway.p_A_commissure, &airway.p_A_notch})
         change(*p_A, AirwayTissue::Larynx);
     change(airway.p_A_uvula, AirwayTissue::Pharynx);
-    if (airway.p_A_tongue)
-        change(*airway.p_A_tongue, AirwayTissue::Throat);
+    for (auto* p_A : {&airway.p_A_tongue, &airway.p_A_upperLip, &airway.p_A_lowerLip})
+        if (*p_A)
+            change(**p_A, AirwayTissue::Throat);
     return airway;
 }
 

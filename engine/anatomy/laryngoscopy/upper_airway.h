@@ -24,6 +24,8 @@ struct UpperAirway {
     Vec3 up_A = Vec3::UnitZ();             ///< along the trachea towards the head; unit
     std::vector<Vec3> path_A;              ///< of a tube, from the incisors to the glottis
     std::optional<Vec3> p_A_tongue;        ///< its middle, where there is one
+    std::optional<Vec3> p_A_upperLip;      ///< their middles in the midplane, where there are any
+    std::optional<Vec3> p_A_lowerLip;
 
     /// To the front, perpendicular to up_A; unit.
     [[nodiscard]] Vec3 forward_A() const;
@@ -46,17 +48,22 @@ inline constexpr double kValleculaHeight = 0.3;
 /// - cords: the parts whose names contain "vocal", but not "vestibular"; their ends in front and
 ///   behind;
 /// - uvula: the lowest place of the part whose name contains "uvula", or else "soft palate";
-/// - tongue: the mean of the vertices of that role, in the midplane; it may be missing.
+/// - tongue: the mean of the vertices of that role, in the midplane; it may be missing;
+/// - lips: of the parts for which isLip holds, the mean of the vertices near the midplane; they may
+///   be missing.
 ///
 /// @returns NoAirway with what is missing
 [[nodiscard]] Result<UpperAirway> upperAirwayOf(std::span<const AnatomyPart> parts,
                                                 const AirwayLandmarks& landmarks);
 
+/// Whether a part is called "upper lip" or "lower lip", in capitals or not.
+[[nodiscard]] bool isLip(const AnatomyPart& part);
+
 /// The same places where events have changed their tissue, before they follow the jaw. The way of a
 /// tube stays.
 [[nodiscard]] UpperAirway changed(UpperAirway airway, const AirwayField& changes);
 
-/// The same places after they have followed the jaw; palate, tongue and incisors stay.
+/// The same places after they have followed the jaw; palate, lips, tongue and incisors stay.
 [[nodiscard]] UpperAirway followed(UpperAirway airway, const FollowingThroat& throat);
 
 } // namespace carina

@@ -64,6 +64,12 @@ void AirwayField::swell(const Swelling& swelling)
     m_isThere = true;
 }
 
+void AirwayField::joinCords(const Lumen& web, double share)
+{
+    CARINA_EXPECTS(share >= 0.0);
+    close(m_frame.web, web, share);
+}
+
 void AirwayField::narrowVestibule(const Lumen& vestibule, double share)
 {
     CARINA_EXPECTS(share >= 0.0);
@@ -103,6 +109,7 @@ AirwayFrame<float> inSingle(const AirwayFrame<double>& frame)
 {
     AirwayFrame<float> single;
     single.cords = narrowingInSingle(frame.cords);
+    single.web = narrowingInSingle(frame.web);
     single.vestibule = narrowingInSingle(frame.vestibule);
     single.pharynx = narrowingInSingle(frame.pharynx);
     for (std::size_t i = 0; i < kMostSwellings; ++i)

@@ -70,6 +70,8 @@ public:
     /// Closes the glottis by a share of its width, from -kMostOpening to kMostClosing.
     /// @pre as said, and for less than 0 outer is at least 2
     void closeCords(const Lumen& glottis, double share) { close(m_frame.cords, glottis, share); }
+    /// Closes its front part after that, which a web joins, for shares from 0 on.
+    void joinCords(const Lumen& web, double share);
     /// The same of the entrance of the larynx, and of the pharynx, for shares from 0 on.
     void narrowVestibule(const Lumen& vestibule, double share);
     void narrowPharynx(const Lumen& pharynx, double share);

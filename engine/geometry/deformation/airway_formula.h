@@ -40,12 +40,13 @@ template <class T> struct NarrowingFrame {
     T outer{};   ///< in half widths: beyond, nothing moves
 };
 
-inline constexpr std::size_t kMostSwellings = 6;
+inline constexpr std::size_t kMostSwellings = 10;
 
-/// All that changes an airway. A narrowing of the cords moves the larynx, one of the vestibule and
-/// one of the pharynx all tissues.
+/// All that changes an airway. A narrowing of the cords, and a web between them, move the larynx,
+/// one of the vestibule and one of the pharynx all tissues.
 template <class T> struct AirwayFrame {
     NarrowingFrame<T> cords;
+    NarrowingFrame<T> web;
     NarrowingFrame<T> vestibule;
     NarrowingFrame<T> pharynx;
     std::array<SwellingFrame<T>, kMostSwellings> swellings{};
@@ -167,8 +168,10 @@ template <class T>
             pull = followedBy(pull, p,
                               [&lumen](const Vector3<T>& q) { return narrowingPull(lumen, q); });
     };
-    if (tissue == AirwayTissue::Larynx)
+    if (tissue == AirwayTissue::Larynx) {
         narrow(airway.cords);
+        narrow(airway.web);
+    }
     narrow(airway.vestibule);
     narrow(airway.pharynx);
     for (const SwellingFrame<T>& swelling : airway.swellings)

@@ -1,6 +1,9 @@
+#include "engine/io/anatomy_set/anatomy_cache.h"
 #include "models/airway/airway_event_model.h"
 #include "models/airway/airway_words.h"
+#include "models/patient/session_patient.h"
 #include "tests/models/fake_session_node.h"
+#include "tests/models/lacking_patient.h"
 #include "tests/support/test_class.h"
 
 #include <QSignalSpy>
@@ -20,6 +23,7 @@ class TestAirwayEventModel : public QObject
 private Q_SLOTS:
     void isClearAtFirst();
     void setsOneEventAndLeavesTheOthers();
+    void setsAllEventsAsOneChange();
     void tellsTheSeverityToBeSeenWhileItChanges();
     void clearsAllOverTheTime();
     void keepsOneProposalUnderWayWhileASeverityIsDragged();
@@ -30,9 +34,12 @@ private Q_SLOTS:
     void undoesThroughTheHistory();
     void changesAllStationsAndUndoesEach();
     void followsAnotherInstructor();
-    void letsOnlyAnInstructorChange_data();
     void letsOnlyAnInstructorChange();
-    void saysThatTheSessionHasEnded();
+    void saysThatATongueIsMissing();
+    void saysThatAnEpiglottisIsTooSmall();
+    void saysWhatALarynxLacks();
+    void ofAllPatientsSetsWhatOneDoesNotShow();
+    void knowsOnlyThePatientThatLiesAtItsStation();
     void hasAWordForEverything();
 };
 
@@ -47,7 +54,14 @@ struct Console {
     SessionModel session{node};
     AirwayEventModel model{session, FakeSessionNode::kStation};
 
+    std::optional<SessionPatient> patient;
+
     explicit Console(ParticipantId self = FakeSessionNode::kInstructor) : node{self} {}
+    explicit Console(const SharedPatientModel& lying) : Console{}
+    {
+        patient.emplace(node, FakeSessionNode::kStation, lying, AnatomyCache::defaultFolder());
+        model.setPatient(*patient);
+    }
     void deliver()
     {
         node.announce();
@@ -62,11 +76,38 @@ struct Console {
     {
         return node.state()->stations().at(station).airwayEvents.decidedAt(SessionTime::max());
     }
+    /// Those that the patient shows.
+    [[nodiscard]] std::set<AirwayEventKind> shownKinds() const
+    {
+        std::set<AirwayEventKind> kinds;
+        for (int kind = 0; kind < kAirwayEventKinds; ++kind)
+            if (model.limits().canShow(static_cast<AirwayEventKind>(kind)))
+                kinds.insert(static_cast<AirwayEventKind>(kind));
+        return kinds;
+    }
     [[nodiscard]] bool showsNow(AirwayEventKind kind, double severity) const
     {
         return std::abs(model.present(kind) - severity) < kRounding;
     }
 };
+
+const SharedPatientModel& tongueless()
+{
+    static const SharedPatientModel made = test::childWithout(PartRole::Tongue);
+    return made;
+}
+
+/// About its middle.
+void shrink(AnatomyPart& part, float scale)
+{
+    for (TriangleMesh& level : part.levels) {
+        Vec3f middle = Vec3f::Zero();
+        for (const Vec3f& p : level.positions)
+            middle += p / float(level.positions.size());
+        for (Vec3f& p : level.positions)
+            p = middle + scale * (p - middle);
+    }
+}
 
 } // namespace
 
@@ -98,6 +139,22 @@ void TestAirwayEventModel::setsOneEventAndLeavesTheOthers()
     console.model.setSeverity(Laryngospasm, 0.0);
     console.settle();
     QVERIFY(console.decided() == (AirwayEvents{{TongueOedema, 0.6}}));
+}
+
+void TestAirwayEventModel::setsAllEventsAsOneChange()
+{
+    const AirwayEvents burnt{{TongueOedema, 0.3}, {LaryngealOedema, 0.7}, {LaryngealWeb, 0.1}};
+    Console console;
+    console.model.setSeverity(Laryngospasm, 1.0);
+    console.settle();
+    console.model.setEvents(burnt);
+    QVERIFY(console.model.events() == burnt);
+    QCOMPARE(console.node.proposed, 2);
+    console.settle();
+    QVERIFY(console.decided() == burnt);
+    console.model.undo();
+    console.settle();
+    QVERIFY(console.decided() == (AirwayEvents{{Laryngospasm, 1.0}}));
 }
 
 /// 0.8 over 20 s: a quarter of it after five.
@@ -250,29 +307,87 @@ void TestAirwayEventModel::followsAnotherInstructor()
     QVERIFY(!changed.isEmpty());
 }
 
-void TestAirwayEventModel::letsOnlyAnInstructorChange_data()
-{
-    QTest::addColumn<int>("self");
-    QTest::newRow("trainee") << int(FakeSessionNode::kTrainee.value);
-    QTest::newRow("observer") << int(FakeSessionNode::kObserver.value);
-}
-
 void TestAirwayEventModel::letsOnlyAnInstructorChange()
 {
-    QFETCH(const int, self);
-    Console console{ParticipantId{static_cast<std::uint16_t>(self)}};
-    QCOMPARE(console.model.obstacle(), QStringLiteral("Only an instructor changes the patient."));
+    Console console{FakeSessionNode::kObserver};
+    QVERIFY(!console.model.obstacle().isEmpty());
     console.model.setSeverity(Laryngospasm, 1.0);
     QCOMPARE(console.node.proposed, 0);
     QVERIFY(console.model.isClear());
 }
 
-void TestAirwayEventModel::saysThatTheSessionHasEnded()
+/// What was set before can be ended.
+void TestAirwayEventModel::saysThatATongueIsMissing()
 {
-    Console console;
-    console.node.decide(fact::PhaseChanged{SessionPhase::Ended});
+    Console console{tongueless()};
+    QCOMPARE(console.shownKinds().size(), std::size_t{kAirwayEventKinds - 1});
+    QCOMPARE(console.model.limits().of(TongueOedema),
+             QStringLiteral("Not shown: this patient has no tongue of its own."));
+    QVERIFY(console.model.limits().of(Epiglottitis).isEmpty());
+    QVERIFY(console.model.limits().all.isEmpty());
+    QVERIFY(!console.model.canBeSet(TongueOedema));
+    QVERIFY(console.model.canBeSet(Epiglottitis));
+    console.node.decide(fact::AirwayEventsSet{{{TongueOedema, 0.5}}, {}});
     console.settle();
-    QCOMPARE(console.model.obstacle(), QStringLiteral("The session has ended."));
+    QVERIFY(console.model.canBeSet(TongueOedema));
+    console.model.setSeverity(TongueOedema, 0.0);
+    console.settle();
+    QVERIFY(console.decided().empty());
+    QVERIFY(!console.model.canBeSet(TongueOedema));
+}
+
+void TestAirwayEventModel::saysThatAnEpiglottisIsTooSmall()
+{
+    Anatomy anatomy = builtinPatient(BuiltinPatient::TwelveYears).value();
+    for (AnatomyPart& part : anatomy.parts)
+        if (part.role == PartRole::Epiglottis)
+            shrink(part, 0.05F);
+    const Console console{patientOf(std::move(anatomy)).value()};
+    QVERIFY(!console.shownKinds().contains(Epiglottitis));
+    QVERIFY(console.shownKinds().contains(TongueOedema));
+    QCOMPARE(console.model.limits().of(Epiglottitis),
+             QStringLiteral("Not shown: this patient has too little of what it changes."));
+}
+
+void TestAirwayEventModel::saysWhatALarynxLacks()
+{
+    const Console console{test::childWithout(PartRole::Epiglottis)};
+    QVERIFY(console.model.limits().all.contains(QStringLiteral("no epiglottis")));
+    QVERIFY(console.shownKinds().empty());
+    for (int kind = 0; kind < kAirwayEventKinds; ++kind) {
+        QVERIFY(console.model.limits().of(static_cast<AirwayEventKind>(kind)).isEmpty());
+        QVERIFY(!console.model.canBeSet(static_cast<AirwayEventKind>(kind)));
+    }
+}
+
+void TestAirwayEventModel::ofAllPatientsSetsWhatOneDoesNotShow()
+{
+    Console console{tongueless()};
+    const QSignalSpy changed{&console.model, &AirwayEventModel::changed};
+    console.model.setForAll(true);
+    QCOMPARE(changed.count(), 1);
+    QVERIFY(console.model.canBeSet(TongueOedema));
+    QVERIFY(!console.model.limits().canShow(TongueOedema));
+    console.model.setForAll(false);
+    QVERIFY(!console.model.canBeSet(TongueOedema));
+}
+
+/// While another one is chosen there and not here yet, nothing is known of it.
+void TestAirwayEventModel::knowsOnlyThePatientThatLiesAtItsStation()
+{
+    constexpr StationId kRoom{1};
+    Console console{tongueless()};
+    const QSignalSpy changed{&console.model, &AirwayEventModel::changed};
+    console.node.decide(fact::AnatomyChosen{"another", "Another"});
+    console.settle();
+    QVERIFY(console.model.limits().canShow(TongueOedema));
+    QVERIFY(!changed.isEmpty());
+    console.node.addStation("Room 5");
+    console.node.decideAt(kRoom, fact::AnatomyChosen{tongueless()->contentHash(), "Child"});
+    console.model.setStation(kRoom);
+    QVERIFY(!console.model.limits().canShow(TongueOedema));
+    console.model.setStation(FakeSessionNode::kStation);
+    QVERIFY(console.model.limits().canShow(TongueOedema));
 }
 
 void TestAirwayEventModel::hasAWordForEverything()

@@ -6,11 +6,13 @@
 #include "tests/support/scratch_folder.h"
 #include "ui/instructor/instructor_window.h"
 
+#include <utility>
+
 namespace carina::test
 {
 
-/// A console over a session in virtual time, with the built-in child, and with a tracker while
-/// `sight` says how that sees its tools.
+/// A console over a session in virtual time, with the built-in child or another patient, and with a
+/// tracker while `sight` says how that sees its tools.
 struct ConsoleDesk {
     static SharedPatientModel child()
     {
@@ -19,9 +21,12 @@ struct ConsoleDesk {
         return made;
     }
 
-    explicit ConsoleDesk(const ScratchFolder& kept) : keeper{kept.path()} {}
+    explicit ConsoleDesk(const ScratchFolder& kept, SharedPatientModel lying = child())
+        : drawn{std::move(lying)}, keeper{kept.path()}
+    {
+    }
 
-    SharedPatientModel drawn = child();
+    SharedPatientModel drawn;
     FakeSessionNode node;
     SessionModel session{node};
     StationsModel stations{session};

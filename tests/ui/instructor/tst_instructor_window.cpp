@@ -1,3 +1,4 @@
+#include "tests/models/lacking_patient.h"
 #include "tests/support/soon.h"
 #include "tests/support/test_class.h"
 #include "tests/ui/instructor/console_desk.h"
@@ -62,8 +63,9 @@ SharedPatientModel anotherPatient()
 
 /// A console as it is once it was shown and laid out.
 struct Shown : ConsoleDesk {
-    explicit Shown(const test::ScratchFolder& kept, const QSize& size = {1280, 800})
-        : ConsoleDesk{kept}
+    explicit Shown(const test::ScratchFolder& kept, const QSize& size = {1280, 800},
+                   const SharedPatientModel& lying = child())
+        : ConsoleDesk{kept, lying}
     {
         window.resize(size);
         window.show();
@@ -1088,6 +1090,25 @@ private Q_SLOTS:
         }
         QVERIFY(!undo.isEnabled()); // nothing is left
         QVERIFY(!shown.node.refusal());
+    }
+
+    /// As long as it is the station's.
+    void saysWhatThePatientCannotShowOfTheAirway()
+    {
+        const test::ScratchFolder kept;
+        const SharedPatientModel tongueless = test::childWithout(PartRole::Tongue);
+        Shown shown{kept, {1280, 800}, tongueless};
+        shown.action("showAirway").trigger();
+        Shown::settle();
+        const auto& why = shown.find<QLabel>("tongue_oedemaNotShown");
+        QVERIFY(why.isVisible());
+        QVERIFY(why.text().contains(QStringLiteral("no tongue")));
+        shown.node.decide(fact::AnatomyChosen{ConsoleDesk::child()->contentHash(), "Child"});
+        shown.takeEffect();
+        QVERIFY(!why.isVisible());
+        shown.node.decide(fact::AnatomyChosen{tongueless->contentHash(), "Tongueless"});
+        shown.takeEffect();
+        QVERIFY(why.isVisible());
     }
 
     void goesFullScreenAndBack()

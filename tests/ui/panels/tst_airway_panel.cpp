@@ -1,13 +1,20 @@
+#include "engine/io/anatomy_set/anatomy_cache.h"
+#include "models/airway/airway_presets.h"
 #include "models/airway/airway_words.h"
+#include "models/patient/session_patient.h"
 #include "tests/models/fake_session_node.h"
+#include "tests/models/lacking_patient.h"
 #include "tests/support/test_class.h"
 #include "ui/panels/airway_panel.h"
 
 #include <QApplication>
+#include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QSlider>
 #include <QSpinBox>
+
+#include <optional>
 
 namespace carina::airway_panel_test
 {
@@ -25,10 +32,15 @@ private Q_SLOTS:
     void setsSeverityBySliderAndBox();
     void tellsTheSeverityOfNowWhileItChanges();
     void clearsTheAirwayByItsButton();
+    void setsAPresetAsOneChange();
+    void saysCustomWhereItIsNoPreset();
     void tellsWhatTravels();
     void keepsWhatIsBeingTyped();
     void refusesATypedSeverityWithItsRange();
     void changesNothingForAnObserver();
+    void saysWhatThePatientDoesNotShow();
+    void staysToBeSetForAllStations();
+    void saysWhyAPatientShowsNoEvent();
     void namesAndExplainsEveryControl();
     void fitsIntoItsColumn();
 };
@@ -45,12 +57,24 @@ struct Desk {
     SessionModel session{node};
     AirwayEventModel model{session, FakeSessionNode::kStation};
     AirwayPanel panel;
+    std::optional<SessionPatient> patient;
 
     explicit Desk(ParticipantId self = FakeSessionNode::kInstructor) : node{self}
     {
         panel.setModel(model);
         panel.show();
         QApplication::setActiveWindow(&panel); // the display has no window manager
+    }
+    void lay(const SharedPatientModel& lying)
+    {
+        patient.emplace(node, FakeSessionNode::kStation, lying, AnatomyCache::defaultFolder());
+        model.setPatient(*patient);
+    }
+    /// The control that gets the keyboard with the panel.
+    [[nodiscard]] QString first()
+    {
+        panel.setFocus();
+        return QApplication::focusWidget()->objectName();
     }
     template <class Widget> [[nodiscard]] Widget& find(const char* name) const
     {
@@ -84,6 +108,12 @@ struct Desk {
             .airwayEvents.decidedAt(SessionTime::max());
     }
 };
+
+const SharedPatientModel& tongueless()
+{
+    static const SharedPatientModel made = test::childWithout(PartRole::Tongue);
+    return made;
+}
 
 } // namespace
 
@@ -144,6 +174,46 @@ void TestAirwayPanel::clearsTheAirwayByItsButton()
     QVERIFY(!clear.isEnabled());
 }
 
+// By keyboard: the letter chooses it.
+void TestAirwayPanel::setsAPresetAsOneChange()
+{
+    Desk desk;
+    auto& presets = desk.find<QComboBox>("airwayPreset");
+    QCOMPARE(presets.currentText(), QStringLiteral("Clear"));
+    desk.enter("laryngospasm", QStringLiteral("50"));
+    desk.settle();
+    presets.setFocus();
+    QTest::keyClicks(&presets, QStringLiteral("ana"));
+    desk.settle();
+    desk.settle();
+    QCOMPARE(presets.currentText(), QStringLiteral("Anaphylaxis"));
+    const AirwayEvents swollen = presetNamed("anaphylaxis")->events;
+    QVERIFY(desk.decided() == swollen);
+    QCOMPARE(desk.box("laryngospasm").value(), 0);
+    for (const AirwayEvent& event : swollen)
+        QCOMPARE(desk.box(eventName(event.kind)).value(), qRound(100.0 * event.severity));
+    desk.model.undo();
+    desk.settle();
+    QVERIFY(desk.decided() == (AirwayEvents{{Laryngospasm, 0.5}}));
+}
+
+void TestAirwayPanel::saysCustomWhereItIsNoPreset()
+{
+    Desk desk;
+    const auto& presets = desk.find<QComboBox>("airwayPreset");
+    desk.model.setEvents(presetNamed("web")->events);
+    QCOMPARE(presets.currentText(), QStringLiteral("Congenital web"));
+    desk.settle();
+    QCOMPARE(presets.currentText(), QStringLiteral("Congenital web"));
+    desk.box("laryngeal_web").setValue(71);
+    desk.settle();
+    QCOMPARE(presets.currentIndex(), -1);
+    QCOMPARE(presets.placeholderText(), QStringLiteral("Custom"));
+    desk.model.clear();
+    desk.settle();
+    QCOMPARE(presets.currentText(), QStringLiteral("Clear"));
+}
+
 void TestAirwayPanel::tellsWhatTravels()
 {
     Desk desk;
@@ -183,11 +253,62 @@ void TestAirwayPanel::changesNothingForAnObserver()
     Desk desk{FakeSessionNode::kObserver};
     QCOMPARE(desk.text("airwayObstacle"),
              QStringLiteral("Only an instructor changes the patient."));
-    for (const char* name : {"airwayOver", "tongue_oedema", "tongue_oedemaSlider", "clearAirway"})
+    for (const char* name :
+         {"airwayPreset", "airwayOver", "tongue_oedema", "tongue_oedemaSlider", "clearAirway"})
         QVERIFY2(!desk.find<QWidget>(name).isEnabled(), name);
     desk.node.decide(fact::AirwayEventsSet{{{Laryngospasm, 1.0}}, {}});
     desk.settle();
     QCOMPARE(desk.box("laryngospasm").value(), 100);
+}
+
+/// What somebody else set can be ended.
+void TestAirwayPanel::saysWhatThePatientDoesNotShow()
+{
+    Desk desk;
+    const auto& why = desk.find<QLabel>("tongue_oedemaNotShown");
+    QVERIFY(!why.isVisible());
+    desk.lay(tongueless());
+    QVERIFY(why.isVisible());
+    QCOMPARE(why.text(), QStringLiteral("Not shown: this patient has no tongue of its own."));
+    QCOMPARE(desk.box("tongue_oedema").accessibleDescription(), why.text());
+    QVERIFY(!desk.box("tongue_oedema").isEnabled());
+    QVERIFY(!desk.find<QSlider>("tongue_oedemaSlider").isEnabled());
+    QVERIFY(!desk.find<QLabel>("epiglottitisNotShown").isVisible());
+    QVERIFY(!desk.find<QLabel>("airwayNotShown").isVisible());
+    QCOMPARE(desk.first(), QStringLiteral("pharyngeal_swelling"));
+    desk.node.decide(fact::AirwayEventsSet{{{TongueOedema, 0.5}}, {}});
+    desk.settle();
+    QVERIFY(why.isVisible());
+    desk.enter("tongue_oedema", QStringLiteral("0"));
+    desk.settle();
+    QVERIFY(desk.decided().empty());
+    QVERIFY(!desk.box("tongue_oedema").isEnabled());
+}
+
+void TestAirwayPanel::staysToBeSetForAllStations()
+{
+    Desk desk;
+    desk.lay(tongueless());
+    desk.model.setForAll(true);
+    QVERIFY(desk.box("tongue_oedema").isEnabled());
+    QVERIFY(desk.find<QLabel>("tongue_oedemaNotShown").isVisible());
+    QCOMPARE(desk.first(), QStringLiteral("tongue_oedema"));
+}
+
+void TestAirwayPanel::saysWhyAPatientShowsNoEvent()
+{
+    Desk desk;
+    desk.lay(test::childWithout(PartRole::Epiglottis));
+    const auto& why = desk.find<QLabel>("airwayNotShown");
+    QVERIFY(why.isVisible());
+    QVERIFY2(why.text().contains(QStringLiteral("no epiglottis")), qPrintable(why.text()));
+    for (int kind = 0; kind < kAirwayEventKinds; ++kind) {
+        const QByteArray name = eventName(static_cast<AirwayEventKind>(kind));
+        QVERIFY2(!desk.box(name.constData()).isEnabled(), name.constData());
+        QVERIFY(!desk.find<QLabel>((name + "NotShown").constData()).isVisible());
+    }
+    QVERIFY(!desk.find<QComboBox>("airwayPreset").isEnabled());
+    QCOMPARE(desk.first(), QStringLiteral("airwayOver"));
 }
 
 /// Also each label with its key has the words of the field.
@@ -212,6 +333,8 @@ void TestAirwayPanel::namesAndExplainsEveryControl()
         QCOMPARE(labels, 1);
     }
     QVERIFY(!desk.box("airwayOver").accessibleName().isEmpty());
+    const auto& presets = desk.find<QComboBox>("airwayPreset");
+    QVERIFY(!presets.accessibleName().isEmpty() && !presets.toolTip().isEmpty());
     QVERIFY(!desk.find<QPushButton>("clearAirway").toolTip().isEmpty());
 }
 

@@ -99,15 +99,18 @@ QMatrix4x4 tiltUniform(const BladeField& field)
 std::array<AirwayUniform, kAirwayUniforms> airwayUniforms(const AirwayField& field)
 {
     constexpr std::array kSwellings{"swellings[0].form", "swellings[1].form", "swellings[2].form",
-                                    "swellings[3].form", "swellings[4].form", "swellings[5].form"};
+                                    "swellings[3].form", "swellings[4].form", "swellings[5].form",
+                                    "swellings[6].form", "swellings[7].form", "swellings[8].form",
+                                    "swellings[9].form"};
     static_assert(kSwellings.size() == kMostSwellings);
     const AirwayFrame<float> frame = inSingle(field.frame());
     std::array<AirwayUniform, kAirwayUniforms> all;
     all[0] = {"cords", narrowingUniform(frame.cords)};
-    all[1] = {"vestibule", narrowingUniform(frame.vestibule)};
-    all[2] = {"pharynx", narrowingUniform(frame.pharynx)};
+    all[1] = {"web", narrowingUniform(frame.web)};
+    all[2] = {"vestibule", narrowingUniform(frame.vestibule)};
+    all[3] = {"pharynx", narrowingUniform(frame.pharynx)};
     for (std::size_t n = 0; n < kMostSwellings; ++n)
-        all[3 + n] = {kSwellings[n], swellingUniform(frame.swellings[n])};
+        all[4 + n] = {kSwellings[n], swellingUniform(frame.swellings[n])};
     return all;
 }
 

@@ -14,8 +14,8 @@ struct OrganShader {
     bool hasManyRegions = true; ///< uniform regions[].motion; else one uniform motion
     bool movesJaw = true;       ///< uniforms throat and jaw; else the jaw stays as in the surfaces
     bool pushesTissue = true;   ///< uniforms blade and tilt; else no blade moves anything
-    bool changesAirway = true; ///< uniforms cords, vestibule, pharynx and swellings; else no events
-    bool isSpotlit = false;    ///< uniform spot: lit by a lamp beside the eye alone
+    bool changesAirway = true;  ///< uniforms of airwayUniforms; else no events
+    bool isSpotlit = false;     ///< uniform spot: lit by a lamp beside the eye alone
 
     friend auto operator<=>(const OrganShader&, const OrganShader&) = default;
 };

@@ -161,8 +161,8 @@ void TestLaryngoscopyPictures::shutsTheCordsInASpasm()
 void TestLaryngoscopyPictures::worsensTheViewByEvents_data()
 {
     QTest::addColumn<QString>("event");
-    for (const char* name :
-         {"tongue_oedema", "pharyngeal_swelling", "epiglottitis", "laryngeal_oedema"})
+    for (const char* name : {"tongue_oedema", "pharyngeal_swelling", "epiglottitis",
+                             "laryngeal_oedema", "floppy_epiglottis", "anterior_larynx"})
         QTest::newRow(name) << QString::fromLatin1(name);
 }
 

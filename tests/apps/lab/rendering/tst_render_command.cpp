@@ -174,7 +174,8 @@ void TestRenderCommand::refusesWhatItDoesNotKnow_data()
     row("an eye there is not", "--laryngoscopy . --from above", "video, direct");
     row("too high a lift", "--laryngoscopy . --lift-mm 31", "--lift-mm");
     row("an event there is not", "--laryngoscopy . --event cough",
-        "tongue_oedema, pharyngeal_swelling, epiglottitis, laryngeal_oedema, laryngospasm");
+        "tongue_oedema, pharyngeal_swelling, epiglottitis, laryngeal_oedema, laryngospasm, "
+        "floppy_epiglottis, anterior_larynx, angio_oedema, laryngeal_web");
     row("an event twice", "--laryngoscopy . --event epiglottitis --event epiglottitis=0.5", "once");
     row("an event too severe", "--laryngoscopy . --event epiglottitis=1.5", "0 to 1");
     row("a severity that is none", "--laryngoscopy . --event epiglottitis=", "0 to 1");

@@ -124,6 +124,16 @@ private Q_SLOTS:
     void thickensTheEpiglottis();
     void narrowsTheEntranceOfTheLarynx_data() { people(); }
     void narrowsTheEntranceOfTheLarynx();
+    void letsTheEpiglottisFallBack_data() { people(); }
+    void letsTheEpiglottisFallBack();
+    void movesTheLarynxForwardButNotTheTrachea_data() { people(); }
+    void movesTheLarynxForwardButNotTheTrachea();
+    void swellsLipsAndTheFrontOfTheTongue_data() { people(); }
+    void swellsLipsAndTheFrontOfTheTongue();
+    void swellsNoLipsWhereThereAreNone();
+    void joinsTheCordsInFront_data() { people(); }
+    void joinsTheCordsInFront();
+    void joinsMoreOfTheCordsWithTheSeverity();
     void movesMoreWithTheSeverity_data();
     void movesMoreWithTheSeverity();
     void foldsNowhereWithAllEventsAtOnce_data() { people(); }
@@ -285,6 +295,122 @@ void TestAirwayChanges::narrowsTheEntranceOfTheLarynx()
     QVERIFY(swollen > 0.0);
 }
 
+// It bends above the vallecula, and does not come through the wall behind it.
+void TestAirwayChanges::letsTheEpiglottisFallBack()
+{
+    QFETCH(QString, name);
+    const Person person{name};
+    const UpperAirway& a = person.airway;
+    const AirwayField field = person.field(AirwayEventKind::FloppyEpiglottis, 1.0);
+    const UpperAirway fallen = changed(a, field);
+    const double size = (a.p_A_epiglottisTip - a.p_A_epiglottisBase).norm() / 29.1e-3;
+    const Vec3 way = fallen.p_A_epiglottisTip - a.p_A_epiglottisTip;
+    QVERIFY(-way.dot(a.forward_A()) > 11.0 * kMillimetre * size);
+    QVERIFY(-way.dot(a.up_A) > 3.0 * kMillimetre * size);
+    QVERIFY((fallen.p_A_vallecula - a.p_A_vallecula).norm() < 3.0 * kMillimetre * size);
+    QVERIFY((fallen.p_A_epiglottisBase - a.p_A_epiglottisBase).norm() < 0.1 * kMillimetre);
+    const auto isBeside = [&](const Vec3& p) {
+        return std::abs(p.x() - a.p_A_epiglottisTip.x()) < 4.0 * kMillimetre
+               && std::abs((p - fallen.p_A_epiglottisTip).dot(a.up_A)) < 4.0 * kMillimetre;
+    };
+    double rearmost = std::numeric_limits<double>::lowest();
+    for (const Vec3& p : person.verticesOf("Epiglottis", field))
+        if (isBeside(p))
+            rearmost = std::max(rearmost, -p.dot(a.forward_A()));
+    double wall = std::numeric_limits<double>::max();
+    for (const Vec3& p : person.verticesOf("Pharyngeal mucosa", field))
+        if (isBeside(p) && -(p - a.p_A_epiglottisTip).dot(a.forward_A()) > 0.0)
+            wall = std::min(wall, -p.dot(a.forward_A()));
+    qInfo("%.1f mm before the wall", 1e3 * (wall - rearmost));
+    QVERIFY(rearmost < wall);
+}
+
+void TestAirwayChanges::movesTheLarynxForwardButNotTheTrachea()
+{
+    QFETCH(QString, name);
+    const Person person{name};
+    const UpperAirway& a = person.airway;
+    const AirwayField field = person.field(AirwayEventKind::AnteriorLarynx, 1.0);
+    const UpperAirway moved = changed(a, field);
+    const auto forward = [&](Vec3 UpperAirway::*place) {
+        return (moved.*place - a.*place).dot(a.forward_A()) / (a.glottis() / millimetres(24.5));
+    };
+    for (const auto place : {&UpperAirway::p_A_commissure, &UpperAirway::p_A_notch})
+        QVERIFY2(forward(place) > 6.0 * kMillimetre && forward(place) < 10.0 * kMillimetre,
+                 qPrintable(QString::number(1e3 * forward(place))));
+    QVERIFY(forward(&UpperAirway::p_A_epiglottisBase) > 3.0 * kMillimetre);
+    QVERIFY(forward(&UpperAirway::p_A_vallecula) < 1.5 * kMillimetre);
+    QCOMPARE(forward(&UpperAirway::p_A_epiglottisTip), 0.0);
+    const auto trachea =
+        std::ranges::find(person.anatomy.parts, PartRole::Trachea, &AnatomyPart::role);
+    for (const Vec3f& p : trachea->levels.front().positions)
+        QVERIFY(airwayPull<double>(field.frame(), AirwayTissue::Larynx, p.cast<double>()).d.norm()
+                < 0.1 * kMillimetre);
+}
+
+void TestAirwayChanges::swellsLipsAndTheFrontOfTheTongue()
+{
+    QFETCH(QString, name);
+    const Person person{name};
+    const UpperAirway& a = person.airway;
+    QVERIFY(a.p_A_upperLip && a.p_A_lowerLip);
+    QVERIFY((*a.p_A_upperLip - a.p_A_incisors).dot(a.forward_A()) > 0.0);
+    QVERIFY(a.p_A_upperLip->z() > a.p_A_lowerLip->z());
+    const AirwayField field = person.field(AirwayEventKind::AngioOedema, 1.0);
+    for (const char* part : {"Upper lip", "Lower lip", "Tongue"}) {
+        const auto found = std::ranges::find(person.anatomy.parts, part, &AnatomyPart::name);
+        const TriangleMesh& made = found->levels.front();
+        const double grown = volumeOf(deformed(made, field, AirwayTissue::Throat)) / volumeOf(made);
+        qInfo("%s: %.2f", part, grown);
+        QVERIFY(grown > (found->role == PartRole::Tongue ? 1.02 : 1.3));
+    }
+    QVERIFY(field.frame().vestibule.closing
+            == person.field(AirwayEventKind::LaryngealOedema, 1.0).frame().vestibule.closing);
+}
+
+void TestAirwayChanges::swellsNoLipsWhereThereAreNone()
+{
+    Person person{QStringLiteral("adult")};
+    const Vec3 p_A_lip = *person.airway.p_A_upperLip;
+    const auto moved = [&] {
+        const AirwayField field = person.field(AirwayEventKind::AngioOedema, 1.0);
+        return airwayPull<double>(field.frame(), AirwayTissue::Throat, p_A_lip).d.norm();
+    };
+    QVERIFY(moved() > 3.0 * kMillimetre);
+    person.airway.p_A_upperLip.reset();
+    person.airway.p_A_lowerLip.reset();
+    QVERIFY(moved() < 0.5 * kMillimetre);
+    QVERIFY(canShow(person.airway, AirwayEventKind::AngioOedema));
+}
+
+// Over the front 60 %: a web of the third of Cohen's four types.
+void TestAirwayChanges::joinsTheCordsInFront()
+{
+    constexpr double kShut_m = 0.5 * kMillimetre;
+    QFETCH(QString, name);
+    const Person person{name};
+    const AirwayField joined = person.field(AirwayEventKind::LaryngealWeb, 1.0);
+    for (const double share : {0.15, 0.25, 0.35, 0.45}) {
+        const double left = widthOfGlottis(person, joined, share);
+        QVERIFY2(left > 0.0 && left < kShut_m, qPrintable(QString::number(1e3 * left)));
+    }
+    QCOMPARE(widthOfGlottis(person, joined, 0.74), widthOfGlottis(person, {}, 0.74));
+}
+
+void TestAirwayChanges::joinsMoreOfTheCordsWithTheSeverity()
+{
+    constexpr double kShut_m = 0.5 * kMillimetre;
+    const Person person{QStringLiteral("adult")};
+    const auto left = [&](double severity, double share) {
+        return widthOfGlottis(person, person.field(AirwayEventKind::LaryngealWeb, severity), share);
+    };
+    QVERIFY(left(0.2, 0.18) < kShut_m);
+    QCOMPARE(left(0.2, 0.45), widthOfGlottis(person, {}, 0.45));
+    QVERIFY(left(0.6, 0.3) < kShut_m);
+    QCOMPARE(left(0.6, 0.6), widthOfGlottis(person, {}, 0.6));
+    QVERIFY(left(0.1, 0.15) > kShut_m); // not shut yet
+}
+
 void TestAirwayChanges::movesMoreWithTheSeverity_data()
 {
     QTest::addColumn<AirwayEventKind>("kind");
@@ -303,7 +429,7 @@ void TestAirwayChanges::movesMoreWithTheSeverity()
         double most = 0.0;
         for (const AnatomyPart& part : person.anatomy.parts)
             if (const auto tissue = airwayTissueOf(regionOf(part.role)))
-                for (const Vec3f& p : part.levels.back().positions)
+                for (const Vec3f& p : part.levels.front().positions)
                     most = std::max(
                         most,
                         airwayPull<double>(field.frame(), *tissue, p.cast<double>()).d.norm());
@@ -349,9 +475,14 @@ void TestAirwayChanges::saysWhatASetCannotShow()
     person.airway.p_A_epiglottisTip = person.airway.p_A_epiglottisBase;
     QVERIFY(!canShow(person.airway, AirwayEventKind::Epiglottitis));
     QVERIFY(!person.field(AirwayEventKind::Epiglottitis, 1.0).isThere());
+    QVERIFY(!canShow(person.airway, AirwayEventKind::FloppyEpiglottis));
+    QVERIFY(canShow(person.airway, AirwayEventKind::AngioOedema)); // what there is of it
     QVERIFY(canShow(person.airway, AirwayEventKind::Laryngospasm));
     person.airway.p_A_notch = person.airway.p_A_commissure;
     QVERIFY(!airwayChanges(person.airway, {{AirwayEventKind::Laryngospasm, 1.0}}, 0.0).isThere());
+    for (const auto kind : {AirwayEventKind::AnteriorLarynx, AirwayEventKind::AngioOedema,
+                            AirwayEventKind::LaryngealWeb})
+        QVERIFY(!canShow(person.airway, kind));
 }
 
 CARINA_TEST(TestAirwayChanges)

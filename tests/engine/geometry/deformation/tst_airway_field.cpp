@@ -77,6 +77,7 @@ AirwayField anyField(std::mt19937& random)
     for (std::size_t n = 0; n < kMostSwellings; ++n)
         field.swell(anySwelling(random));
     field.closeCords(anyLumen(random), -0.3 + 1.2 * share(random));
+    field.joinCords(anyLumen(random), 0.9 * share(random));
     field.narrowVestibule(anyLumen(random), 0.6 * share(random));
     field.narrowPharynx(anyLumen(random), 0.6 * share(random));
     return field;
@@ -108,6 +109,7 @@ private Q_SLOTS:
     void leavesTheMidplaneAndTheCommissure();
     void leavesWhatIsBeyondTheLumen();
     void opensTheCordsAlike();
+    void joinsWhatTheBreathLeavesOpen();
     void movesTheLarynxAloneWithTheCords();
     void foldsNowhereInAnySwelling();
     void foldsNowhereInAnyNarrowing();
@@ -251,10 +253,31 @@ void TestAirwayField::opensTheCordsAlike()
     }
 }
 
+// A web over the front third of cords that are half shut: 2 % of that half in front, behind it all.
+void TestAirwayField::joinsWhatTheBreathLeavesOpen()
+{
+    Lumen front = glottis();
+    front.toWidest = millimetres(24.5 / 6.0);
+    AirwayField field;
+    field.closeCords(glottis(), 0.5);
+    field.joinCords(front, AirwayField::kMostClosing);
+    const auto left = [&](double behind) {
+        const double half = 0.0005 + 0.004 * behind / 0.0147;
+        const Vec3 cord{0.001 + half, -0.0145 + behind, 0.0};
+        const double d = airwayPull<double>(field.frame(), AirwayTissue::Larynx, cord).d.x();
+        return (half + d) / half;
+    };
+    for (const double behind : {0.003, 0.005, 0.0065})
+        QVERIFY(std::abs(left(behind) - 0.5 * 0.02) < 1e-3);
+    for (const double behind : {0.0095, 0.012, 0.014})
+        QVERIFY(std::abs(left(behind) - 0.5) < 1e-3);
+}
+
 void TestAirwayField::movesTheLarynxAloneWithTheCords()
 {
     AirwayField field;
     field.closeCords(glottis(), 0.5);
+    field.joinCords(glottis(), 0.5);
     for (const Vec3& p_A : places())
         for (const AirwayTissue tissue : {AirwayTissue::Throat, AirwayTissue::Pharynx})
             QCOMPARE(airwayPull<double>(field.frame(), tissue, p_A).d.norm(), 0.0);

@@ -250,7 +250,11 @@ void TestAirwayEvents::areCheckedByTheHost_data()
          {PharyngealSwelling, 1.0},
          {Epiglottitis, 1.0},
          {LaryngealOedema, 1.0},
-         {Laryngospasm, 1.0}},
+         {Laryngospasm, 1.0},
+         {FloppyEpiglottis, 1.0},
+         {AnteriorLarynx, 1.0},
+         {AngioOedema, 1.0},
+         {LaryngealWeb, 1.0}},
         minutes{10}, "fine");
     row("worse than the worst", {{TongueOedema, 1.0 + 1e-9}}, {}, "out of range");
     row("negative", {{TongueOedema, -1e-9}}, {}, "out of range");
@@ -258,7 +262,8 @@ void TestAirwayEvents::areCheckedByTheHost_data()
         "not finite");
     row("twice", {{Epiglottitis, 0.5}, {Epiglottitis, 0.6}}, {}, "out of range");
     row("out of order", {{Laryngospasm, 0.5}, {TongueOedema, 0.6}}, {}, "out of range");
-    row("a kind that there is not", {{static_cast<AirwayEventKind>(5), 0.5}}, {}, "out of range");
+    row("a kind that there is not", {{static_cast<AirwayEventKind>(kAirwayEventKinds), 0.5}}, {},
+        "out of range");
     row("too slowly", {}, minutes{10} + Duration{1000}, "out of range");
     row("back in time", {}, Duration{-1000}, "out of range");
 }

@@ -67,6 +67,7 @@ AirwayField changesInLungs()
                       .outer = 2.0};
     AirwayField airway;
     airway.closeCords(lumen, 0.2);
+    airway.joinCords(lumen, 0.15);
     airway.narrowVestibule(lumen, 0.1);
     airway.narrowPharynx(lumen, 0.3);
     airway.swell({.p_A_centre = {0.05, 0.01, -0.03},
@@ -85,6 +86,12 @@ AirwayField changesInLungs()
          .depth = millimetres(8.0),
          .isFlat = true,
          .tissues = AirwayTissues(only(AirwayTissue::Throat) | only(AirwayTissue::Larynx))});
+    for (std::size_t n = 2; n < kMostSwellings; ++n)
+        airway.swell({.p_A_centre = {0.02 * (double(n) - 5.5), 0.0, -0.01},
+                      .across = millimetres(40.0),
+                      .along = millimetres(50.0),
+                      .outward = millimetres(2.0),
+                      .shift_A = {0.0, 0.001, 0.001}});
     return airway;
 }
 

@@ -1,0 +1,75 @@
+#include "models/airway/airway_presets.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+
+namespace carina
+{
+namespace
+{
+
+using enum AirwayEventKind;
+
+const auto& presets()
+{
+    static const std::array all{
+        AirwayPreset{"clear", QT_TRANSLATE_NOOP("Airway", "Clear"), {}},
+        AirwayPreset{"swollen_mouth",
+                     QT_TRANSLATE_NOOP("Airway", "Swollen tongue and pharynx"),
+                     {{TongueOedema, 0.7}, {PharyngealSwelling, 0.6}}},
+        AirwayPreset{"anaphylaxis",
+                     QT_TRANSLATE_NOOP("Airway", "Anaphylaxis"),
+                     {{TongueOedema, 0.5},
+                      {PharyngealSwelling, 0.6},
+                      {LaryngealOedema, 0.8},
+                      {AngioOedema, 0.7}}},
+        AirwayPreset{"swollen_lips",
+                     QT_TRANSLATE_NOOP("Airway", "Swollen lips and tongue"),
+                     {{TongueOedema, 0.4}, {AngioOedema, 0.9}}},
+        AirwayPreset{"acute_epiglottitis",
+                     QT_TRANSLATE_NOOP("Airway", "Acute epiglottitis"),
+                     {{Epiglottitis, 0.9}, {LaryngealOedema, 0.4}}},
+        AirwayPreset{"burn",
+                     QT_TRANSLATE_NOOP("Airway", "Burn of the upper airway"),
+                     {{TongueOedema, 0.3},
+                      {PharyngealSwelling, 0.7},
+                      {Epiglottitis, 0.4},
+                      {LaryngealOedema, 0.7}}},
+        AirwayPreset{"anterior_floppy",
+                     QT_TRANSLATE_NOOP("Airway", "Anterior larynx, floppy epiglottis"),
+                     {{FloppyEpiglottis, 0.7}, {AnteriorLarynx, 0.8}}},
+        AirwayPreset{"spasm",
+                     QT_TRANSLATE_NOOP("Airway", "Spasm after extubation"),
+                     {{LaryngealOedema, 0.2}, {Laryngospasm, 1.0}}},
+        AirwayPreset{"web", QT_TRANSLATE_NOOP("Airway", "Congenital web"), {{LaryngealWeb, 0.7}}}};
+    return all;
+}
+
+template <class Is> const AirwayPreset* firstThat(const Is& is)
+{
+    const auto found = std::ranges::find_if(presets(), is);
+    return found == presets().end() ? nullptr : &*found;
+}
+
+} // namespace
+
+std::span<const AirwayPreset> airwayPresets() { return presets(); }
+
+const AirwayPreset* presetNamed(std::string_view name)
+{
+    return firstThat([name](const AirwayPreset& preset) { return preset.name == name; });
+}
+
+const AirwayPreset* presetOf(const AirwayEvents& events)
+{
+    return firstThat([&events](const AirwayPreset& preset) { return preset.events == events; });
+}
+
+QString presetText(const AirwayPreset& preset)
+{
+    return QCoreApplication::translate("Airway", preset.text);
+}
+
+} // namespace carina

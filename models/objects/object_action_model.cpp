@@ -263,7 +263,7 @@ void ObjectActionModel::bringTo(ObjectId object, const ActedPose& pose)
         node.act(object, {.from = pose, .anew = true});
         return look();
     }
-    const Return back{object, std::uint16_t(at.epoch + 1), pose};
+    const Return back{object, std::uint16_t(at.epoch + 1), pose, {}};
     const auto underWay = std::ranges::find(m_returns, object, &Return::object);
     if (underWay != m_returns.end() && underWay->epoch == back.epoch) {
         *underWay = back; // of several steps at once
@@ -304,6 +304,9 @@ void ObjectActionModel::putAllBack()
 {
     SessionNode& node = m_object.session().node();
     const auto state = node.state();
+    const auto joint =
+        m_history ? m_history->newJoint(tr("Everything put back")) : ChangeHistory::Joint{};
+    const ChangeHistory::Joining joining{m_history, joint};
     for (const ObjectId object : m_object.toPutBack()) {
         if (state->objects().at(object).owner == node.self())
             remember(object, tr("%1 → put back"));
@@ -311,7 +314,8 @@ void ObjectActionModel::putAllBack()
     }
     if (const SharedObject* patient = strayPatient(*state)) {
         const bool isOwn = patient->owner == node.self();
-        m_returns.push_back({patient->id, std::uint16_t(patient->epoch + (isOwn ? 0 : 1)), {}});
+        m_returns.push_back(
+            {patient->id, std::uint16_t(patient->epoch + (isOwn ? 0 : 1)), {}, joint});
         if (!isOwn)
             m_object.take(*patient);
         returnTaken();
@@ -334,6 +338,7 @@ void ObjectActionModel::returnTaken()
         return true;
     });
     for (const Return& each : due) {
+        const ChangeHistory::Joining joining{m_history, each.joint};
         if (!each.to)
             remember(each.object, tr("%1 → original place"));
         node.act(each.object, {.from = each.to.value_or(ActedPose{}), .anew = true});

@@ -72,7 +72,9 @@ public Q_SLOTS:
     void undo();
     void putBack();
     /// Everything that this person may put back at the station, and the patient: an instructor
-    /// takes it over for that, a trainee moves only their own.
+    /// takes it over for that, a trainee moves only their own. It is one change of the history. An
+    /// undo brings this person's own back to where they were, and what others held back to them, in
+    /// its original place: how they had moved it ended with its return.
     void putAllBack();
 
 Q_SIGNALS:
@@ -112,6 +114,7 @@ private:
         ObjectId object;
         std::uint16_t epoch = 0;     ///< of the ownership in which it is
         std::optional<ActedPose> to; ///< nothing: to its original place, which is a step
+        ChangeHistory::Joint joint;  ///< of which that step is a part
     };
     std::vector<Return> m_returns;
     QPointer<ChangeHistory> m_history;

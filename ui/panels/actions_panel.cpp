@@ -137,6 +137,11 @@ void ActionsPanel::refreshAction()
     // Whichever is pressed is the last to be shut, so that the keyboard goes on to one of the rest.
     m_ui->putAllBack->setEnabled(m_model->canPutAllBack());
     m_ui->undoAction->setVisible(!m_model->hasHistory()); // which has one for all panels
+    if (m_model->hasHistory())
+        m_ui->putAllBack->setToolTip(
+            tr("Puts back whatever is lifted out, and the patient (Alt+V). One undo takes that "
+               "back; but what others held returns to them in its original place, without the "
+               "motion that they had given it"));
     m_ui->undoAction->setEnabled(m_model->canUndo());
     m_ui->reset->setEnabled(m_model->canReset());
     m_ui->stop->setEnabled(m_model->canStop());

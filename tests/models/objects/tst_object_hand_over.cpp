@@ -25,6 +25,8 @@ private Q_SLOTS:
     void takesBackAllDownToAStep();
     void takesBackWhatIsStillUnderWay();
     void givesThePatientBackAfterEverythingWasPutBack();
+    void undoesAtOnceThatEverythingWasPutBack();
+    void undoesTheRestOfWhatWasPutBackAndSaysWhy();
     void saysWhyItStays_data();
     void saysWhyItStays();
     void takesBackWhatIsOfAnotherStation();
@@ -41,7 +43,8 @@ constexpr ParticipantId kTess{4};
 constexpr ObjectId kPatient = FakeSessionNode::kPatient;
 constexpr ObjectId kLungs{4}; ///< the groups are shared in their order
 constexpr std::array kOtherGroups{ObjectId{3}, ObjectId{5}, ObjectId{6}, ObjectId{7}};
-constexpr double kSmall = 1e-6; ///< metres: rates travel as 32-bit numbers
+constexpr ObjectId kOwn = kOtherGroups[0]; ///< the airway
+constexpr double kSmall = 1e-6;            ///< metres: rates travel as 32-bit numbers
 
 /// An instructor's console; another trainee, Tess, is here, too.
 struct Desk {
@@ -246,11 +249,56 @@ void TestObjectHandOver::givesThePatientBackAfterEverythingWasPutBack()
     desk.model.putAllBack();
     Desk::deliver();
     QVERIFY(desk.ownerOf(kPatient) == kIna);
-    QCOMPARE(desk.history.texts(), (QStringList{QStringLiteral("Adult → original place"),
-                                                QStringLiteral("Adult → taken over from Tom")}));
-    desk.undo(2);
+    QCOMPARE(desk.history.texts(), QStringList{QStringLiteral("Everything put back")});
+    desk.undo();
     QVERIFY(desk.ownerOf(kPatient) == kTom);
     QVERIFY(std::abs(desk.x(kPatient) - 0.1) < kSmall);
+}
+
+/// This person's own as it was moved, what was another's in its place.
+void TestObjectHandOver::undoesAtOnceThatEverythingWasPutBack()
+{
+    Desk desk;
+    desk.pass(kLungs, kTom);
+    desk.node.ownerActs(kLungs, {ActionKind::Translation, Vec3::UnitX(), 0.1});
+    desk.node.ownerActs(kPatient, {ActionKind::Translation, Vec3::UnitX(), 0.1});
+    desk.lift(kOwn);
+    desk.move();
+    const QStringList before = desk.history.texts();
+    desk.node.hostGoesAway();
+    desk.model.putAllBack();
+    desk.node.hostComesBack(); // what is taken over arrives later
+    Desk::deliver();
+    QVERIFY(desk.ownerOf(kLungs) == kNobody && desk.ownerOf(kOwn) == kNobody);
+    QVERIFY(desk.ownerOf(kPatient) == kIna);
+    QCOMPARE(desk.history.texts(), QStringList{QStringLiteral("Everything put back")} + before);
+    desk.undo();
+    QVERIFY(desk.ownerOf(kLungs) == kTom && desk.ownerOf(kPatient) == kTom);
+    QVERIFY(desk.ownerOf(kOwn) == kIna);
+    QVERIFY(std::abs(desk.x(kOwn) - 0.1) < kSmall);
+    QVERIFY(std::abs(desk.x(kPatient) - 0.1) < kSmall);
+    QVERIFY(std::abs(desk.x(kLungs)) < kSmall);
+    QCOMPARE(desk.history.texts(), before);
+    QVERIFY(desk.refused.isEmpty());
+    QVERIFY(!desk.node.refusal());
+}
+
+void TestObjectHandOver::undoesTheRestOfWhatWasPutBackAndSaysWhy()
+{
+    Desk desk;
+    desk.pass(kLungs, kTom);
+    desk.pass(kOwn, kTom);
+    desk.pass(kOtherGroups[1], kTess);
+    desk.model.putAllBack();
+    desk.pass(kLungs, kTess);
+    desk.pass(kOwn, kTess);
+    desk.undo();
+    QVERIFY(desk.ownerOf(kLungs) == kTess && desk.ownerOf(kOwn) == kTess);
+    QVERIFY(desk.ownerOf(kOtherGroups[1]) == kTess);
+    QCOMPARE(desk.refused.size(), 1); // once, of both
+    QCOMPARE(desk.reason(), QStringLiteral("Not undone: Tess has got Lungs since. "
+                                           "Not undone: Tess has got Airway since."));
+    QVERIFY(desk.history.isEmpty());
 }
 
 void TestObjectHandOver::saysWhyItStays_data()

@@ -76,6 +76,9 @@ private Q_SLOTS:
     void undoesAtTheStationWhereItWasMade();
     void forgetsWhatIsOfAStationThatWasClosed();
     void namesNoStationOfWhatIsOfNone();
+    void undoesWhatBelongsTogetherAtOnce();
+    void leavesTheRestOfAJointChange();
+    void forgetsTheOldestWhole();
 };
 
 void TestChangeHistory::takesBackTheLastOfAllPanels()
@@ -189,6 +192,74 @@ void TestChangeHistory::namesNoStationOfWhatIsOfNone()
     QCOMPARE(history.texts(), (QStringList{QStringLiteral("%2: b"), QStringLiteral("a")}));
     history.setStations(kFirst, {{kFirst, QStringLiteral("Hall")}});
     QCOMPARE(history.texts(), QStringList{QStringLiteral("a")});
+}
+
+/// The last part first, and also the part that came later.
+void TestChangeHistory::undoesWhatBelongsTogetherAtOnce()
+{
+    ChangeHistory history;
+    const QObject owner;
+    QStringList undone;
+    const auto add = [&](const QString& text) {
+        history.add(owner, text, [&undone, text] { undone << text; });
+    };
+    add(QStringLiteral("before"));
+    const ChangeHistory::Joint joint = history.newJoint(QStringLiteral("all"));
+    {
+        const ChangeHistory::Joining joining{&history, joint};
+        add(QStringLiteral("a"));
+        add(QStringLiteral("b"));
+    }
+    QVERIFY(!history.goOn(owner, QStringLiteral("b goes on"), 0));
+    add(QStringLiteral("after"));
+    {
+        const ChangeHistory::Joining joining{&history, joint};
+        add(QStringLiteral("c"));
+    }
+    QCOMPARE(history.texts(), (QStringList{QStringLiteral("after"), QStringLiteral("all"),
+                                           QStringLiteral("before")}));
+    history.undo();
+    QCOMPARE(undone, QStringList{QStringLiteral("after")});
+    history.undo();
+    QCOMPARE(undone.mid(1),
+             (QStringList{QStringLiteral("c"), QStringLiteral("b"), QStringLiteral("a")}));
+    QCOMPARE(history.texts(), QStringList{QStringLiteral("before")});
+}
+
+void TestChangeHistory::leavesTheRestOfAJointChange()
+{
+    ChangeHistory history;
+    const QObject owner;
+    QList<int> undone;
+    {
+        const ChangeHistory::Joining joining{&history, history.newJoint(QStringLiteral("all"))};
+        for (const int topic : {1, 2, 3})
+            history.add(
+                owner, QString::number(topic), [&undone, topic] { undone << topic; }, topic);
+    }
+    history.forget(owner, 2);
+    QCOMPARE(history.texts(), QStringList{QStringLiteral("all")});
+    history.undo();
+    QCOMPARE(undone, (QList<int>{3, 1}));
+    QVERIFY(history.isEmpty());
+}
+
+/// No part of it is left to be undone alone.
+void TestChangeHistory::forgetsTheOldestWhole()
+{
+    ChangeHistory history;
+    const QObject owner;
+    {
+        const ChangeHistory::Joining joining{&history, history.newJoint(QStringLiteral("all"))};
+        history.add(owner, QStringLiteral("a"), [] {});
+        history.add(owner, QStringLiteral("b"), [] {});
+    }
+    for (std::size_t more = 2; more < ChangeHistory::kMost; ++more)
+        history.add(owner, QStringLiteral("more"), [] {});
+    QCOMPARE(history.texts().last(), QStringLiteral("all"));
+    history.add(owner, QStringLiteral("one more"), [] {});
+    QCOMPARE(history.texts().size(), int(ChangeHistory::kMost) - 1);
+    QCOMPARE(history.texts().last(), QStringLiteral("more"));
 }
 
 CARINA_TEST(TestChangeHistory)

@@ -186,8 +186,21 @@ struct SessionState::Applier {
     void operator()(const fact::ObjectHandedOver& body) const
     {
         const auto object = state.m_objects.find(body.object);
-        if (object != state.m_objects.end())
-            own(object->second, body.owner);
+        if (object == state.m_objects.end())
+            return;
+        if (Participant* loser = known(object->second.owner);
+            loser && around.author != loser->id && body.owner != loser->id) {
+            forgetWithdrawal(*loser, body.object);
+            loser->withdrawn.push_back({body.object, around.author, body.owner, around.committed});
+        }
+        if (Participant* heir = known(body.owner))
+            forgetWithdrawal(*heir, body.object);
+        own(object->second, body.owner);
+    }
+    static void forgetWithdrawal(Participant& participant, ObjectId object)
+    {
+        std::erase_if(participant.withdrawn,
+                      [object](const Withdrawal& each) { return each.object == object; });
     }
     void operator()(const fact::ObjectWanted& body) const
     {

@@ -21,6 +21,16 @@ struct Removal {
     FactNumber at; ///< runs of a program that came in before are out
 };
 
+/// That an object was passed on by somebody else than whose it was.
+struct Withdrawal {
+    ObjectId object;
+    ParticipantId by;
+    ParticipantId to; ///< kNobody: it was put back
+    SessionTime at;
+
+    friend bool operator==(const Withdrawal&, const Withdrawal&) = default;
+};
+
 struct Participant {
     ParticipantId id;
     Role role = Role::Observer;
@@ -36,6 +46,8 @@ struct Participant {
     std::optional<RegistrationStanding> registration{};
     /// When an instructor moved them to their station; of this stay.
     std::optional<SessionTime> moved{};
+    /// What was theirs in this stay, the last of each object that they have not got back.
+    std::vector<Withdrawal> withdrawn{};
     Angle turn{};                      ///< of the place where others see them (fact::PlaceChosen)
     SessionTime since{};               ///< when they came in last
     std::optional<SessionTime> left{}; ///< when they left, until they come in again

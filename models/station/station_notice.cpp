@@ -8,6 +8,7 @@
 #include <QStringList>
 
 #include <algorithm>
+#include <map>
 
 namespace carina
 {
@@ -21,7 +22,8 @@ constexpr Duration kHostSilent = std::chrono::milliseconds{800};
 constexpr Duration kHostMissed = std::chrono::seconds{5};
 /// For so long it is said that a token was replaced.
 constexpr Duration kTokenTold = std::chrono::minutes{1};
-/// For so long it is said that an instructor moved this participant.
+/// For so long it is said that an instructor moved this participant, or took from them what they
+/// held.
 constexpr Duration kMoveTold = std::chrono::seconds{15};
 
 QString noticeWords(const char* text) { return QCoreApplication::translate("StationNotice", text); }
@@ -65,6 +67,37 @@ QString phaseNotice(SessionPhase phase)
     return {};
 }
 
+/// Who has what was taken from a participant, after its names.
+QString withdrawalText(const SessionState& state, const Withdrawal& withdrawal, const QString& what)
+{
+    if (withdrawal.to == kNobody)
+        return noticeWords(QT_TRANSLATE_NOOP("StationNotice", "The instructor has put back: %1"))
+            .arg(what);
+    if (withdrawal.to == withdrawal.by)
+        return noticeWords(QT_TRANSLATE_NOOP("StationNotice", "The instructor has taken over: %1"))
+            .arg(what);
+    return noticeWords(QT_TRANSLATE_NOOP("StationNotice", "The instructor has given to %2: %1"))
+        .arg(what, participantWord(state, withdrawal.to));
+}
+
+/// What an instructor has just taken from a participant, a line for each who has it now.
+QStringList withdrawals(const SessionState& state, const Participant& participant, SessionTime now)
+{
+    std::map<ParticipantId, QStringList> names;
+    std::map<ParticipantId, Withdrawal> last;
+    for (const Withdrawal& each : participant.withdrawn) {
+        const auto object = state.objects().find(each.object);
+        if (object == state.objects().end() || now >= each.at + kMoveTold)
+            continue;
+        names[each.to] << objectWord(object->second);
+        last.insert_or_assign(each.to, each);
+    }
+    QStringList lines;
+    for (const auto& [to, withdrawal] : last)
+        lines << withdrawalText(state, withdrawal, names[to].join(QStringLiteral(", ")));
+    return lines;
+}
+
 /// What was decided about this program's participant; empty where nothing was.
 QString standing(const SessionNode& node, SessionTime now)
 {
@@ -89,6 +122,7 @@ QString standing(const SessionNode& node, SessionTime now)
                                                    "The instructor has moved you to the station "
                                                    "“%1”"))
                          .arg(QString::fromStdString(station->second.name)));
+    lines += withdrawals(*state, self->second, now);
     return lines.join(QLatin1Char{'\n'});
 }
 

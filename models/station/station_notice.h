@@ -17,6 +17,7 @@ namespace carina
 /// of it.
 ///
 /// A muted participant reads that it is muted, and one whose token was replaced why, for a minute.
+/// One whom an instructor moved, or from whom one took what they held, reads that for 15 s.
 /// Once the host has removed this program, only its reason is shown.
 /// @param registration of this program's manikin; std::nullopt for a program without a tracker
 [[nodiscard]] QString stationNotice(const SessionNode& node, const StationMoment& moment,

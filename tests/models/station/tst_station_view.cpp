@@ -72,6 +72,7 @@ private Q_SLOTS:
     void showsRestBeforeTheClockIsSet();
     void showsThePatientAsActionsHaveItAtTheTimeOfLight();
     void tellsForAWhileThatOneWasMoved();
+    void tellsForAWhileWhatWasTakenFromOne();
     void saysThatThePatientIsAway();
     void saysWhatWasDecidedAboutItsParticipant();
     void saysWhenTheHeadsetIsLost_data();
@@ -260,6 +261,48 @@ void TestStationView::tellsForAWhileThatOneWasMoved()
     QCOMPARE(noticeAfter(std::chrono::seconds{14}),
              QStringLiteral("The instructor has moved you to the station “Room 5”"));
     QCOMPARE(noticeAfter(std::chrono::seconds{15}), QString{});
+}
+
+/// And not what one gave away, or has got back.
+void TestStationView::tellsForAWhileWhatWasTakenFromOne()
+{
+    constexpr ParticipantId kTom = FakeSessionNode::kTrainee;
+    constexpr ParticipantId kIna = FakeSessionNode::kInstructor;
+    FakeSessionNode node{kTom};
+    node.linkReports.emplace_back().state = LinkState::Connected;
+    node.decide(fact::PhaseChanged{SessionPhase::Running});
+    const auto lines = [&node](std::chrono::seconds time = {}) {
+        StationMoment moment;
+        moment.tube = tellingPose(ObjectKind::Tube, kNow);
+        moment.time = *node.now() + time;
+        return stationNotice(node, moment, ViewOutput::Screen).split(QLatin1Char{'\n'});
+    };
+    const auto shareTomsOwn = [&node](const char* name) {
+        node.decide(fact::ObjectShared{{}, kNobody, ObjectKind::OrganGroup, name});
+        const ObjectId object = node.state()->objects().rbegin()->first;
+        node.decide(fact::ObjectHandedOver{object, kTom, 1}, kTom);
+        return object;
+    };
+    const auto pass = [&node](ObjectId object, ParticipantId to, ParticipantId by) {
+        const std::uint16_t epoch = node.state()->objects().at(object).epoch;
+        node.decide(fact::ObjectHandedOver{object, to, epoch}, by);
+    };
+    const ObjectId lungs = shareTomsOwn("lungs");
+    const ObjectId airway = shareTomsOwn("airway");
+    const ObjectId skeleton = shareTomsOwn("skeleton");
+    pass(skeleton, kNobody, kTom);
+    QCOMPARE(lines(), QStringList{QString{}});
+    pass(lungs, kNobody, kIna);
+    pass(airway, kNobody, kIna);
+    const QString both = QStringLiteral("The instructor has put back: Lungs, Airway");
+    QCOMPARE(lines(std::chrono::seconds{14}), QStringList{both});
+    QCOMPARE(lines(std::chrono::seconds{15}), QStringList{QString{}});
+    pass(lungs, kTom, kIna);
+    QCOMPARE(lines(), QStringList{QStringLiteral("The instructor has put back: Airway")});
+    pass(airway, kTom, kTom);
+    QCOMPARE(lines(), QStringList{QString{}});
+    pass(lungs, kIna, kIna);
+    QCOMPARE(lines(), QStringList{QStringLiteral("The instructor has taken over: Lungs")});
 }
 
 void TestStationView::saysThatThePatientIsAway()

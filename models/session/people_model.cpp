@@ -111,6 +111,39 @@ std::optional<PeopleModel::Person> PeopleModel::person(ParticipantId id) const
     return found == all.end() ? std::nullopt : std::optional{*found};
 }
 
+QString PeopleModel::whyNotHere(ParticipantId id) const
+{
+    const auto state = m_session.node().state();
+    const QString name = participantWord(*state, id);
+    return state->isPresent(id) ? tr("%1 is at another station.").arg(name)
+                                : tr("%1 is not here any more.").arg(name);
+}
+
+QString PeopleModel::obstacleToWork(ParticipantId id) const
+{
+    const auto who = person(id);
+    if (!who)
+        return whyNotHere(id);
+    if (who->canBeGiven)
+        return {};
+    if (who->isAtWork)
+        return tr("%1 is at work already.").arg(who->name);
+    return m_session.node().state()->participants().at(id).role == Role::Observer
+               ? tr("%1 is an observer, who is not given work.").arg(who->name)
+               : tr("Only an instructor, or who is at work, can give work to %1.").arg(who->name);
+}
+
+QString PeopleModel::obstacleToPlace(ParticipantId id) const
+{
+    const auto who = person(id);
+    if (!who)
+        return whyNotHere(id);
+    if (who->canBePlaced)
+        return {};
+    return who->hasHead ? tr("Only an instructor, or they themselves, can place %1.").arg(who->name)
+                        : tr("%1 shares no head that could be placed.").arg(who->name);
+}
+
 QString PeopleModel::workText() const
 {
     for (const Person& person : people())

@@ -55,6 +55,11 @@ public:
     [[nodiscard]] std::vector<Person> people() const;
     /// Nothing for somebody who is not there.
     [[nodiscard]] std::optional<Person> person(ParticipantId id) const;
+    /// Why this program's participant cannot give somebody the work, a sentence; empty where they
+    /// can.
+    [[nodiscard]] QString obstacleToWork(ParticipantId id) const;
+    /// Why this program's participant cannot choose where others see somebody; likewise.
+    [[nodiscard]] QString obstacleToPlace(ParticipantId id) const;
     /// A sentence on who is at work.
     [[nodiscard]] QString workText() const;
 
@@ -72,6 +77,7 @@ Q_SIGNALS:
 
 private:
     [[nodiscard]] Person personOf(const SessionState& state, const Participant& who) const;
+    [[nodiscard]] QString whyNotHere(ParticipantId id) const;
     void takeBackWork(StationId station, ParticipantId before, ParticipantId given);
     void takeBackPlace(const fact::PlaceChosen& before, const fact::PlaceChosen& chosen);
     [[nodiscard]] QString whyWorkStays(StationId station, const fact::WorkTaken& back,

@@ -128,6 +128,31 @@ private Q_SLOTS:
         }
     }
 
+    void saysWhatIsInTheWay()
+    {
+        const auto work = [](const Seat& seat, ParticipantId id) {
+            return seat.people.obstacleToWork(id);
+        };
+        Seat console{FakeSessionNode::kInstructor};
+        QCOMPARE(work(console, kTess), QString{});
+        QCOMPARE(work(console, kTom), QStringLiteral("Tom is at work already."));
+        QCOMPARE(work(console, FakeSessionNode::kObserver),
+                 QStringLiteral("Olga is an observer, who is not given work."));
+        QCOMPARE(console.people.obstacleToPlace(kTess), QString{});
+        QCOMPARE(console.people.obstacleToPlace(kTom),
+                 QStringLiteral("Tom shares no head that could be placed."));
+        QCOMPARE(work(Seat{FakeSessionNode::kObserver}, kTess),
+                 QStringLiteral("Only an instructor, or who is at work, can give work to Tess."));
+        QCOMPARE(Seat{kTom}.people.obstacleToPlace(kTess),
+                 QStringLiteral("Only an instructor, or they themselves, can place Tess."));
+        console.node.addStation("Room 5");
+        console.node.decideAt(StationId{1}, fact::ParticipantMoved{kTess});
+        QCOMPARE(work(console, kTess), QStringLiteral("Tess is at another station."));
+        console.node.decide(fact::ParticipantLeft{kTess});
+        QCOMPARE(work(console, kTess), QStringLiteral("Tess is not here any more."));
+        QCOMPARE(console.people.obstacleToPlace(kTess), work(console, kTess));
+    }
+
     void offersAPlaceToWhoMayChooseIt()
     {
         const auto canBePlaced = [](ParticipantId self, ParticipantId whom) {

@@ -1,5 +1,6 @@
 #include "ui/panels/participants_panel.h"
 
+#include "models/text/shown_as_is.h"
 #include "ui/panels/people_menus.h"
 #include "ui/panels/remove_dialog.h"
 #include "ui_participants_panel.h"
@@ -28,6 +29,13 @@ constexpr std::array kElsewhere{ParticipantsModel::Age, ParticipantsModel::Drift
 constexpr std::array kInSight{ParticipantsModel::State, ParticipantsModel::Delay,
                               ParticipantsModel::Same};
 constexpr int kLeastNames = 90; ///< pixels
+
+/// What there is no room for is in the tip.
+void tell(QLabel& line, const QString& text)
+{
+    line.setText(text);
+    line.setToolTip(shownAsIs(text));
+}
 
 } // namespace
 
@@ -164,8 +172,6 @@ void ParticipantsPanel::refresh()
     m_ui->mute->setAccessibleDescription(whom);
     m_ui->remove->setAccessibleDescription(whom);
     m_ui->move->setAccessibleDescription(whom);
-    m_ui->work->setAccessibleDescription(whom);
-    m_ui->place->setAccessibleDescription(whom);
     refreshPerson();
     refreshFigures();
     refreshColumns();
@@ -200,16 +206,25 @@ void ParticipantsPanel::offerStations()
 void ParticipantsPanel::refreshPerson()
 {
     const auto id = chosen();
-    const auto person = id ? m_people->person(*id) : std::nullopt;
-    m_ui->work->setEnabled(person && person->canBeGiven);
-    m_ui->place->setEnabled(person && person->canBePlaced);
+    const QString work = id ? m_people->obstacleToWork(*id) : QString{};
+    const QString place = id ? m_people->obstacleToPlace(*id) : QString{};
+    m_ui->work->setEnabled(id && work.isEmpty());
+    m_ui->place->setEnabled(id && place.isEmpty());
+    const QString whom =
+        id ? m_conduct->standingOf(*id).name : tr("Choose a participant in the table");
+    m_ui->work->setAccessibleDescription(work.isEmpty() ? whom : work);
+    m_ui->place->setAccessibleDescription(place.isEmpty() ? whom : place);
+    QStringList obstacles{work, place};
+    obstacles.removeAll(QString{});
+    obstacles.removeDuplicates();
+    tell(*m_ui->obstacles, obstacles.join(QLatin1Char{' '}));
 }
 
 /// Of the chosen participant, for who has no mouse.
 void ParticipantsPanel::refreshFigures()
 {
     const QModelIndex same = m_ui->table->currentIndex().siblingAtColumn(ParticipantsModel::Same);
-    m_ui->sameFigures->setText(same.data(Qt::AccessibleDescriptionRole).toString());
+    tell(*m_ui->sameFigures, same.data(Qt::AccessibleDescriptionRole).toString());
 }
 
 void ParticipantsPanel::muteOrNot()

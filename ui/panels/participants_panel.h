@@ -22,8 +22,8 @@ namespace carina
 
 /// The participants of the session as a table, in which a long name has several lines, and what an
 /// instructor may decide about the chosen one: mute, remove, let back in, give the work, where
-/// others see them, and, where several stations are open, move to another one. Besides, the session
-/// can be locked.
+/// others see them, and, where several stations are open, move to another one. Why work or a place
+/// cannot be given is said above the buttons. Besides, the session can be locked.
 class ParticipantsPanel : public QWidget
 {
     Q_OBJECT

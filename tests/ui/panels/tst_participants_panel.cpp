@@ -10,6 +10,9 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
+#include <QScopeGuard>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QToolButton>
@@ -38,6 +41,8 @@ private Q_SLOTS:
     void keepsWhoWasChosenWhenSomebodyComesIn();
     void movesToAnotherStationWhereThereIsOne();
     void showsTheFiguresOfWhoIsChosen();
+    void saysWhyWorkAndPlaceAreNotOffered();
+    void needsNoScrollingInALowDock();
     void keepsItsHeadingsWhole();
     void keepsStatesInSightBesideALongName();
     void tellsOfRegistrationsWhereThereAreSome();
@@ -125,6 +130,57 @@ void TestParticipantsPanel::showsTheFiguresOfWhoIsChosen()
     QVERIFY2(figures.text().contains(QStringLiteral("7.1")), qPrintable(figures.text()));
     panel.table.setCurrentIndex(panel.participants.index(0, 0)); // oneself
     QVERIFY(figures.text().isEmpty());
+}
+
+void TestParticipantsPanel::saysWhyWorkAndPlaceAreNotOffered()
+{
+    Panel panel;
+    const auto& obstacles = *panel.panel.findChild<QLabel*>(QStringLiteral("obstacles"));
+    QVERIFY(obstacles.text().isEmpty());
+    panel.chooseTom();
+    const QString atWork = QStringLiteral("Tom is at work already.");
+    const QString noHead = QStringLiteral("Tom shares no head that could be placed.");
+    QCOMPARE(obstacles.text(), atWork + QLatin1Char{' '} + noHead);
+    QCOMPARE(panel.work.accessibleDescription(), atWork);
+    QCOMPARE(panel.place.accessibleDescription(), noHead);
+    panel.node.decide(fact::ObjectShared{{}, FakeSessionNode::kTrainee, ObjectKind::Head, "Head"});
+    QCoreApplication::sendPostedEvents();
+    QCOMPARE(obstacles.text(), atWork);
+    QCOMPARE(panel.place.accessibleDescription(), QStringLiteral("Tom"));
+    panel.node.decide(fact::ParticipantLeft{FakeSessionNode::kTrainee});
+    QCoreApplication::sendPostedEvents();
+    QCOMPARE(obstacles.text(), QStringLiteral("Tom is not here any more.")); // once
+}
+
+/// As in a console of 1280x800, with somebody chosen of whom there are figures.
+void TestParticipantsPanel::needsNoScrollingInALowDock()
+{
+    Panel panel;
+    panel.node.addStation("Room 5");
+    panel.node.pathReports.push_back(
+        {.peer = FakeSessionNode::kTrainee, .meanDelay = std::chrono::milliseconds{40}});
+    panel.node.reports = {
+        {FakeSessionNode::kTube, std::chrono::milliseconds{41}, 0.03, 8.9, 100.0, 200.0}};
+    panel.node.announce();
+    QCoreApplication::sendPostedEvents();
+    QScrollArea dock;
+    dock.setFrameShape(QFrame::NoFrame);
+    dock.setWidgetResizable(true);
+    dock.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    dock.setWidget(&panel.panel);
+    const auto apart = qScopeGuard([&dock] { dock.takeWidget(); });
+    dock.resize(430, 300);
+    dock.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&dock));
+    panel.chooseTom();
+    QVERIFY(!panel.panel.findChild<QLabel*>(QStringLiteral("sameFigures"))->text().isEmpty());
+    QCoreApplication::processEvents();
+    QCOMPARE(dock.verticalScrollBar()->maximum(), 0);
+    for (const QWidget* each : std::initializer_list<const QWidget*>{
+             &panel.mute, &panel.remove, &panel.work, &panel.place, &panel.lock}) {
+        const QRect at{each->mapTo(&panel.panel, QPoint{}), each->size()};
+        QVERIFY2(panel.panel.rect().contains(at), qPrintable(each->objectName()));
+    }
 }
 
 /// However narrow it is: then it is scrolled.

@@ -114,6 +114,11 @@ std::string StationTracking::toolName(ToolRole role) const
     return tool != m_tools.end() ? tool->name : std::string{};
 }
 
+bool StationTracking::hasTool(ToolRole role) const
+{
+    return std::ranges::find(m_tools, role, &TrackedTool::role) != m_tools.end();
+}
+
 std::optional<PoseSample> StationTracking::newest(ToolRole role) const
 {
     const PoseHistory* history = historyOf(role);

@@ -96,6 +96,8 @@ public:
     [[nodiscard]] const std::shared_ptr<Tracker>& sharedTracker() const { return m_tracker; }
     /// The tracker's name of the tool; empty where it has no such tool.
     [[nodiscard]] std::string toolName(ToolRole role) const;
+    /// Whether the tracker has a tool for this, seen or not.
+    [[nodiscard]] bool hasTool(ToolRole role) const;
 
     /// X_A<tool> at a time, as by PoseHistory::at; nothing for a tool that the tracker lacks. A
     /// tool is lost while the probe that determines the pose of the manikin is lost.

@@ -58,10 +58,17 @@ HeadsetView::eyes(ViewOutput output, const std::optional<PoseSample>& head) cons
         return std::nullopt;
     if (!head || head->validity == Validity::Lost)
         return std::vector<EyePicture>{};
+    return eyesAt(output, head->X_FO);
+}
+
+std::optional<std::vector<EyePicture>> HeadsetView::eyesAt(ViewOutput output,
+                                                           const RigidTransform& X_AH) const
+{
+    if (output == ViewOutput::Screen)
+        return std::nullopt;
     if (output == ViewOutput::Mono)
-        return std::vector{pictureOf(m_middle, head->X_FO, kWhole)};
-    return std::vector{pictureOf(m_left, head->X_FO, kLeftHalf),
-                       pictureOf(m_right, head->X_FO, kRightHalf)};
+        return std::vector{pictureOf(m_middle, X_AH, kWhole)};
+    return std::vector{pictureOf(m_left, X_AH, kLeftHalf), pictureOf(m_right, X_AH, kRightHalf)};
 }
 
 } // namespace carina

@@ -38,6 +38,10 @@ public:
     [[nodiscard]] std::optional<std::vector<EyePicture>>
     eyes(ViewOutput output, const std::optional<PoseSample>& head) const;
 
+    /// The same of a head whose place is known.
+    [[nodiscard]] std::optional<std::vector<EyePicture>> eyesAt(ViewOutput output,
+                                                                const RigidTransform& X_AH) const;
+
 private:
     HeadsetView() = default;
 

@@ -23,6 +23,8 @@ struct ObjectPoses {
     /// several, of which the last counts.
     std::function<bool(ObjectKind, const std::string& name)> isCalled =
         [](ObjectKind, const std::string&) { return true; };
+    /// Whether there is a tool for it, seen or not.
+    std::function<bool(ObjectKind)> hasTool = [](ObjectKind) { return false; };
     /// Whether own hands and the own stylus are drawn for a person who looks at a screen. A scene
     /// that is shown in a headset never draws them (StationScene): they are seen anyway.
     bool handsAreDrawn = false;

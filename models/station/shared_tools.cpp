@@ -347,6 +347,11 @@ ObjectPoses SharedTools::posesOnScreen() const
                 [this](ObjectKind kind, const std::string& name) {
                     return kind != ObjectKind::Laryngoscope || name == m_laryngoscope;
                 },
+            .hasTool =
+                [this](ObjectKind kind) {
+                    const auto tool = trackedBy(kind);
+                    return tool && m_laid->tracking && m_laid->tracking->hasTool(*tool);
+                },
             .handsAreDrawn = true};
 }
 

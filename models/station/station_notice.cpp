@@ -3,6 +3,7 @@
 #include "models/errors/error_text.h"
 #include "models/objects/object_words.h"
 #include "models/site/standing_words.h"
+#include "models/station/head_by_mouse.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -136,23 +137,28 @@ QString notHere(const SessionState& state, const StationMoment& moment)
         .arg(QString::fromStdString(worker->second.name));
 }
 
-/// What to do about a headset whose place is not known; empty on a screen and while it is.
-QString headsetNotice(const StationMoment& moment, ViewOutput output, bool hasTracker)
+/// What to do about a tracked headset whose place is not known; empty on a screen and while it is.
+QString headsetNotice(const StationMoment& moment, ViewOutput output)
 {
     if (output == ViewOutput::Screen || !isLost(moment.head))
         return {};
-    if (hasTracker && moment.head)
+    if (moment.head)
         return noticeWords(QT_TRANSLATE_NOOP("StationNotice", "Headset out of the tracker's view"));
-    return hasTracker
-               ? noticeWords(QT_TRANSLATE_NOOP(
-                   "StationNotice",
-                   "The tracker has not seen the headset yet: hold it in the tracker's view. If "
-                   "the tracker has no tool for the head, give it one, or press Esc and choose “On "
-                   "a screen”"))
-               : noticeWords(QT_TRANSLATE_NOOP(
-                   "StationNotice",
-                   "A picture for a headset needs a tracker that sees the headset: press Esc and "
-                   "connect one under “Tracker and its tools”, or choose “On a screen”"));
+    if (!moment.headIsAwaited)
+        return {};
+    return noticeWords(QT_TRANSLATE_NOOP(
+        "StationNotice", "The tracker has not seen the headset yet: hold it in the tracker's view, "
+                         "or press Esc and choose “On a screen”"));
+}
+
+/// That a headset's picture is turned by mouse, and how; empty where it is not.
+QString mouseNotice(const StationMoment& moment, ViewOutput output)
+{
+    if (!looksByMouse(moment, output))
+        return {};
+    return noticeWords(QT_TRANSLATE_NOOP(
+        "StationNotice", "You look around by mouse: no headset is tracked. Drag or arrow keys turn "
+                         "your head, wheel or + and - bring you nearer, Home takes you back"));
 }
 
 /// That the tube of this program's participant, or of nobody, is not seen; empty while it is.
@@ -201,7 +207,7 @@ QString situation(const SessionNode& node, const StationMoment& moment, ViewOutp
                    : host;
     if (phase != SessionPhase::Running)
         return phaseNotice(phase);
-    if (const QString headset = headsetNotice(moment, output, hasTracker); !headset.isEmpty())
+    if (const QString headset = headsetNotice(moment, output); !headset.isEmpty())
         return headset;
     if (moment.worker != kNobody && moment.worker != node.self())
         return notHere(*state, moment);
@@ -216,7 +222,7 @@ QString stationNotice(const SessionNode& node, const StationMoment& moment, View
     if (isRemoved(node))
         return errorText(node.refusal().value_or(Error{Errc::Removed, {}}));
     QStringList lines{situation(node, moment, output, registration.has_value()),
-                      standing(node, moment.time)};
+                      mouseNotice(moment, output), standing(node, moment.time)};
     if (registration)
         lines.append(standingNotice(*registration));
     if (isAway(moment))

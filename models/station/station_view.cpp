@@ -56,6 +56,10 @@ void StationView::addPeople(StationMoment& moment, const SessionState& state) co
     moment.people = peoplePoses(m_node, m_station, m_own, t);
     moment.ownHandsAreDrawn = m_own.handsAreDrawn;
     moment.head = m_own.at(ObjectKind::Head, t);
+    moment.headIsAwaited = m_own.hasTool(ObjectKind::Head);
+    const auto self = state.participants().find(m_node.self());
+    if (self != state.participants().end())
+        moment.turn = self->second.turn;
     if (moment.worker == m_node.self()) { // both are nobody before it is admitted
         moment.tube = m_own.at(ObjectKind::Tube, t);
         moment.jaw = m_own.at(ObjectKind::Jaw, t);

@@ -24,6 +24,8 @@ struct StationMoment {
     std::optional<PoseSample> tube;       ///< X_AE of who is at work; empty if never seen
     std::optional<PoseSample> jaw;        ///< X_AJ of who is at work
     std::optional<PoseSample> head;       ///< X_AH of this program's participant
+    bool headIsAwaited = false;           ///< a tracker here has a tool for the head, seen or not
+    Angle turn{};                         ///< of the place chosen for this program's participant
     ParticipantId worker = kNobody;       ///< who is at work
     std::vector<PersonPose> people;       ///< what all who are there share, this program's included
     bool ownHandsAreDrawn = false;        ///< and the own stylus: see ObjectPoses

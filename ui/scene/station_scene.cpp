@@ -41,6 +41,7 @@ StationScene::StationScene(SceneView& scene, const PatientModel& patient, const 
     m_scene.setParts(sceneParts(patient), patient.reach());
     m_scene.nameSides(kPatientBody);
     m_scene.setFrameSource([this](int level, LocalTime lit) { return frameOf(level, lit); });
+    steerHead();
     m_scene.onFrameDrawn([this](const DrawnFrame& frame) {
         for (const Listener& told : m_listeners)
             told(frame, m_moment);
@@ -68,9 +69,29 @@ SceneFrame StationScene::frameOf(int level, LocalTime lit)
         frame.eyes = m_standardHeadset.eyes(ViewOutput::Mono,
                                             head ? std::optional{head->pose} : std::nullopt);
     } else if (m_headset && !m_viewpoint) {
-        frame.eyes = m_headset->eyes(m_output, m_moment.head);
+        addHeadset(frame);
     }
     return frame;
+}
+
+void StationScene::addHeadset(SceneFrame& frame) const
+{
+    frame.isHeadSteered = looksByMouse(m_moment, m_output);
+    const PlaceBeside place{.p_A_mouth = m_patient->landmarks().p_A_incisors,
+                            .position = m_moment.position,
+                            .turn = m_moment.turn};
+    frame.eyes = frame.isHeadSteered ? m_headset->eyesAt(m_output, m_headByMouse.poseAt(place))
+                                     : m_headset->eyes(m_output, m_moment.head);
+}
+
+void StationScene::steerHead()
+{
+    QObject::connect(&m_scene, &SceneView::headTurned, &m_scene,
+                     [this](double right, double down) { m_headByMouse.turn(right, down); });
+    QObject::connect(&m_scene, &SceneView::headNeared, &m_scene,
+                     [this](double factor) { m_headByMouse.comeNearer(factor); });
+    QObject::connect(&m_scene, &SceneView::headReturned, &m_scene,
+                     [this] { m_headByMouse.standAgain(); });
 }
 
 /// Nobody's picture is moved whose own head moves it. While no poses arrive the last one is kept.

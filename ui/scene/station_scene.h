@@ -1,6 +1,7 @@
 #pragma once
 
 #include "models/patient/patient_model.h"
+#include "models/station/head_by_mouse.h"
 #include "models/station/headset_view.h"
 #include "models/station/laryngoscope_sight.h"
 #include "models/station/station_view.h"
@@ -34,7 +35,9 @@ public:
     /// those of others.
     void showBlade(const std::optional<Blade>& blade) { m_laryngoscope.takeOwnBlade(blade); }
 
-    /// Selects the output: the eyes of a headset, or a screen.
+    /// Selects the output: the eyes of a headset, or a screen. While no tracker here has a tool for
+    /// the head, a headset's picture is seen from one that mouse and keys turn in the scene, in
+    /// this picture alone: it is not shared.
     void showTo(const HeadsetView& headset, ViewOutput output);
     [[nodiscard]] ViewOutput output() const { return m_output; }
     /// Draws on a screen what a participant sees, whose head is then not drawn; the background only
@@ -67,11 +70,13 @@ public:
     /// Adds a listener.
     void onFrameDrawn(Listener listener);
 
-    /// Whether own hands and the own stylus are drawn: on a screen, if the view gives them. In a
-    /// headset they are where they are seen anyway.
+    /// Whether own hands and the own stylus are drawn: on a screen, if the view gives them, and in
+    /// a headset's picture that is turned by mouse. In a tracked one they are where they are seen
+    /// anyway.
     [[nodiscard]] static bool drawsOwnHands(const StationMoment& moment, ViewOutput output)
     {
-        return moment.ownHandsAreDrawn && output == ViewOutput::Screen;
+        return moment.ownHandsAreDrawn
+               && (output == ViewOutput::Screen || looksByMouse(moment, output));
     }
 
 private:
@@ -80,6 +85,8 @@ private:
     /// are others than before.
     void showFigures();
     void findViewpoint();
+    void steerHead();
+    void addHeadset(SceneFrame& frame) const;
 
     SceneView& m_scene;
     const PatientModel* m_patient;
@@ -91,6 +98,7 @@ private:
     HeadsetView m_standardHeadset; ///< for views through the eyes of others
     std::optional<ParticipantId> m_throughEyesOf;
     std::optional<HeadsetView> m_headset;
+    HeadByMouse m_headByMouse;
     ViewOutput m_output = ViewOutput::Screen;
     bool m_followsView = false;
     std::optional<RigidTransform> m_viewpoint; ///< X_AD of who shows their view

@@ -29,7 +29,8 @@ class SectionPanel;
 /// over the lower edge, once per eye if each has its own picture, and disappear automatically; the
 /// picture does not move. Esc opens a menu, from which panels for the actions on shared objects,
 /// the parts of the patient, the tools of the tracker and the view of the laryngoscope open: beside
-/// the picture on a screen, in a separate window with a headset.
+/// the picture on a screen, in a separate window with a headset. While no headset is tracked, mouse
+/// and keys turn the head that its picture is seen from.
 class TraineeWindow : public QMainWindow
 {
     Q_OBJECT

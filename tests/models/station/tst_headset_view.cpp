@@ -62,6 +62,7 @@ private Q_SLOTS:
     void leavesAScreenToItsCamera();
     void looksOnceFromMidwayBetweenTheEyes();
     void showsTheLeftEyeLeftAndTheRightEyeRight();
+    void showsTheSameToAHeadWhosePlaceIsKnown();
     void showsNothingToAHeadThatIsLost_data();
     void showsNothingToAHeadThatIsLost();
     void refusesADisplayBehindOneEye();
@@ -118,6 +119,19 @@ void TestHeadsetView::showsTheLeftEyeLeftAndTheRightEyeRight()
         QVERIFY(spans((*eyes)[1], -0.165, 0.235));
         QVERIFY(isPart((*eyes)[1].part, 0.5, 0.5));
     }
+}
+
+void TestHeadsetView::showsTheSameToAHeadWhosePlaceIsKnown()
+{
+    const RigidTransform X_AH = head().X_FO;
+    QVERIFY(!headset().eyesAt(ViewOutput::Screen, X_AH).has_value());
+    const auto one = headset().eyesAt(ViewOutput::Mono, X_AH);
+    QCOMPARE(one.value().size(), std::size_t{1});
+    QVERIFY(isAt(one->front(), {1.0, 2.0, 3.0}));
+    const auto two = headset().eyesAt(ViewOutput::SideBySide, X_AH);
+    QCOMPARE(two.value().size(), std::size_t{2});
+    QVERIFY(isAt((*two)[0], {0.97, 2.0, 3.0}));
+    QVERIFY(isAt((*two)[1], {1.03, 2.0, 3.0}));
 }
 
 void TestHeadsetView::showsNothingToAHeadThatIsLost_data()

@@ -363,10 +363,13 @@ private Q_SLOTS:
         QVERIFY(isAt(onScreen.at(ObjectKind::Hand, now), {0.2, 0.5, 0.0}));
         QVERIFY(isAt(onScreen.at(ObjectKind::Stylus, now), {0.3, 0.5, -0.1}));
         QVERIFY(!onScreen.at(ObjectKind::Head, now)); // the recording has none
+        QVERIFY(!onScreen.hasTool(ObjectKind::Head));
+        QVERIFY(onScreen.hasTool(ObjectKind::Tube));
         QVERIFY(onScreen.newest(ObjectKind::Tube).has_value());
         // What was asked for goes on with another tracker, and without one.
         QVERIFY(station.tools.setTracker(std::nullopt));
         QVERIFY(!onScreen.at(ObjectKind::Tube, now) && !onScreen.newest(ObjectKind::Tube));
+        QVERIFY(!onScreen.hasTool(ObjectKind::Tube));
     }
 
     void laysThePatientAlsoWhereItsTrackerCannotBeUsed()

@@ -77,7 +77,9 @@ private Q_SLOTS:
     void saysWhatWasDecidedAboutItsParticipant();
     void saysWhenTheHeadsetIsLost_data();
     void saysWhenTheHeadsetIsLost();
-    void saysWhatAHeadsetNeeds();
+    void saysThatAHeadsetWasNotSeenYet();
+    void saysHowToLookAroundWithoutATracker();
+    void knowsTheOwnPlaceAndWhetherAHeadIsAwaited();
     void saysThatThereIsNoTracker_data();
     void saysThatThereIsNoTracker();
     void saysThatTheSessionHasEnded();
@@ -389,20 +391,53 @@ void TestStationView::saysWhenTheHeadsetIsLost()
     QCOMPARE(stationNotice(node, moment, output, kStanding), notice);
 }
 
-/// A headset's picture stays dark without a tracker that sees the headset.
-void TestStationView::saysWhatAHeadsetNeeds()
+/// A headset's picture stays dark while the tracker has not seen the headset.
+void TestStationView::saysThatAHeadsetWasNotSeenYet()
 {
     FakeSessionNode node{FakeSessionNode::kTrainee};
     node.linkReports.emplace_back().state = LinkState::Connected;
     node.decide(fact::PhaseChanged{SessionPhase::Running});
     StationMoment moment;
     moment.time = kNow + std::chrono::seconds{1};
-    const QString without = stationNotice(node, moment, ViewOutput::Mono);
-    QVERIFY(without.contains(QStringLiteral("needs a tracker")));
-    QVERIFY(without.contains(QStringLiteral("Esc")));
+    moment.headIsAwaited = true;
     const QString unseen = stationNotice(node, moment, ViewOutput::Mono, kStanding);
     QVERIFY(unseen.contains(QStringLiteral("has not seen the headset")));
     QVERIFY(unseen.contains(QStringLiteral("Esc")));
+    QVERIFY(!unseen.contains(QStringLiteral("by mouse")));
+}
+
+/// Beside what else is to be said, also where the tracker has no tool for the head.
+void TestStationView::saysHowToLookAroundWithoutATracker()
+{
+    FakeSessionNode node{FakeSessionNode::kTrainee};
+    node.linkReports.emplace_back().state = LinkState::Connected;
+    node.decide(fact::PhaseChanged{SessionPhase::Running});
+    StationMoment moment;
+    moment.time = kNow + std::chrono::seconds{1};
+    const QString byMouse = QStringLiteral("You look around by mouse: no headset is tracked.");
+    const QString without = stationNotice(node, moment, ViewOutput::SideBySide);
+    QVERIFY(without.startsWith(QStringLiteral("No tracker is connected here")));
+    QVERIFY(without.contains(QLatin1Char{'\n'} + byMouse));
+    QVERIFY(!stationNotice(node, moment, ViewOutput::Screen).contains(byMouse));
+    moment.tube = tellingPose(ObjectKind::Tube, moment.time);
+    QVERIFY(stationNotice(node, moment, ViewOutput::Mono, kStanding).startsWith(byMouse));
+    moment.head = tellingPose(ObjectKind::Head, moment.time);
+    QCOMPARE(stationNotice(node, moment, ViewOutput::Mono, kStanding), QString{});
+}
+
+void TestStationView::knowsTheOwnPlaceAndWhetherAHeadIsAwaited()
+{
+    FakeSessionNode node{FakeSessionNode::kTrainee};
+    const LungPair pair = lungs();
+    ObjectPoses own;
+    const StationView without{node, FakeSessionNode::kStation, pair, own};
+    own.hasTool = [](ObjectKind kind) { return kind == ObjectKind::Head; };
+    const StationView with{node, FakeSessionNode::kStation, pair, own};
+    QVERIFY(!without.at(kNow, 0).headIsAwaited);
+    QVERIFY(with.at(kNow, 0).headIsAwaited);
+    QCOMPARE(without.at(kNow, 0).turn.si, 0.0);
+    node.decide(fact::PlaceChosen{FakeSessionNode::kTrainee, degrees(90.0)});
+    QCOMPARE(without.at(kNow, 0).turn.si, degrees(90.0).si);
 }
 
 void TestStationView::saysThatThereIsNoTracker_data()

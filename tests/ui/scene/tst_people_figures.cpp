@@ -114,6 +114,10 @@ private Q_SLOTS:
         QVERIFY(StationScene::drawsOwnHands(moment, ViewOutput::Screen));
         QVERIFY(!StationScene::drawsOwnHands(moment, ViewOutput::Mono));
         QVERIFY(!StationScene::drawsOwnHands(moment, ViewOutput::SideBySide));
+        moment.time = SessionTime{std::chrono::seconds{1}};
+        QVERIFY(StationScene::drawsOwnHands(moment, ViewOutput::Mono)); // turned by mouse
+        moment.head = PoseSample{};
+        QVERIFY(!StationScene::drawsOwnHands(moment, ViewOutput::Mono));
         moment.ownHandsAreDrawn = false; // a view that has none
         QVERIFY(!StationScene::drawsOwnHands(moment, ViewOutput::Screen));
     }

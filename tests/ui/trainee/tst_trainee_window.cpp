@@ -2,6 +2,7 @@
 #include "tests/support/test_class.h"
 #include "tests/ui/trainee/trainee_desk.h"
 #include "widgets/scene/view/graphics.h"
+#include "widgets/scene/view/scene_view.h"
 
 #include <QLabel>
 #include <QPushButton>
@@ -120,6 +121,27 @@ private Q_SLOTS:
             QTest::keyClick(&shown.another(), key);
             QVERIFY(!qobject_cast<QTabBar*>(shown.window.focusWidget()));
         }
+    }
+
+    /// Who has no tracker turns a headset's picture by mouse; the screen's camera stays.
+    void turnsAHeadsetsPictureByMouse()
+    {
+        Shown shown{ViewOutput::Mono};
+        SceneView& scene = shown.window.stationScene().scene();
+        QVERIFY(soon([&] { return scene.frame().isHeadSteered; }));
+        const auto looks = [&scene]() -> Vec3 {
+            const RigidTransform& X_AD = scene.frame().eyes->front().X_AD;
+            return X_AD * Vec3{0.0, 0.0, -1.0} - X_AD.translation();
+        };
+        const Vec3 p_A_mouth = shown.drawn->landmarks().p_A_incisors;
+        const Vec3 p_A_eye = scene.frame().eyes->front().X_AD.translation();
+        const Vec3 before = looks();
+        QVERIFY((p_A_mouth - p_A_eye).normalized().dot(before) > 0.999);
+        QVERIFY(shown.window.notice().contains(QStringLiteral("by mouse")));
+        Q_EMIT scene.headTurned(0.0, 0.5);
+        QVERIFY(soon([&] { return looks().dot(before) < 0.99; }));
+        Q_EMIT scene.headReturned();
+        QVERIFY(soon([&] { return looks().dot(before) > 0.9999; }));
     }
 
     void keepsAHeadsetsPictureFree()

@@ -76,6 +76,9 @@ struct SceneFrame {
     /// list, as while a headset is lost, draws the background only; std::nullopt uses the view's
     /// own camera.
     std::optional<std::vector<EyePicture>> eyes;
+    /// Mouse and keys turn the head that these eyes are in (SceneView::headTurned), and not the
+    /// view's own camera.
+    bool isHeadSteered = false;
 
     /// X_AD of an eye (+x right, +y up, looking along -z) in whose place the view's own camera is
     /// drawn. That stays where it is meanwhile, and nobody moves it.

@@ -82,6 +82,9 @@ SceneView::SceneView(QWidget* parent)
         focusNextPrevChild(forward);
     });
     connect(m_window, &SceneWindow::clicked, this, &SceneView::sendRay);
+    connect(m_window, &SceneWindow::headTurned, this, &SceneView::headTurned);
+    connect(m_window, &SceneWindow::headNeared, this, &SceneView::headNeared);
+    connect(m_window, &SceneWindow::headReturned, this, &SceneView::headReturned);
     connect(&m_tick, &QTimer::timeout, this, &SceneView::drawFrame);
     m_tick.setTimerType(Qt::PreciseTimer);
     m_tick.setSingleShot(true);
@@ -354,6 +357,7 @@ void SceneView::drawExposed(LocalTime asked)
     if (!cameras.empty())
         m_sight = {cameras.front().pose, cameras.front().frustum, inForce().section};
     m_window->holdCamera(m_frame.viewpoint.has_value());
+    m_window->steerHead(m_frame.isHeadSteered);
     m_times.add(drawn.asked, drawn.swapped);
     m_timeOfLight.frameTook(drawn.swapped - drawn.asked);
     m_detail.frameTook(drawn.swapped - drawn.asked);

@@ -174,6 +174,10 @@ Q_SIGNALS:
     /// A point in the picture was clicked: the ray through it from the eye that sees it there, in
     /// A, with a unit direction.
     void clicked(const carina::Vec3& p_A_eye, const carina::Vec3& dir_A);
+    // Of SceneWindow, while a frame's head is steered.
+    void headTurned(double right, double down);
+    void headNeared(double factor);
+    void headReturned();
 
 private:
     void drawFrame();

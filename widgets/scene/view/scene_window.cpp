@@ -21,6 +21,7 @@ namespace
 constexpr double kKeyStep = 0.05;      ///< of the picture's height
 constexpr double kZoomPerKey = 1.15;   ///< factor
 constexpr double kZoomPerNotch = 1.12; ///< factor
+constexpr double kNearPerHeight = 2.0; ///< logarithm of the factor per picture height dragged
 constexpr double kNotch = 120.0;       ///< eighths of a degree, as wheels report
 
 /// The window of the program, on the screen, that a window is in.
@@ -107,6 +108,10 @@ void SceneWindow::mouseMoveEvent(QMouseEvent* event)
     m_dragged = m_dragged || (event->position() - m_pressed).manhattanLength() >= farthest;
     const QPointF moved = (event->position() - m_lastDrag) / std::max(1, height());
     m_lastDrag = event->position();
+    if (m_steersHead) {
+        dragHead(*event, moved);
+        return;
+    }
     if (m_held)
         return;
     const bool moves = event->modifiers().testFlag(Qt::ShiftModifier)
@@ -117,16 +122,31 @@ void SceneWindow::mouseMoveEvent(QMouseEvent* event)
         m_camera.orbit(moved.x(), moved.y());
 }
 
+void SceneWindow::dragHead(const QMouseEvent& event, const QPointF& moved)
+{
+    const bool nears = event.modifiers().testFlag(Qt::ControlModifier)
+                       || !event.buttons().testFlag(Qt::LeftButton);
+    if (nears)
+        Q_EMIT headNeared(std::exp(-kNearPerHeight * moved.y()));
+    else
+        Q_EMIT headTurned(moved.x(), moved.y());
+}
+
 void SceneWindow::mouseDoubleClickEvent(QMouseEvent*)
 {
-    if (!m_held)
+    if (m_steersHead)
+        Q_EMIT headReturned();
+    else if (!m_held)
         m_camera.showFrom(m_preset);
 }
 
 void SceneWindow::wheelEvent(QWheelEvent* event)
 {
-    if (!m_held)
-        m_camera.zoom(std::pow(kZoomPerNotch, event->angleDelta().y() / kNotch));
+    const double factor = std::pow(kZoomPerNotch, event->angleDelta().y() / kNotch);
+    if (m_steersHead)
+        Q_EMIT headNeared(factor);
+    else if (!m_held)
+        m_camera.zoom(factor);
 }
 
 void SceneWindow::keyPressEvent(QKeyEvent* event)
@@ -135,7 +155,41 @@ void SceneWindow::keyPressEvent(QKeyEvent* event)
         Q_EMIT tabbed(event->key() == Qt::Key_Tab);
         return;
     }
-    event->setAccepted(!m_held && turnOrMove(*event));
+    if (m_steersHead)
+        event->setAccepted(steer(event->key()));
+    else
+        event->setAccepted(!m_held && turnOrMove(*event));
+}
+
+/// To look to one side moves what is seen to the other.
+bool SceneWindow::steer(int key)
+{
+    switch (key) {
+    case Qt::Key_Left:
+        Q_EMIT headTurned(kKeyStep, 0.0);
+        return true;
+    case Qt::Key_Right:
+        Q_EMIT headTurned(-kKeyStep, 0.0);
+        return true;
+    case Qt::Key_Up:
+        Q_EMIT headTurned(0.0, kKeyStep);
+        return true;
+    case Qt::Key_Down:
+        Q_EMIT headTurned(0.0, -kKeyStep);
+        return true;
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+        Q_EMIT headNeared(kZoomPerKey);
+        return true;
+    case Qt::Key_Minus:
+        Q_EMIT headNeared(1.0 / kZoomPerKey);
+        return true;
+    case Qt::Key_Home:
+        Q_EMIT headReturned();
+        return true;
+    default:
+        return false;
+    }
 }
 
 bool SceneWindow::turnOrMove(const QKeyEvent& event)

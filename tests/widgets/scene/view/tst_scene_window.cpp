@@ -7,6 +7,7 @@
 #include <QSignalSpy>
 #include <QWheelEvent>
 
+#include <cmath>
 #include <numbers>
 
 namespace carina::scene_window_test
@@ -27,6 +28,8 @@ void drag(SceneWindow& window, Qt::MouseButton button, Qt::KeyboardModifiers key
     QCoreApplication::sendEvent(&window, &move);
     QTest::mouseRelease(&window, button, keys, end.toPoint());
 }
+
+bool isSame(const Vec3& a, const Vec3& b) { return (a - b).norm() < kTolerance; }
 
 void turnWheel(SceneWindow& window, int notches)
 {
@@ -58,6 +61,13 @@ private Q_SLOTS:
     void obeysKeys();
     void comesBackToItsPreset_data();
     void comesBackToItsPreset();
+    void steersAHeadByDragging_data();
+    void steersAHeadByDragging();
+    void steersAHeadByTheWheel();
+    void steersAHeadByKeys_data();
+    void steersAHeadByKeys();
+    void takesAHeadBack();
+    void leavesTheCameraWhileAHeadIsSteered();
     void letsTheKeyboardLeave();
     void knowsWhereTheMouseRests();
 
@@ -190,6 +200,107 @@ void TestSceneWindow::comesBackToItsPreset()
     else
         QTest::keyClick(m_window.get(), Qt::Key_Home);
     QVERIFY((eye() - before).norm() < kTolerance);
+}
+
+void TestSceneWindow::steersAHeadByDragging_data()
+{
+    QTest::addColumn<Qt::MouseButton>("button");
+    QTest::addColumn<Qt::KeyboardModifiers>("keys");
+    QTest::addColumn<bool>("turns");
+    QTest::newRow("left button") << Qt::LeftButton << Qt::KeyboardModifiers() << true;
+    QTest::newRow("Ctrl") << Qt::LeftButton << Qt::KeyboardModifiers(Qt::ControlModifier) << false;
+    QTest::newRow("right button") << Qt::RightButton << Qt::KeyboardModifiers() << false;
+}
+
+void TestSceneWindow::steersAHeadByDragging()
+{
+    QFETCH(Qt::MouseButton, button);
+    QFETCH(Qt::KeyboardModifiers, keys);
+    QFETCH(bool, turns);
+    QSignalSpy turned(m_window.get(), &SceneWindow::headTurned);
+    QSignalSpy neared(m_window.get(), &SceneWindow::headNeared);
+    m_window->steerHead(true);
+    drag(*m_window, button, keys, QPoint(80, -40));
+    QCOMPARE(turned.count(), turns ? 1 : 0);
+    QCOMPARE(neared.count(), turns ? 0 : 1);
+    if (turns) {
+        QCOMPARE(turned[0][0].toDouble(), 80.0 / kHeight);
+        QCOMPARE(turned[0][1].toDouble(), -40.0 / kHeight);
+    } else {
+        QCOMPARE(neared[0][0].toDouble(), std::exp(2.0 * 40.0 / kHeight));
+    }
+}
+
+void TestSceneWindow::steersAHeadByTheWheel()
+{
+    QSignalSpy neared(m_window.get(), &SceneWindow::headNeared);
+    m_window->steerHead(true);
+    turnWheel(*m_window, 2);
+    QCOMPARE(neared.count(), 1);
+    QCOMPARE(neared[0][0].toDouble(), 1.12 * 1.12);
+}
+
+/// To look to one side moves what is seen to the other.
+void TestSceneWindow::steersAHeadByKeys_data()
+{
+    QTest::addColumn<int>("key");
+    QTest::addColumn<QPointF>("seenMoves"); // null: the head comes nearer or goes away
+    QTest::addColumn<double>("factor");
+    QTest::newRow("left") << int(Qt::Key_Left) << QPointF(0.05, 0.0) << 0.0;
+    QTest::newRow("right") << int(Qt::Key_Right) << QPointF(-0.05, 0.0) << 0.0;
+    QTest::newRow("up") << int(Qt::Key_Up) << QPointF(0.0, 0.05) << 0.0;
+    QTest::newRow("down") << int(Qt::Key_Down) << QPointF(0.0, -0.05) << 0.0;
+    QTest::newRow("plus") << int(Qt::Key_Plus) << QPointF() << 1.15;
+    QTest::newRow("equals, plus unshifted") << int(Qt::Key_Equal) << QPointF() << 1.15;
+    QTest::newRow("minus") << int(Qt::Key_Minus) << QPointF() << 1.0 / 1.15;
+}
+
+void TestSceneWindow::steersAHeadByKeys()
+{
+    QFETCH(int, key);
+    QFETCH(QPointF, seenMoves);
+    QFETCH(double, factor);
+    QSignalSpy turned(m_window.get(), &SceneWindow::headTurned);
+    QSignalSpy neared(m_window.get(), &SceneWindow::headNeared);
+    m_window->steerHead(true);
+    QTest::keyClick(m_window.get(), static_cast<Qt::Key>(key));
+    QCOMPARE(turned.count(), seenMoves.isNull() ? 0 : 1);
+    QCOMPARE(neared.count(), seenMoves.isNull() ? 1 : 0);
+    if (seenMoves.isNull())
+        QCOMPARE(neared[0][0].toDouble(), factor);
+    else
+        QCOMPARE(QPointF(turned[0][0].toDouble(), turned[0][1].toDouble()), seenMoves);
+}
+
+void TestSceneWindow::takesAHeadBack()
+{
+    QSignalSpy returned(m_window.get(), &SceneWindow::headReturned);
+    m_window->steerHead(true);
+    QTest::keyClick(m_window.get(), Qt::Key_Home);
+    QCOMPARE(returned.count(), 1);
+    QTest::mouseDClick(m_window.get(), Qt::LeftButton, {}, QPoint(200, 200));
+    QCOMPARE(returned.count(), 2);
+}
+
+void TestSceneWindow::leavesTheCameraWhileAHeadIsSteered()
+{
+    const Vec3 before = eye();
+    QSignalSpy turned(m_window.get(), &SceneWindow::headTurned);
+    const auto use = [this] {
+        drag(*m_window, Qt::LeftButton, {}, QPoint(40, 20));
+        drag(*m_window, Qt::LeftButton, Qt::ShiftModifier, QPoint(40, 20));
+        turnWheel(*m_window, 1);
+        QTest::keyClick(m_window.get(), Qt::Key_Left);
+        QTest::keyClick(m_window.get(), Qt::Key_Plus);
+    };
+    m_window->steerHead(true);
+    use();
+    QVERIFY(isSame(eye(), before) && isSame(target(), Vec3::Zero()));
+    QCOMPARE(turned.count(), 3);
+    m_window->steerHead(false);
+    use();
+    QVERIFY(!isSame(eye(), before));
+    QCOMPARE(turned.count(), 3);
 }
 
 void TestSceneWindow::letsTheKeyboardLeave()

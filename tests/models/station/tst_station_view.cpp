@@ -268,12 +268,12 @@ void TestStationView::tellsForAWhileThatOneWasMoved()
 /// And not what one gave away, or has got back.
 void TestStationView::tellsForAWhileWhatWasTakenFromOne()
 {
-    constexpr ParticipantId kTom = FakeSessionNode::kTrainee;
-    constexpr ParticipantId kIna = FakeSessionNode::kInstructor;
+    static constexpr ParticipantId kTom = FakeSessionNode::kTrainee;
+    static constexpr ParticipantId kIna = FakeSessionNode::kInstructor;
     FakeSessionNode node{kTom};
     node.linkReports.emplace_back().state = LinkState::Connected;
     node.decide(fact::PhaseChanged{SessionPhase::Running});
-    const auto lines = [&node](std::chrono::seconds time = {}) {
+    const auto lines = [&node](std::chrono::seconds time = std::chrono::seconds{1}) {
         StationMoment moment;
         moment.tube = tellingPose(ObjectKind::Tube, kNow);
         moment.time = *node.now() + time;

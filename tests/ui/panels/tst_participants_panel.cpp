@@ -204,7 +204,7 @@ void TestParticipantsPanel::keepsItsHeadingsWhole()
             qPrintable(
                 panel.participants.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString()));
     }
-    QCOMPARE(seen, 6);
+    QCOMPARE(seen, 7);
 }
 
 /// Which is whole, in several lines.

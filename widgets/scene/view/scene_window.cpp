@@ -109,7 +109,8 @@ void SceneWindow::mouseMoveEvent(QMouseEvent* event)
     const QPointF moved = (event->position() - m_lastDrag) / std::max(1, height());
     m_lastDrag = event->position();
     if (m_steersHead) {
-        dragHead(*event, moved);
+        if (!moved.isNull()) // as when a button is let go
+            dragHead(*event, moved);
         return;
     }
     if (m_held)

@@ -208,9 +208,12 @@ double pulledBy(const UpperAirway& moved, const Vec3& p_A_tip)
     return felt * kLever * std::max(forward, 0.0);
 }
 
+/// An epiglottis that has fallen back tilts wholly, too.
 LarynxHinge hingeOf(const UpperAirway& moved)
 {
     const double size = sizeOf(moved);
+    const Vec3 whole = moved.p_A_epiglottisTip - moved.p_A_epiglottisBase;
+    const double lean = -moved.forward_A().dot(whole) / moved.up_A.dot(whole);
     const Vec3 p_A_hinge = moved.p_A_epiglottisBase - size * kHingeBelow.si * moved.up_A
                            - size * kHingeBehind.si * moved.forward_A();
     return {.p_A = p_A_hinge,
@@ -218,7 +221,7 @@ LarynxHinge hingeOf(const UpperAirway& moved)
             .forward_A = moved.forward_A(),
             .height = metres(moved.up_A.dot(moved.p_A_vallecula - p_A_hinge)),
             .behind = size * kFadesBehind,
-            .slope = kHingeSlope};
+            .slope = std::max(kHingeSlope, lean)};
 }
 
 /// The share by which a place goes with a tilted larynx.
@@ -229,14 +232,33 @@ double tiltingShare(const LarynxHinge& hinge, const Vec3& p_A)
     return larynxTilt<double>(tilted.frame(), p_A).d.dot(hinge.forward_A) / hinge.behind.si;
 }
 
-/// The same by a tip behind it.
-double liftedBy(const UpperAirway& moved, const Vec3& p_A_tip, const LarynxHinge& hinge)
+/// What of a blade lifts the epiglottis: its tip, or where the tip is deeper than kDirectShare of
+/// the epiglottis' height, what of the blade is at that height.
+Vec3 liftingPlace(const UpperAirway& moved, const BladeForm& form, const RigidTransform& X_AL)
 {
-    const double height = heightOf(moved, p_A_tip);
+    constexpr int kHalvings = 30;
+    const double height = kDirectShare * heightOf(moved, moved.p_A_epiglottisTip);
+    const auto placeAt = [&](double along) { return Vec3{X_AL * middleOfBlade(form, along)}; };
+    const auto isDeeper = [&](double along) { return heightOf(moved, placeAt(along)) < height; };
+    if (!isDeeper(1.0) || isDeeper(0.0))
+        return placeAt(1.0);
+    double above = 0.0;
+    double deeper = 1.0;
+    for (int i = 0; i < kHalvings; ++i) {
+        const double middle = std::midpoint(above, deeper);
+        (isDeeper(middle) ? deeper : above) = middle;
+    }
+    return placeAt(above);
+}
+
+/// The same by what of a blade is behind it.
+double liftedBy(const UpperAirway& moved, const Vec3& p_A_blade, const LarynxHinge& hinge)
+{
+    const double height = heightOf(moved, p_A_blade);
     if (height <= 0.0 || height > heightOf(moved, moved.p_A_epiglottisTip))
         return 0.0;
     const Vec3 p_A_lifted = onEpiglottis(moved, height);
-    const double behind = moved.forward_A().dot(p_A_tip - p_A_lifted);
+    const double behind = moved.forward_A().dot(p_A_blade - p_A_lifted);
     const double wanted = behind + kBladeHalfThickness + sizeOf(moved) * kBehindThickness.si;
     constexpr double kLeastShare = 0.01;
     return std::max(wanted, 0.0) / std::max(tiltingShare(hinge, p_A_lifted), kLeastShare);
@@ -263,8 +285,9 @@ BladeField bladeInTissue(const UpperAirway& moved, const Blade& blade, const Rig
     BladeField field{blade.form, X_AL};
     const Vec3 p_A_tip = X_AL * middleOfBlade(blade.form, 1.0);
     const LarynxHinge hinge = hingeOf(moved);
-    const double forward = blade.lift == EpiglottisLift::Ligament ? pulledBy(moved, p_A_tip)
-                                                                  : liftedBy(moved, p_A_tip, hinge);
+    const double forward = blade.lift == EpiglottisLift::Ligament
+                               ? pulledBy(moved, p_A_tip)
+                               : liftedBy(moved, liftingPlace(moved, blade.form, X_AL), hinge);
     field.tiltLarynx(hinge, metres(std::min(forward, sizeOf(moved) * kMostTilt.si)));
     return field;
 }

@@ -1,3 +1,4 @@
+#include "engine/anatomy/events/airway_changes.h"
 #include "engine/anatomy/laryngoscopy/laryngoscopy_path.h"
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "tests/support/test_class.h"
@@ -82,6 +83,7 @@ private Q_SLOTS:
     void liftsTheEpiglottisOnlyInTheEnd();
     void leavesNoTongueInsideTheBlade_data() { blades(); }
     void leavesNoTongueInsideTheBlade();
+    void takesAFallenEpiglottisAlongWithAStraightBlade();
 
 private:
     static void people()
@@ -247,6 +249,26 @@ void TestLaryngoscopyPath::leavesNoTongueInsideTheBlade()
             QVERIFY2(above > kBladeHalfThickness - 1e-6, stepName(step));
         }
     }
+}
+
+/// Its tip comes forward by what it had fallen back, or more.
+void TestLaryngoscopyPath::takesAFallenEpiglottisAlongWithAStraightBlade()
+{
+    const Person person = personOf(BuiltinPatient::Adult);
+    const UpperAirway fallen = changed(
+        person.airway, airwayChanges(person.airway, {{AirwayEventKind::FloppyEpiglottis, 1.0}}));
+    const Vec3 forward_A = person.airway.forward_A();
+    const double back_m = forward_A.dot(person.airway.p_A_epiglottisTip - fallen.p_A_epiglottisTip);
+    const auto taken_m = [&](BladeKind kind) {
+        const LaryngoscopyPose pose = laryngoscopyPose(fallen, person.throat, bladeOf(kind),
+                                                       LaryngoscopyStep::Full, kUsualLift);
+        const Vec3 p_A_tip =
+            followed(fallen, FollowingThroat{person.throat, pose.X_AJ}).p_A_epiglottisTip;
+        return forward_A.dot(larynxTilt<double>(pose.field.frame(), p_A_tip).d);
+    };
+    QVERIFY(back_m > 0.01);
+    QVERIFY2(taken_m(BladeKind::Miller2) > back_m,
+             qPrintable(QString::number(taken_m(BladeKind::Miller2))));
 }
 
 CARINA_TEST(TestLaryngoscopyPath)

@@ -109,13 +109,13 @@ void IgtlClient::take(const IgtlMessage& message, const std::string& name, bool 
         return;
     const auto index = static_cast<std::size_t>(wanted - m_settings.devices.begin());
     Tool& tool = m_tools[index];
+    tool.refused = pose ? std::string{} : pose.error().detail;
+    const bool isAgain = message.stamp != 0 && message.stamp == tool.stamp;
+    if (isAgain && pose && tool.X_TO && isSame(*tool.X_TO, *pose) && isSeen == tool.isSeen)
+        return; // a server that sends one pose for ever tells nothing of its tool
     tool.came = now;
     tool.isOverdue = false;
-    tool.refused = pose ? std::string{} : pose.error().detail;
     if (!pose)
-        return;
-    const bool isAgain = message.stamp != 0 && message.stamp == tool.stamp;
-    if (isAgain && tool.X_TO && isSame(*tool.X_TO, *pose))
         return;
     IgtlSight sight{index, now};
     if (message.stamp != 0 && !isAgain)
@@ -123,6 +123,7 @@ void IgtlClient::take(const IgtlMessage& message, const std::string& name, bool 
     if (isSeen && !isPlaceholder(*pose))
         sight.X_TO = *pose;
     tool.stamp = message.stamp;
+    tool.isSeen = isSeen;
     tool.X_TO = *pose;
     m_sights.push_back(sight);
 }

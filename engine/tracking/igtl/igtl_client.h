@@ -80,9 +80,10 @@ public:
 
 private:
     struct Tool {
-        std::optional<LocalTime> came{}; ///< its last message
+        std::optional<LocalTime> came{}; ///< its last message that said something new
         bool isOverdue = false;          ///< and is held for not seen
         std::uint64_t stamp = 0;
+        bool isSeen = false;                  ///< by the last message
         std::optional<RigidTransform> X_TO{}; ///< of the last message
         std::string refused{};                ///< why its last pose was
     };

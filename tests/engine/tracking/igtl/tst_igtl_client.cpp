@@ -122,6 +122,36 @@ private Q_SLOTS:
         QCOMPARE(client.takeSights().size(), std::size_t{2});
     }
 
+    /// A server that goes on with the last pose of what it does not see any more.
+    void losesAToolOfWhichTheSameComesAgainAndAgain()
+    {
+        IgtlClient client = started();
+        IgtlMessage message = messageOf(IgtlTransform{kQuarterTurn}, "Jaw");
+        message.stamp = kSecond;
+        for (int i = 0; i < 100; ++i) {
+            send(client, message, kStart + i * milliseconds{20});
+            static_cast<void>(client.advance(kStart + i * milliseconds{20}));
+        }
+        const auto sights = client.takeSights();
+        QCOMPARE(sights.size(), std::size_t{2});
+        QVERIFY(sights[0].X_TO && !sights[1].X_TO);
+    }
+
+    void seesByTheStatusThoughTheTimeStandsStill()
+    {
+        IgtlClient client = started();
+        IgtlMessage message = messageOf(IgtlTransform{kQuarterTurn}, "Jaw");
+        message.version = 2;
+        message.stamp = kSecond;
+        message.metadata = {{"TransformStatus", 3, "OK"}};
+        send(client, message, kStart);
+        message.metadata[0].value = "OUT_OF_VIEW";
+        send(client, message, kStart + milliseconds{20});
+        const auto sights = client.takeSights();
+        QCOMPARE(sights.size(), std::size_t{2});
+        QVERIFY(sights[0].X_TO && !sights[1].X_TO);
+    }
+
     void losesAToolThatDoesNotComeAnyMore()
     {
         IgtlClient client = started();

@@ -46,6 +46,7 @@ PoseSample lostSince(const PoseSample& before, SessionTime t)
     lost.time = t;
     lost.motion.reset();
     lost.covariance_O.reset();
+    lost.markers.reset();
     lost.validity = Validity::Lost;
     lost.how = before.time == t ? How::Exact : How::Predicted;
     return lost;
@@ -260,6 +261,7 @@ PoseSample PoseHistory::carriedOn(std::size_t index, SessionTime t,
         return pose;
     pose.how = How::Predicted;
     pose.covariance_O.reset();
+    pose.markers.reset();
     if (pose.motion)
         predict(pose, m_entries[index].filtered, ahead, treatment);
     if (ahead > m_limits.horizon) {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -54,6 +55,9 @@ struct PoseDeviation {
     Angle rotation;
 };
 
+/// Markers of a probe: bit i is that of its marker i.
+using MarkerSet = std::bitset<64>;
+
 /// A pose with its time, validity and error.
 ///
 /// F is the frame of the history that contains the sample (T for a tracker, A for a shared object),
@@ -68,6 +72,9 @@ struct PoseSample {
     std::optional<PoseDeviation> deviation{}; ///< of a predicted pose, where it is known
     /// Of a measured pose, as a small motion of the points of O (Mat6), where its tracker tells it.
     std::optional<Mat6> covariance_O{};
+    /// Of a measured pose, the markers that it was computed from, where its tracker tells them.
+    /// Neither sent nor recorded.
+    std::optional<MarkerSet> markers{};
 };
 
 inline double ErrorGrowth::rmsAfter(double dt, const Polynomial& variance)

@@ -9,7 +9,7 @@ namespace carina
 {
 
 /// A sample expressed in another frame G, in which F does not move: X_GO = X_GF * X_FO, with the
-/// motion in axes of G. Time, validity, error, covariance and `how` are unchanged.
+/// motion in axes of G. Time, validity, error, covariance, markers and `how` are unchanged.
 [[nodiscard]] inline PoseSample reframed(const RigidTransform& X_GF, PoseSample sample)
 {
     sample.X_FO = X_GF * sample.X_FO;
@@ -41,6 +41,7 @@ namespace carina
         sample.deviation->position = metres(std::hypot(
             sample.deviation->position.si, std::sqrt(perAxis) * sample.deviation->rotation.si));
     sample.covariance_O.reset(); // it is not that of P
+    sample.markers.reset();
     sample.X_FO = sample.X_FO * X_OP;
     return sample;
 }
@@ -56,6 +57,7 @@ namespace carina
 {
     const RigidTransform X_JF = X_FJ.X_FO.inverse();
     X_FO.covariance_O.reset(); // it is not that of both
+    X_FO.markers.reset();
     if (X_FO.motion && X_FJ.motion) {
         const Vec3 arm_F = X_FO.X_FO.translation() - X_FJ.X_FO.translation();
         const Motion& of_J = *X_FJ.motion;

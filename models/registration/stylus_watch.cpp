@@ -64,10 +64,10 @@ std::string StylusWatch::tool() const
 std::optional<Length> StylusWatch::expectedTipError() const
 {
     const auto tool = stylusTool();
-    const auto X_TS = stylus();
-    if (!tool || !X_TS || !m_p_SQ)
+    const std::vector<PoseSample> samples = seen(ToolRole::Stylus);
+    if (!tool || samples.empty() || !m_p_SQ)
         return std::nullopt;
-    const auto error = predictedError(*tool, *X_TS);
+    const auto error = predictedError(*tool, samples.back());
     return error ? std::optional{error->at(*m_p_SQ)} : std::nullopt;
 }
 

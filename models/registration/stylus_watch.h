@@ -48,7 +48,7 @@ public:
     /// The stylus as the tracker knows it; std::nullopt if it has none.
     [[nodiscard]] std::optional<TrackedTool> stylusTool() const;
     /// The error with which the tracker sees the tip now (RMS), predicted from the markers of the
-    /// stylus; std::nullopt while it is not seen, and where they or the tip are not known.
+    /// stylus; std::nullopt where predictedError has none, and without a tip.
     [[nodiscard]] std::optional<Length> expectedTipError() const;
     /// The tracker's name for a tool with this role; empty if it has none.
     [[nodiscard]] std::string nameOf(ToolRole role) const;

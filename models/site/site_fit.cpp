@@ -66,7 +66,10 @@ Length leastError(const Site& site, const FitInputs& inputs)
         if (!tip || !inputs.stylus)
             break;
         const RigidTransform X_TS{touch->q_TS, touch->p_TQ - touch->q_TS * tip->p_SQ};
-        if (const auto error = predictedError(*inputs.stylus, X_TS)) {
+        PoseSample held{.X_FO = X_TS};
+        if (const auto newest = inputs.stylus->history->newest())
+            held.covariance_O = newest->covariance_O;
+        if (const auto error = predictedError(*inputs.stylus, held)) {
             squares += std::pow(error->at(tip->p_SQ).si, 2);
             ++touches;
         }

@@ -103,7 +103,7 @@ QString visibleText(const ToolStatus& status)
 void addExpected(ToolStatus& status, const TrackedTool& tool,
                  const std::vector<PoseSample>& samples)
 {
-    if (const auto error = predictedError(tool, samples.back().X_FO)) {
+    if (const auto error = predictedError(tool, samples.back())) {
         status.expected_mm = inMillimetres(error->at(Vec3::Zero()));
         status.expected_deg = inDegrees(error->rotation());
     }

@@ -31,7 +31,8 @@ struct ToolStatus {
     std::optional<double> age_s{}; ///< of the newest sample in which it was seen
     /// How well its markers fit, RMS; while it is visible and its tracker tells it
     std::optional<double> error_mm{};
-    /// The error of its pose at its origin (RMS), predicted from its markers; while it is visible
+    /// The error of its pose at its origin (RMS), predicted from its markers; while it is visible,
+    /// and of a tool that is partly hidden where its tracker tells which of them it sees
     std::optional<double> expected_mm{};
     std::optional<double> expected_deg{}; ///< the same, of its rotation
     /// How far the pose predicted by kPredictedAhead was off in the last seconds (RMS), and the

@@ -92,7 +92,9 @@ TrackerPanel::TrackerPanel(Sight sight, KeptSound sound, ToolUse use, QWidget* p
                         "the tracker says"));
     m_table->horizontalHeaderItem(kToolExpected)
         ->setToolTip(tr("The error to expect of the tool's pose at its origin (RMS), and of its "
-                        "rotation, by the places of the markers that are seen"));
+                        "rotation, by the places of the markers that are seen; where the tracker "
+                        "does not tell these, of all that face it, and none of a tool that is "
+                        "partly out of view"));
     m_table->horizontalHeaderItem(kToolAhead)
         ->setToolTip(shownAsIs(
             tr("Error of poses predicted by %1 ms, over the last seconds (RMS). In brackets: "

@@ -19,7 +19,7 @@ struct MarkerPose {
     double rms =
         0.0; ///< of the distances of the markers used from where the pose puts them, metres
     std::vector<std::size_t>
-        leftOut{}; ///< indices of what was seen elsewhere than the pose puts it
+        leftOut{}; ///< indices, in what was seen, of what is elsewhere than the pose puts it
 };
 
 /// The pose of a probe whose markers are known one by one: the weighted fit in closed form

@@ -34,6 +34,20 @@ Probe ballOf(int markers, Length radius, std::uint32_t seed)
     return probe;
 }
 
+/// The markers that a pose was computed from; nothing of a probe with more than a set has.
+std::optional<MarkerSet> markersOf(const Probe& probe, std::span<const SeenMarker> seen,
+                                   const MarkerPose& pose)
+{
+    MarkerSet markers;
+    if (probe.markers.size() > markers.size())
+        return std::nullopt;
+    for (const SeenMarker& each : seen)
+        markers.set(each.marker);
+    for (const std::size_t i : pose.leftOut)
+        markers.reset(seen[i].marker);
+    return markers;
+}
+
 bool isUnderWay(const Occlusion& occlusion, SessionTime t)
 {
     Duration since = t - occlusion.from;
@@ -169,7 +183,8 @@ std::optional<PoseSample> SimulatedTracker::measured(Tool& tool, const RigidTran
     return PoseSample{.time = t,
                       .X_FO = pose->X_TO,
                       .validity = isPartly ? Validity::PartlyOccluded : Validity::Tracked,
-                      .error = pose->rms};
+                      .error = pose->rms,
+                      .markers = markersOf(tool.probe, seen, *pose)};
 }
 
 // Two lateral components and one in depth: RMS^2 = (2 + ratio^2) lateral^2.

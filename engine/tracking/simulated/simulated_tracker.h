@@ -56,9 +56,9 @@ struct SimulatedTrackerSettings {
 /// Of each probe it sees the markers that face it and are not hidden, each with noise, and computes
 /// the pose from them as a device does: of a tool that it did not see before, it finds out which
 /// marker is which (searchMarkers), and then knows them (markerPose). The fit error is the RMS of
-/// what the fit leaves. With fewer markers than the probe needs, or its origin outside the volume,
-/// the tool is lost; with less than two thirds of those that face the tracker it is partly
-/// occluded.
+/// what the fit leaves, and the sample tells the markers of the fit. With fewer markers than the
+/// probe needs, or its origin outside the volume, the tool is lost; with less than two thirds of
+/// those that face the tracker it is partly occluded.
 ///
 /// Every sample has the time of its exposure and is delivered `latency` later, with the motion that
 /// its history estimates. A lost sample holds the last pose measured; a tool not seen yet has no

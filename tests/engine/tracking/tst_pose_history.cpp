@@ -278,6 +278,28 @@ private Q_SLOTS:
         QCOMPARE(history.at(at(40ms))->validity, Validity::Tracked);
     }
 
+    /// Which markers and covariance a measured pose had says nothing of one that was not measured.
+    void tellsMarkersAndCovarianceOfMeasuredPosesOnly()
+    {
+        PoseHistory history{kLimits};
+        PoseSample sample = sampleAt(0ms, Vec3::Zero());
+        sample.covariance_O = Mat6::Identity();
+        sample.markers = MarkerSet{0b1011};
+        for (const Duration t : {Duration{0ms}, Duration{20ms}}) {
+            sample.time = at(t);
+            history.push(sample);
+        }
+        QVERIFY(history.at(at(0ms))->markers == sample.markers);
+        QVERIFY(history.newest()->markers == sample.markers);
+        const auto isTold = [&history](Duration t) {
+            const PoseSample answer = history.at(at(t)).value();
+            return answer.markers || answer.covariance_O;
+        };
+        QVERIFY(!isTold(10ms) && !isTold(30ms));
+        history.push(lostAt(40ms, Vec3::Zero()));
+        QVERIFY(!isTold(30ms) && !isTold(45ms));
+    }
+
     void predictsNothingFromALostSample()
     {
         PoseHistory history{kLimits};

@@ -99,6 +99,21 @@ private Q_SLOTS:
         QVERIFY(std::abs(status.expected_deg.value() - inDegrees(radians(turn))) < 1e-6);
     }
 
+    /// It is partly hidden, and the tracker does not tell which of its markers it sees.
+    void noErrorIsToldThatWouldBeTooSmall()
+    {
+        OneTool tracker;
+        tracker.probe = Probe{.markers = {{{0.05, 0.0, 0.0}, Vec3::UnitZ()},
+                                          {{0.0, 0.05, 0.0}, Vec3::UnitZ()},
+                                          {{-0.05, 0.0, 0.0}, Vec3::UnitZ()}}};
+        tracker.see(10, 10ms);
+        QVERIFY(tracker.status().expected_mm && tracker.status().expected_deg);
+        tracker.see(10, 0ms, Validity::PartlyOccluded);
+        const ToolStatus status = tracker.status();
+        QVERIFY(status.isVisible);
+        QVERIFY(!status.expected_mm && !status.expected_deg);
+    }
+
     /// As by a camera: 0.3 mm and 1 mrad about each axis, the shift and the turn of one point.
     void theErrorToExpectIsThatOfTheCovarianceThatItsTrackerTells()
     {

@@ -171,11 +171,11 @@ private Q_SLOTS:
         TrackedTool tool{
             "head", ToolRole::Head, &own, simulatedProbe(ToolRole::Head), {millimetres(0.1), 3.0}};
         const RigidTransform X_DO{rotationFromVector({0.3, -0.4, 0.9}), Vec3{0.2, -0.1, -1.5}};
-        const auto alone = predictedError(tool, X_DO);
+        const auto alone = predictedError(tool, {.X_FO = X_DO});
         PoseHistory placed;
         placed.placeDevice(kPlace);
         tool.history = &placed;
-        const auto among = predictedError(tool, kPlace.X_FD * X_DO);
+        const auto among = predictedError(tool, {.X_FO = kPlace.X_FD * X_DO});
         QVERIFY(alone && among);
         const Vec3 p_OQ{0.0, 0.0, 0.2};
         QVERIFY(std::abs(alone->at(p_OQ).si - among->at(p_OQ).si) < 1e-12);

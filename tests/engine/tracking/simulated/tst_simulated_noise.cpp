@@ -159,7 +159,35 @@ private Q_SLOTS:
                                  [] { return std::optional<SessionTime>{}; }};
         tracker.advance(SessionTime{});
         tracker.advance(SessionTime{std::chrono::seconds{1}});
-        QCOMPARE(int(tracker.tools().front().history->newest()->validity), validity);
+        const PoseSample newest = tracker.tools().front().history->newest().value();
+        QCOMPARE(int(newest.validity), validity);
+        QCOMPARE(newest.markers.has_value(), newest.validity != Validity::Lost);
+    }
+
+    /// Half of those that face the tracker, the first ones, are hidden.
+    void tellsTheMarkersThatItSees()
+    {
+        const auto facing = facingMarkers(simulatedProbe(ToolRole::Head), kD_O);
+        const std::size_t hidden = (facing.size() + 1) / 2;
+        MarkerSet all;
+        MarkerSet half;
+        for (std::size_t i = 0; i < facing.size(); ++i) {
+            all.set(facing[i]);
+            half.set(facing[i], i >= hidden);
+        }
+        for (const double share : {0.0, 0.5}) {
+            SimulatedTrackerSettings settings;
+            settings.latency = Duration::zero();
+            settings.rate = hertz(10.0);
+            settings.occlusions = {{ToolRole::Head, SessionTime{std::chrono::milliseconds{500}},
+                                    SessionTime{std::chrono::seconds{2}}, share}};
+            SimulatedTracker tracker{settings, [](ToolRole, SessionTime) { return kX_TO; },
+                                     [] { return std::optional<SessionTime>{}; }};
+            tracker.advance(SessionTime{});
+            tracker.advance(SessionTime{std::chrono::seconds{1}});
+            const auto seen = tracker.tools().front().history->newest()->markers;
+            QVERIFY(seen == (share == 0.0 ? all : half));
+        }
     }
 
     void seesEachProbeFromEverySide()

@@ -5,6 +5,7 @@
 #include "engine/tracking/reframed.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace carina
@@ -131,7 +132,7 @@ void StylusWatch::takeHeld(const PoseSample& sample, const Vec3& p_TQ, StylusNew
     const auto point = m_dwell.push(sample.time, p_TQ, sample.validity);
     if (!point)
         return;
-    news.touch = StylusTouch{*point, sample.X_FO.rotation()};
+    news.touch = StylusTouch{*point, sample.X_FO.rotation(), tipErrorDuring(*point)};
     m_p_TQ_taken = point->p_FQ;
 }
 
@@ -182,6 +183,7 @@ std::optional<StylusTouch> StylusWatch::takePoint()
 {
     auto touch = pointNow();
     if (touch) {
+        touch->seenError = tipErrorDuring(touch->point);
         m_p_TQ_taken = touch->point.p_FQ;
         leave(touch->point.p_FQ);
     }
@@ -212,6 +214,25 @@ std::optional<StylusTouch> StylusWatch::pointNow() const
         touch.point.spread =
             std::max(touch.point.spread, (sample.X_FO * *m_p_SQ - touch.point.p_FQ).norm());
     return touch;
+}
+
+/// Of one pose, since those of a tool at rest share much of their errors.
+std::optional<Length> StylusWatch::tipErrorDuring(const DwellPoint& point) const
+{
+    const auto tool = stylusTool();
+    if (!tool || !m_p_SQ || m_touched)
+        return std::nullopt;
+    double squares = 0.0;
+    int known = 0;
+    for (const PoseSample& sample : seen(ToolRole::Stylus)) {
+        if (sample.time < point.from || sample.time > point.until)
+            continue;
+        if (const auto error = predictedError(*tool, sample)) {
+            squares += std::pow(error->at(*m_p_SQ).si, 2);
+            ++known;
+        }
+    }
+    return known > 0 ? std::optional{metres(std::sqrt(squares / known))} : std::nullopt;
 }
 
 PoseSample StylusWatch::onTouched(const PoseSample& X_TS) const

@@ -26,6 +26,9 @@ enum class StylusUse : std::uint8_t {
 struct StylusTouch {
     DwellPoint point; ///< in T, or in the frame of the touched tool
     Quat q_TS = Quat::Identity();
+    /// With which the tracker saw the tip meanwhile (RMS, of one pose); where that is known, and
+    /// not where the touched tool is seen, too.
+    std::optional<Length> seenError{};
 };
 
 /// The results from the samples since the last look().
@@ -99,6 +102,7 @@ private:
     void takeSpun(const RigidTransform& X_TS, StylusNews& news);
     void takeSwabbed(const Vec3& p_TQ);
     [[nodiscard]] std::optional<StylusTouch> pointNow() const;
+    [[nodiscard]] std::optional<Length> tipErrorDuring(const DwellPoint& point) const;
     /// A sample of the stylus as seen from the touched tool.
     [[nodiscard]] PoseSample onTouched(const PoseSample& X_TS) const;
     /// The samples of a tool; empty if it has delivered none lately.

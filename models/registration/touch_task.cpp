@@ -53,7 +53,11 @@ public:
 
 StylusTouch touchIn(const TouchedPoint& touched)
 {
-    return {.point = {.p_FQ = touched.p_TQ, .spread = touched.spread}, .q_TS = touched.q_TS};
+    StylusTouch touch{.point = {.p_FQ = touched.p_TQ, .spread = touched.spread},
+                      .q_TS = touched.q_TS};
+    if (touched.seenError)
+        touch.seenError = metres(*touched.seenError);
+    return touch;
 }
 
 } // namespace

@@ -24,6 +24,8 @@ void putTouch(std::vector<TouchedPoint>& touched, const std::string& landmark,
                        .p_TQ = touch.point.p_FQ,
                        .spread = touch.point.spread,
                        .q_TS = touch.q_TS});
+    if (touch.seenError)
+        touched.back().seenError = touch.seenError->si;
 }
 
 } // namespace

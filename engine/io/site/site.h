@@ -63,6 +63,8 @@ struct TouchedPoint {
     double spread = 0.0;          ///< of the tip's positions while it was held there, metres
     Quat q_TS = Quat::Identity(); ///< orientation of the stylus
     bool isFitted = false;        ///< it is in one of Site::localisations
+    /// With which the tracker saw the tip meanwhile, RMS, metres; where that is known.
+    std::optional<double> seenError{};
     std::optional<StaleCause> stale{};
 };
 

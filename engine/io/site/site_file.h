@@ -24,8 +24,9 @@ namespace carina
 ///     tools         a list of tubes and laryngoscopes: see tool_json.h
 ///     patient       text: its display name; the catalogue's anatomy identifies it
 ///     catalogue     name, anatomy, landmarks: a list of name and p_AQ_mm
-///     touched       a list of landmark, p_TQ_mm, spread_mm, q_TS (x, y, z, w), stale, and
-///                   fitted: true or left out
+///     touched       a list of landmark, p_TQ_mm, spread_mm, q_TS (x, y, z, w), stale,
+///                   seen_error_mm (RMS, with which the tracker saw the tip meanwhile) or left out,
+///                   and fitted: true or left out
 ///     registration  X_AM_mm, X_AT_mm, X_JM_mm, X_BM_mm, rms_mm, residuals_mm: a list of name, mm
 ///                   and left_out_mm; covariance_mm_mrad: the upper triangle, row by row, turns in
 ///                   milliradians before shifts in millimetres; fle_mm, degrees_of_freedom,

@@ -39,6 +39,8 @@ QJsonObject jsonTouch(const TouchedPoint& point)
                        {QStringLiteral("p_TQ_mm"), jsonPoint(point.p_TQ)},
                        {QStringLiteral("spread_mm"), jsonLength(point.spread)},
                        {QStringLiteral("q_TS"), QJsonArray{q.x(), q.y(), q.z(), q.w()}}};
+    if (point.seenError)
+        object.insert(QStringLiteral("seen_error_mm"), jsonLength(*point.seenError));
     if (point.isFitted)
         object.insert(QStringLiteral("fitted"), true);
     insertStale(object, point.stale);

@@ -92,13 +92,16 @@ std::vector<TouchedPoint> readTouched(JsonFields& fields, const char* key,
     std::vector<TouchedPoint> touched;
     std::set<std::string> names;
     for (JsonFields& point : fields.objects(key)) {
-        point.allowOnly({"landmark", "p_TQ_mm", "spread_mm", "q_TS", "fitted", "stale"});
+        point.allowOnly(
+            {"landmark", "p_TQ_mm", "spread_mm", "q_TS", "seen_error_mm", "fitted", "stale"});
         touched.push_back({.landmark = point.text("landmark"),
                            .p_TQ = point.point("p_TQ_mm"),
                            .spread = point.length("spread_mm"),
                            .q_TS = readTurn(point, "q_TS"),
                            .isFitted = point.has("fitted") && point.truth("fitted"),
                            .stale = readStale(point)});
+        if (point.has("seen_error_mm"))
+            touched.back().seenError = point.length("seen_error_mm");
         const std::string& name = touched.back().landmark;
         if (std::ranges::count(catalogue.landmarks, name, &Landmark::name) == 0)
             point.refuse("landmark", "\"" + name + "\" is not in the catalogue");

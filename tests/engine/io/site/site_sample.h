@@ -133,6 +133,7 @@ inline Site wholeSite()
              .q_TS = rotationFromVector({0.3, double(site.touched.size()), -0.2})});
     site.touched[2].stale = StaleCause::Landmarks;
     site.touched[1].isFitted = true;
+    site.touched[3].seenError = 0.63e-3;
     site.registration = wholeRegistration(catalogue);
     site.localisations = {{1.3e-3, 18.0, "2004-02-28T09:30:00Z", "M. Keller"},
                           {0.9e-3, 6.0, {}, {}}};

@@ -102,7 +102,21 @@ private Q_SLOTS:
                          RigidTransform{site.touched[i].q_TS, Vec3::Zero()}));
             QVERIFY(back->touched[i].stale == site.touched[i].stale);
             QCOMPARE(back->touched[i].isFitted, i == 1);
+            QCOMPARE(back->touched[i].seenError.has_value(), i == 3);
         }
+    }
+
+    /// Files of before do not say how well the tracker saw a touch.
+    void readsBackHowWellTheTrackerSawATouch()
+    {
+        const auto back = kept(test::wholeSite());
+        QVERIFY(back && near(*back->touched[3].seenError, 0.63e-3));
+        QVERIFY(bytes().contains("\"seen_error_mm\": 0.6"));
+        test::writeFile(path(), test::touchedWith(", 'seen_error_mm': 1.25"));
+        QVERIFY(near(*readSiteFile(path())->touched[0].seenError, 1.25e-3));
+        test::writeFile(path(), test::touchedWith({}));
+        const auto before = readSiteFile(path());
+        QVERIFY(before && !before->touched[0].seenError);
     }
 
     void readsBackTheRegistration()

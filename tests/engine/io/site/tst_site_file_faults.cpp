@@ -153,6 +153,9 @@ private Q_SLOTS:
                "touched[0].q_TS: 4 numbers are expected");
         addRow("a turn that scales", touchedWith(", 'q_TS': [0, 0, 1, 1]"),
                "touched[0].q_TS: a quaternion of length 1 is expected");
+        for (const char* length : {"-0.1", "1e9", "'0.1'", "null"})
+            addRow(length, touchedWith(std::string{", 'seen_error_mm': "} + length),
+                   "touched[0].seen_error_mm: a length in millimetres is expected");
         addRow("stale for no known cause", touchedWith(", 'stale': 'age'"),
                "touched[0].stale: \"age\" is none of its words");
         addRow("fitted once", touchedWith(", 'fitted': 1"),

@@ -8,6 +8,7 @@
 #include <QStringList>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace carina
@@ -58,6 +59,19 @@ StylusTouch touchIn(const TouchedPoint& touched)
     if (touched.seenError)
         touch.seenError = metres(*touched.seenError);
     return touch;
+}
+
+/// With which the tracker saw the tip at these touches, RMS; 0 where it is not known of any.
+Length seenErrorOf(const std::vector<TouchedPoint>& touches)
+{
+    double squares = 0.0;
+    int known = 0;
+    for (const TouchedPoint& touch : touches)
+        if (touch.seenError) {
+            squares += *touch.seenError * *touch.seenError;
+            ++known;
+        }
+    return metres(std::sqrt(squares / std::max(1, known)));
 }
 
 } // namespace
@@ -260,10 +274,10 @@ std::pair<EarlierRegistration, std::vector<Retouch>> TouchTask::touchedAgain() c
 }
 
 /// Landmarks nearly on one line let the manikin turn about it.
-bool TouchTask::isLoose(const ReRegistration& relay) const
+bool TouchTask::isLoose(const ReRegistration& alike) const
 {
     const Length before = m_landmarks.worstError(m_editor.site().registration->covariance_A);
-    return before.si > 0.0 && m_landmarks.worstError(relay.covariance_A).si > kFarWorse * before.si;
+    return before.si > 0.0 && m_landmarks.worstError(alike.covariance_A).si > kFarWorse * before.si;
 }
 
 void TouchTask::relayIfItTells()
@@ -273,12 +287,14 @@ void TouchTask::relayIfItTells()
         return;
     const auto [earlier, again] = touchedAgain();
     const Length fle = metres(std::max(site.registration->fle, millimetres(0.1).si));
-    const auto relay = reRegister(earlier, again, {.first = fle, .again = fle});
+    const Length now = std::max(fle, seenErrorOf(*site.relay));
+    const auto relay = reRegister(earlier, again, {.first = fle, .again = now});
     if (!relay)
         return m_editor.refuse(relay.error());
     if (relay->explanations > 1)
         return m_editor.refuse(TouchWords::oneMore());
-    if (again.size() < earlier.landmarks.size() && isLoose(*relay))
+    const auto alike = reRegister(earlier, again, {.first = fle, .again = fle});
+    if (again.size() < earlier.landmarks.size() && alike && isLoose(*alike))
         return m_editor.refuse(TouchWords::farFromThese());
     if (m_editor.become(withRelay(site, *relay, fitInputs(m_watch, m_editor.now()))))
         m_editor.tell(TouchWords::tr("The manikin is registered again"));

@@ -51,7 +51,8 @@ private:
     void rename(const StylusTouch& touch, const TouchFinding& finding);
     void refuse(const TouchFinding& finding);
     [[nodiscard]] std::pair<EarlierRegistration, std::vector<Retouch>> touchedAgain() const;
-    [[nodiscard]] bool isLoose(const ReRegistration& relay) const;
+    /// @param alike from touches as good as those of the registration
+    [[nodiscard]] bool isLoose(const ReRegistration& alike) const;
     void relayIfItTells();
 
     SiteEditor& m_editor;

@@ -56,25 +56,31 @@ std::vector<LocalisationError> earlierErrors(const Site& site)
     return earlier;
 }
 
-/// Root mean square over the touches of the error with which the tracker saw the tip.
-Length leastError(const Site& site, const FitInputs& inputs)
+/// The error with which the tracker sees the tip of a stylus that is held as at a touch.
+std::optional<Length> errorHeldSo(const TouchedPoint& touch, const TrackedTool& stylus,
+                                  const Vec3& p_SQ)
+{
+    PoseSample held{.X_FO = {touch.q_TS, touch.p_TQ - touch.q_TS * p_SQ}};
+    if (const auto newest = stylus.history ? stylus.history->newest() : std::nullopt)
+        held.covariance_O = newest->covariance_O;
+    const auto error = predictedError(stylus, held);
+    return error ? std::optional{error->at(p_SQ)} : std::nullopt;
+}
+
+/// The error with which the tracker saw the tip at each touch: what was noted then, or else what is
+/// to be expected of such a touch now.
+std::vector<std::optional<Length>> seenErrors(const Site& site, const FitInputs& inputs)
 {
     const StylusTip* tip = site.stylus(inputs.tool);
-    double squares = 0.0;
-    int touches = 0;
+    std::vector<std::optional<Length>> errors;
     for (const TouchedPoint* touch : freshTouches(site)) {
-        if (!tip || !inputs.stylus)
-            break;
-        const RigidTransform X_TS{touch->q_TS, touch->p_TQ - touch->q_TS * tip->p_SQ};
-        PoseSample held{.X_FO = X_TS};
-        if (const auto newest = inputs.stylus->history->newest())
-            held.covariance_O = newest->covariance_O;
-        if (const auto error = predictedError(*inputs.stylus, held)) {
-            squares += std::pow(error->at(tip->p_SQ).si, 2);
-            ++touches;
-        }
+        auto& error = errors.emplace_back();
+        if (touch->seenError)
+            error = metres(*touch->seenError);
+        else if (tip && inputs.stylus)
+            error = errorHeldSo(*touch, *inputs.stylus, tip->p_SQ);
     }
-    return std::max(kLeastFle, metres(std::sqrt(squares / std::max(1, touches))));
+    return errors;
 }
 
 Result<RegistrationError> errorOf(const Site& site, const ManikinFit& fitted,
@@ -90,7 +96,7 @@ Result<RegistrationError> errorOf(const Site& site, const ManikinFit& fitted,
     for (const TouchedPoint* touch : freshTouches(site))
         held.push_back(R_AT * touch->q_TS.toRotationMatrix());
     return registrationError(places, held, tip_S, metres(fitted.fit.rms), earlierErrors(site),
-                             leastError(site, inputs));
+                             seenErrors(site, inputs));
 }
 
 /// How the manikin lies in the probes on it.

@@ -29,8 +29,9 @@ struct FitInputs {
 /// estimated from its residuals and from earlier registrations by the same person at this site,
 /// unless a touch is in both. Its own estimate is kept for later ones: in place of the person's
 /// earlier one that shares touches with it, and not at all where that is another person's, whose
-/// estimate stays as it is. No estimate is below the error with which the tracker sees the tip of
-/// the stylus, predicted from its markers (predictedError).
+/// estimate stays as it is. No estimate is below the error with which the tracker saw the tip of
+/// the stylus when it touched (TouchedPoint::seenError); of touches for which that was not noted,
+/// as in files of before, below the one that is predicted of the stylus now (predictedError).
 /// @returns TooFewLandmarks without a catalogue; the errors of fitManikin.
 [[nodiscard]] Result<Site> withFit(Site site, const FitInputs& inputs);
 

@@ -1,23 +1,52 @@
 #include "engine/registration/error/registration_error.h"
 
+#include "engine/core/expects.h"
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <cmath>
 
 namespace carina
 {
+namespace
+{
+
+/// Of the error of one touch, m^2.
+double squareOf(Length seen) { return std::pow(std::max(seen, kLeastFle).si, 2); }
+
+/// Mean of the squares of those that are known, m^2.
+double meanSquareOf(std::span<const std::optional<Length>> seen)
+{
+    double sum = 0.0;
+    int known = 0;
+    for (const std::optional<Length>& each : seen) {
+        sum += each ? squareOf(*each) : 0.0;
+        known += each ? 1 : 0;
+    }
+    return known > 0 ? sum / known : squareOf(kLeastFle);
+}
+
+} // namespace
 
 Result<RegistrationError> registrationError(std::span<const Vec3> p_AQ, std::span<const Mat3> R_AS,
                                             const Mat3& tip_S, Length fre,
                                             std::span<const LocalisationError> earlier,
-                                            Length least)
+                                            std::span<const std::optional<Length>> seen)
 {
+    CARINA_EXPECTS(seen.empty() || seen.size() == p_AQ.size());
     if (p_AQ.size() < 3)
         return fail(Errc::TooFewLandmarks, std::to_string(p_AQ.size()));
     RegistrationError error{.own = localisationError(fre, p_AQ.size())};
+    const double meanSquare = meanSquareOf(seen);
+    const Length least = metres(std::sqrt(meanSquare));
     error.own.rms = std::max(error.own.rms, least);
     error.touch = pooled(error.own, earlier);
-    const std::vector<LandmarkError> landmarks = equalErrors(p_AQ, error.touch.fle.rms);
+    error.touch.fle.rms = std::max(error.touch.fle.rms, least); // this time it was seen so
+    std::vector<LandmarkError> landmarks = equalErrors(p_AQ, error.touch.fle.rms);
+    for (std::size_t i = 0; i < seen.size(); ++i)
+        if (seen[i])
+            landmarks[i].covariance_A += (squareOf(*seen[i]) - meanSquare) / 3.0 * Mat3::Identity();
     const Result<Mat6> touches = fitCovariance(landmarks);
     if (!touches)
         return tl::unexpected(touches.error());

@@ -105,7 +105,8 @@ public:
     {
         m_now += kPeriod;
         const Vec3 p_TS = p_TQ - q_TS * p_SQ + stray(m_noise);
-        m_tracker.m_stylus.push({.time = m_now, .X_FO = {q_TS, p_TS}});
+        m_tracker.m_stylus.push(
+            {.time = m_now, .X_FO = {q_TS, p_TS}, .covariance_O = m_covariance_S});
         m_tracker.m_chin.push({.time = m_now, .X_FO = X_TJ});
         if (!m_tracker.m_hasTools)
             return;
@@ -188,8 +189,9 @@ public:
     RigidTransform m_X_TN_tube{rotationFromVector({0.3, -0.2, 0.5}), {0.2, 0.1, -1.2}};
     RigidTransform m_X_TN_laryngoscope = RigidTransform::translation({-0.2, 0.1, -1.2});
     bool m_areToolsSeen = true;
-    Length m_noise{}; ///< of each sample's position, RMS
-    Length m_hand{};  ///< of each touch from its place, RMS
+    std::optional<Mat6> m_covariance_S{}; ///< that the tracker tells of the stylus' pose
+    Length m_noise{};                     ///< of each sample's position, RMS
+    Length m_hand{};                      ///< of each touch from its place, RMS
     std::mt19937 m_random{2004};
     WrittenTracker m_tracker;
     QString m_trackerName = QStringLiteral("Written tracker");

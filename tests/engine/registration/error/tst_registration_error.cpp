@@ -4,6 +4,7 @@
 #include "tests/engine/registration/fit/swabbed_shapes.h"
 #include "tests/support/test_class.h"
 
+#include <array>
 #include <cmath>
 
 namespace carina::registration_error_test
@@ -208,12 +209,62 @@ private Q_SLOTS:
     void believesInNoHandBetterThanItsTracker()
     {
         const Length tracker = millimetres(0.7);
+        const std::vector<std::optional<Length>> seen(4, tracker);
         const auto error = registrationError(test::firstLandmarks(4), heldAt(4, true), Mat3::Zero(),
-                                             millimetres(0.2), {}, tracker);
+                                             millimetres(0.2), {}, seen);
         QCOMPARE(error->own.rms.si, tracker.si);
         const auto worse = registrationError(test::firstLandmarks(4), heldAt(4, true), Mat3::Zero(),
-                                             millimetres(2.0), {}, tracker);
+                                             millimetres(2.0), {}, seen);
         QVERIFY(worse->own.rms > millimetres(2.0)); // as without
+        const std::array<LocalisationError, 1> luck{{{millimetres(0.5), 18.0}}};
+        const auto pooled = registrationError(test::firstLandmarks(4), heldAt(4, true),
+                                              Mat3::Zero(), millimetres(0.2), luck, seen);
+        QCOMPARE(pooled->touch.pooled, 1);
+        QCOMPARE(pooled->touch.fle.rms.si, tracker.si);
+    }
+
+    /// Of the touches of which it is not known, nothing is assumed.
+    void leavesTouchesAlikeThatTheTrackerSawAlike()
+    {
+        const std::vector<Vec3> p_A = test::firstLandmarks(6);
+        std::vector<std::optional<Length>> seen(6, millimetres(0.4));
+        seen[1] = seen[4] = std::nullopt;
+        const auto error =
+            registrationError(p_A, heldAt(6, true), Mat3::Zero(), freOf(6), {}, seen);
+        QVERIFY(error->covariance_A.isApprox(*fitCovariance(equalErrors(p_A, metres(kFle)))));
+    }
+
+    /// A hand of 0.5 mm, and a tracker that sees some landmarks far worse than others.
+    void isWhatManyFitsLeaveOfTouchesThatWereSeenUnlike()
+    {
+        constexpr double kHand = 0.5e-3;
+        const std::vector<Vec3> p_A = test::firstLandmarks(8);
+        const std::array seen_mm{0.2, 0.2, 0.3, 0.3, 2.0, 0.4, 0.2, 1.5};
+        std::vector<std::optional<Length>> seen;
+        std::vector<double> part; // standard deviation along each axis, m
+        double squares = 0.0;
+        for (const double mm : seen_mm) {
+            seen.push_back(millimetres(mm));
+            const double square = kHand * kHand + 1e-6 * mm * mm;
+            part.push_back(std::sqrt(square / 3.0));
+            squares += square;
+        }
+        const Length fre = metres(std::sqrt(squares / 8.0 * (1.0 - 2.0 / 8.0)));
+        const auto predicted = registrationError(p_A, heldAt(8, true), Mat3::Zero(), fre, {}, seen);
+        test::Hand hand{67};
+        Measured measured = none();
+        std::vector<Vec3> p_M(p_A.size());
+        for (int trial = 0; trial < kTrials; ++trial) {
+            const RigidTransform X_MA = hand.pose();
+            for (std::size_t i = 0; i < p_A.size(); ++i)
+                p_M[i] = X_MA * (p_A[i] + part[i] * hand.unit());
+            add(measured, test::hornFit(p_A, p_M), X_MA, kTrials);
+        }
+        for (std::size_t t = 0; t < measured.size(); ++t) {
+            const Mat3 covariance = pointCovariance(predicted->covariance_A, test::kTargets[t]);
+            QVERIFY2(std::abs(rmsOf(covariance) / rmsOf(measured[t]) - 1.0) < kAgree,
+                     test::kTargetNames[t]);
+        }
     }
 
     void refusesWhatCannotBeFitted()

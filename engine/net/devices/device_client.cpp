@@ -14,11 +14,12 @@ namespace carina
 namespace
 {
 
-NdiClientSettings ndiSettingsOf(const TrackerDescription& description)
+NdiClientSettings ndiSettingsOf(const TrackerDescription& description, bool isRecorded)
 {
     NdiClientSettings settings;
     settings.poses = description.poses;
     settings.isSerial = isSerialPort(description.address);
+    settings.isPaced = !isRecorded;
     settings.rates.clear();
     for (const DescribedTool& tool : description.tools)
         settings.tools.push_back({tool.name, tool.definition});
@@ -43,7 +44,8 @@ std::string asText(const std::vector<std::byte>& bytes)
 class NdiDevice : public DeviceClient
 {
 public:
-    explicit NdiDevice(const TrackerDescription& description) : m_client{ndiSettingsOf(description)}
+    NdiDevice(const TrackerDescription& description, bool isRecorded)
+        : m_client{ndiSettingsOf(description, isRecorded)}
     {
     }
 
@@ -130,11 +132,11 @@ private:
 
 } // namespace
 
-std::unique_ptr<DeviceClient> deviceClient(const TrackerDescription& description)
+std::unique_ptr<DeviceClient> deviceClient(const TrackerDescription& description, bool isRecorded)
 {
     if (description.kind == TrackerKind::OpenIgtLink)
         return std::make_unique<IgtlDevice>(description);
-    return std::make_unique<NdiDevice>(description);
+    return std::make_unique<NdiDevice>(description, isRecorded);
 }
 
 } // namespace carina

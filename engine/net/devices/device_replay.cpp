@@ -53,7 +53,8 @@ std::optional<LoggedLine> loggedLine(std::string_view text)
 class Replay
 {
 public:
-    explicit Replay(const TrackerDescription& description) : m_client{deviceClient(description)}
+    explicit Replay(const TrackerDescription& description)
+        : m_client{deviceClient(description, true)}
     {
         for (const DescribedTool& tool : description.tools)
             m_sequence.tools.push_back({.name = tool.name, .role = tool.role});

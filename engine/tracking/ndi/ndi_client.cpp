@@ -21,6 +21,8 @@ constexpr std::size_t kReplyBytesOfATool = 96;
 constexpr Duration kBeforeRetry = 500ms;
 constexpr int kAsksBeforeRetry = 3; // of one that tracked
 constexpr Duration kBetweenAsks = 150ms;
+// Well below the 16.7 ms between two exposures, by which one is known so much later at most.
+constexpr Duration kBeforeNewer = 4ms;
 constexpr int kMissedPosesBeforeTold = 2;
 constexpr int kMissedPosesBeforeRestart = 4;
 constexpr Duration kBetweenLooks = 1s; // at the ports
@@ -57,6 +59,7 @@ NdiClient::NdiClient(NdiClientSettings settings)
     : m_wantedPoses{settings.poses},
       m_poses{settings.poses},
       m_isSerial{settings.isSerial},
+      m_isPaced{settings.isPaced},
       m_dialogue{{.wasReset =
                       [this] {
                           m_mayTrack = false; // it was switched off and on
@@ -153,6 +156,14 @@ void NdiClient::askForPoses()
     m_dialogue.queue(std::move(ask));
 }
 
+/// Nothing but this paces a device that answers at once.
+void NdiClient::askAgain(bool wasNewer)
+{
+    if (wasNewer || m_isSerial || !m_isPaced)
+        return askForPoses();
+    m_dialogue.queue({.patience = kBeforeNewer, .inVain = [this] { askForPoses(); }});
+}
+
 void NdiClient::missPoses()
 {
     const Duration silent = m_now - m_heard;
@@ -230,15 +241,15 @@ void NdiClient::takePoses(const NdiReply& reply, std::uint16_t options)
         return askForPoses();
     }
     m_asksReasons = false;
-    if (const auto frame = decoded(reply, options)) {
-        m_read = m_now;
-        m_unreadable.clear();
-        measure(*frame);
-    } else {
+    const auto frame = decoded(reply, options);
+    if (!frame) {
         ++m_undecoded;
         m_unreadable = frame.error().detail;
+        return askAgain(false);
     }
-    askForPoses();
+    m_read = m_now;
+    m_unreadable.clear();
+    askAgain(measure(*frame));
 }
 
 Result<NdiFrame> NdiClient::decoded(const NdiReply& reply, std::uint16_t options) const
@@ -262,7 +273,8 @@ LocalTime NdiClient::exposureOf(const NdiFrame& frame)
     return frame.deviceTime ? m_deviceClock.local(*frame.deviceTime, sent) : sent;
 }
 
-void NdiClient::measure(const NdiFrame& frame)
+/// @returns whether it is a newer exposure than the last, which then is passed on
+bool NdiClient::measure(const NdiFrame& frame)
 {
     NdiMeasurement measured{exposureOf(frame), {}};
     measured.tools.resize(m_tools.count());
@@ -282,9 +294,10 @@ void NdiClient::measure(const NdiFrame& frame)
     }
     lookAtPorts(frame);
     if (number == m_lastFrame)
-        return;
+        return false;
     m_lastFrame = number;
     m_measured.push_back(std::move(measured));
+    return true;
 }
 
 /// After a tool was plugged in or out: by TX and BX the system says so, by BX2 a tool that is off,

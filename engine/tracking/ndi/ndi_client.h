@@ -20,6 +20,9 @@ struct NdiClientSettings {
     NdiPoseReply poses = NdiPoseReply::Bx;
     /// Whether the device is at a serial port, which has a rate and is reset by a break.
     bool isSerial = true;
+    /// Whether the device is let alone for a moment after a reply that told nothing new. In a
+    /// recorded conversation, which is not asked, the next reply may come at once.
+    bool isPaced = true;
     /// Rates of transmission that are to be tried, in bits a second, best first; of those that COMM
     /// can set.
     std::vector<int> rates{921600, 115200, 57600, 38400, 19200, 9600};
@@ -51,7 +54,10 @@ struct NdiFound {
 /// by BX, and one that does not know BX by TX. Why a tool has no pose is asked for while one has
 /// none.
 ///
-/// A device on the network is not reset: it is told to stop, and its ports are freed.
+/// A device on the network is not reset: it is told to stop, and its ports are freed. It answers at
+/// once, and often with the exposure of the reply before: after a reply without a newer one, or
+/// that cannot be read, it is asked again 4 ms later. At a serial port the line itself takes such a
+/// time.
 ///
 /// A device that tracked and is silent is asked for poses on, three times before it is reset and
 /// then between the resets: one that still is in its state tracks again with its first answer.
@@ -112,13 +118,14 @@ private:
     void initialise();
     void startTracking();
     void askForPoses();
+    void askAgain(bool wasNewer);
     void missPoses();
     [[nodiscard]] NdiStep askingWhetherItTracks();
     [[nodiscard]] Duration posePatience() const;
     [[nodiscard]] LocalTime exposureOf(const NdiFrame& frame);
     void takePoses(const NdiReply& reply, std::uint16_t options);
     [[nodiscard]] Result<NdiFrame> decoded(const NdiReply& reply, std::uint16_t options) const;
-    void measure(const NdiFrame& frame);
+    [[nodiscard]] bool measure(const NdiFrame& frame);
     void lookAtPorts(const NdiFrame& frame);
     void fallSilent(std::string why);
     void giveUp(std::string why);
@@ -128,6 +135,7 @@ private:
     NdiPoseReply m_wantedPoses;
     NdiPoseReply m_poses; ///< as they are asked for: the device may not know what is wanted
     bool m_isSerial;
+    bool m_isPaced;
     NdiDialogue m_dialogue;
     NdiConnection m_connection;
     NdiTools m_tools;

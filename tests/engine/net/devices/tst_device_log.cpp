@@ -8,6 +8,7 @@
 #include "tests/evaluation/polaris/served_device.h"
 #include "tests/support/test_class.h"
 
+#include <QTcpServer>
 #include <QTemporaryDir>
 
 #include <fstream>
@@ -25,6 +26,13 @@ Result<TrackerSequence> replayedFile(const std::string& file)
 {
     std::ifstream input{file, std::ios::binary};
     return replayedConversation(input, file);
+}
+
+std::uint16_t freePortOfTcp()
+{
+    QTcpServer server;
+    server.listen(QHostAddress::LocalHost);
+    return server.serverPort();
 }
 
 TrackerDescription polarisAt(const std::string& address)
@@ -100,21 +108,28 @@ private Q_SLOTS:
     void replaysAPolarisByTheSameClient_data()
     {
         QTest::addColumn<int>("poses");
-        QTest::newRow("TX") << int(NdiPoseReply::Tx);
-        QTest::newRow("BX") << int(NdiPoseReply::Bx);
-        QTest::newRow("BX2") << int(NdiPoseReply::Bx2);
+        QTest::addColumn<bool>("isSerial");
+        QTest::newRow("TX") << int(NdiPoseReply::Tx) << true;
+        QTest::newRow("BX") << int(NdiPoseReply::Bx) << true;
+        QTest::newRow("BX2") << int(NdiPoseReply::Bx2) << true;
+        QTest::newRow("BX on the network") << int(NdiPoseReply::Bx) << false;
     }
 
     void replaysAPolarisByTheSameClient()
     {
         QFETCH(const int, poses);
+        QFETCH(const bool, isSerial);
         const std::string link = inFolder("port");
+        const std::uint16_t port = freePortOfTcp();
         const ServedDevice device{
-            PolarisLine::terminal(link).value(), {}, [](const std::string&, LocalTime t) {
+            (isSerial ? PolarisLine::terminal(link) : PolarisLine::tcp(port)).value(),
+            {.hasRate = isSerial},
+            [](const std::string&, LocalTime t) {
                 const double x_mm = double(t.time_since_epoch().count() / 1'000'000 % 1000);
                 return std::optional{PolarisPose{Quat::Identity(), {x_mm, 0.0, -1500.0}, 0.1}};
             }};
-        TrackerDescription described = polarisAt(link);
+        TrackerDescription described =
+            polarisAt(isSerial ? link : "127.0.0.1:" + std::to_string(port));
         described.poses = static_cast<NdiPoseReply>(poses);
         const std::string file = inFolder("polaris.log");
         const auto samples = samplesLogged(described, file);

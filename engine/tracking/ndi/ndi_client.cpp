@@ -1,5 +1,6 @@
 #include "engine/tracking/ndi/ndi_client.h"
 
+#include "engine/tracking/ndi/ndi_error.h"
 #include "engine/tracking/ndi/ndi_hexadecimal.h"
 
 #include <algorithm>

@@ -1,9 +1,8 @@
 #include "engine/tracking/ndi/ndi_reply.h"
 
 #include "engine/core/byte_buffer.h"
+#include "engine/tracking/ndi/ndi_error.h"
 
-#include <algorithm>
-#include <array>
 #include <charconv>
 #include <utility>
 
@@ -28,18 +27,6 @@ std::uint16_t checksumAt(std::string_view bytes, std::size_t at)
     return ByteReader{bytesOf(bytes.substr(at))}.number<std::uint16_t>();
 }
 
-struct Meaning {
-    std::uint8_t code;
-    const char* words;
-};
-
-constexpr std::array kMeanings{
-    Meaning{0x0C, "the command is not possible in the present mode"},
-    Meaning{0x13, "a tool could not be initialised"},
-    Meaning{0x23, "a parameter is out of range"},
-    Meaning{0x2B, "a port handle that is not allocated"},
-};
-
 } // namespace
 
 Result<std::string_view> checkedText(std::string_view text)
@@ -62,15 +49,6 @@ std::optional<std::uint8_t> errorCode(const NdiReply& reply)
     std::uint8_t code = 0;
     const auto [end, fault] = std::from_chars(digits, digits + 2, code, 16);
     return fault == std::errc{} && end == digits + 2 ? std::optional{code} : std::nullopt;
-}
-
-std::string errorMeaning(std::uint8_t code)
-{
-    const auto* const known = std::ranges::find(kMeanings, code, &Meaning::code);
-    if (known != kMeanings.end())
-        return known->words;
-    constexpr std::string_view kDigits = "0123456789ABCDEF";
-    return std::string{"error "} + kDigits[code >> 4U] + kDigits[code & 0xFU];
 }
 
 bool isFine(const NdiReply& reply)

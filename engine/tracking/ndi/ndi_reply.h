@@ -36,9 +36,6 @@ inline constexpr std::size_t kLongestNdiReply = 64 * 1024;
 /// The code of a reply ERRORnn.
 [[nodiscard]] std::optional<std::uint8_t> errorCode(const NdiReply& reply);
 
-/// What a code of ERRORnn means, for those that a session runs into; "error 5F" for another one.
-[[nodiscard]] std::string errorMeaning(std::uint8_t code);
-
 /// Whether a command was done: OKAY, perhaps with a warning.
 [[nodiscard]] bool isFine(const NdiReply& reply);
 

@@ -1,7 +1,10 @@
 #include "engine/tracking/ndi/ndi_command.h"
+#include "engine/tracking/ndi/ndi_error.h"
 #include "engine/tracking/ndi/ndi_reply.h"
 #include "tests/engine/tracking/ndi/wire_bytes.h"
 #include "tests/support/test_class.h"
+
+#include <set>
 
 namespace carina::ndi_reply_test
 {
@@ -190,8 +193,62 @@ private Q_SLOTS:
         QVERIFY(!errorCode(text("ERROR2G")));
         QVERIFY(!errorCode(text("OKAY")));
         QVERIFY(!errorCode(NdiReply{NdiReply::Form::Binary, "ERROR2B"}));
-        QCOMPARE(errorMeaning(0x2B), std::string{"a port handle that is not allocated"});
-        QCOMPARE(errorMeaning(0xF4), std::string{"error F4"});
+    }
+
+    /// The codes of NDI's list, and words that it has in each row; reserved ones are not in it.
+    void tellsWhatAnErrorMeans_data()
+    {
+        QTest::addColumn<int>("code");
+        QTest::addColumn<QByteArray>("words");
+        const auto row = [](int code, const char* words) {
+            QTest::addRow("%02X", unsigned(code)) << code << QByteArray{words};
+        };
+        row(0x01, "command");
+        row(0x04, "damaged");
+        row(0x0C, "mode");
+        row(0x0D, "no tool");
+        row(0x12, "start tracking");
+        row(0x13, "tool could not be initialised");
+        row(0x15, "device could not be initialised");
+        row(0x1F, "written");
+        row(0x23, "parameter is out of range");
+        row(0x28, "too many tools");
+        row(0x2B, "a port handle that is not allocated");
+        row(0x2D, "all port handles");
+        row(0x33, "feature");
+        row(0x39, "permitted");
+        row(0x40, "definition of the tool is damaged");
+        row(0x42, "not connected");
+        row(0xF1, "infrared");
+        row(0xF4, "erased");
+        row(0xF5, "written");
+        row(0xF6, "read");
+        row(0x26, "error 26"); // reserved
+        row(0x43, "error 43");
+        row(0xFF, "error FF");
+    }
+
+    void tellsWhatAnErrorMeans()
+    {
+        QFETCH(const int, code);
+        QFETCH(const QByteArray, words);
+        const std::string meaning = errorMeaning(std::uint8_t(code));
+        QVERIFY2(meaning.find(words.toStdString()) != std::string::npos, meaning.c_str());
+    }
+
+    void everyErrorOfTheListHasWordsOfItsOwn()
+    {
+        const std::set<int> reserved{0x26, 0x27, 0x29, 0x31, 0x3A, 0x3E, 0x3F};
+        std::vector<int> codes{0xF1, 0xF4, 0xF5, 0xF6};
+        for (int code = 0x01; code <= 0x42; ++code)
+            if (!reserved.contains(code))
+                codes.push_back(code);
+        std::set<std::string> meanings;
+        for (const int code : codes) {
+            const std::string meaning = errorMeaning(std::uint8_t(code));
+            QVERIFY2(!meaning.starts_with("error "), meaning.c_str());
+            QVERIFY2(meanings.insert(meaning).second, meaning.c_str());
+        }
     }
 };
 

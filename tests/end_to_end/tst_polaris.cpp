@@ -1,3 +1,5 @@
+#include "engine/io/site/devices/tracker_file.h"
+#include "engine/net/devices/any_recording.h"
 #include "tests/end_to_end/program.h"
 #include "tests/support/test_class.h"
 
@@ -5,6 +7,8 @@
 #include <QJsonArray>
 #include <QTcpServer>
 #include <QTemporaryDir>
+
+#include <algorithm>
 
 namespace carina::polaris_test
 {
@@ -82,9 +86,34 @@ qint64 firstTracked(const QJsonObject& line, qint64 since)
     return 0;
 }
 
+/// The names of the tools that a device is described to track.
+std::vector<std::string> toolsOf(const Device& device)
+{
+    std::vector<std::string> names;
+    if (const auto described = readTrackerFile(device.description().toStdString()))
+        for (const DescribedTool& tool : described->tools)
+            names.push_back(tool.name);
+    return names;
+}
+
+/// The first time after `since` at which a tool is tracked by a record of poses, which may still be
+/// written; 0 where it is not.
+qint64 firstTracked(const TrackerSequence& record, const std::string& name, qint64 since)
+{
+    const auto tool = std::ranges::find(record.tools, name, &RecordedTool::name);
+    if (tool == record.tools.end())
+        return 0;
+    const auto isLater = [since](const PoseSample& sample) {
+        return sample.validity != Validity::Lost && sample.time.time_since_epoch().count() > since;
+    };
+    const auto first = std::ranges::find_if(tool->samples, isLater);
+    return first == tool->samples.end() ? 0 : first->time.time_since_epoch().count();
+}
+
 } // namespace
 
-/// A trainee whose tracker is a Polaris.
+/// A trainee whose tracker is a Polaris. Each of its tools is looked for by its name in the record
+/// of poses, also one that is not drawn; that tools are drawn is looked for in the journal.
 class TestPolaris : public QObject
 {
     Q_OBJECT
@@ -106,8 +135,11 @@ private Q_SLOTS:
         QFile written{site};
         QVERIFY(written.open(QIODevice::WriteOnly) && written.write(kSite) == kSite.size());
         written.close();
+        const QString record = folder.filePath(QStringLiteral("poses.csv"));
         Device device{folder.filePath(QStringLiteral("device")), isSerial};
         device.start();
+        const std::vector<std::string> tools = toolsOf(device);
+        QCOMPARE(tools, (std::vector<std::string>{"head", "jaw", "tube", "stylus"}));
         Program instructor{QStringLiteral(CARINA_INSTRUCTOR),
                            {QStringLiteral("--port"), portOfThisTest(), QStringLiteral("--data"),
                             folder.filePath(QStringLiteral("host")), QStringLiteral("--codes"),
@@ -120,10 +152,11 @@ private Q_SLOTS:
                          QStringLiteral("Trainee"), QStringLiteral("--code-file"), codes,
                          QStringLiteral("--data"), folder.filePath(QStringLiteral("trainee")),
                          QStringLiteral("--site"), site, QStringLiteral("--tracker"),
-                         device.description()},
+                         device.description(), QStringLiteral("--record"), record},
                         folder.filePath(QStringLiteral("trainee.jsonl"))};
         trainee.start();
         QTRY_VERIFY_WITH_TIMEOUT(firstTracked(trainee.shown(), 0) != 0, kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(notTracked(tools, record, 0), QString{}, kPatience_ms);
 
         device.kill();
         QTRY_VERIFY_WITH_TIMEOUT(isLost(trainee.shown(), device), kPatience_ms);
@@ -132,6 +165,14 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(trackedSince(trainee, back) != 0, kPatience_ms);
         const qint64 passed = trackedSince(trainee, back) - back;
         QVERIFY2(passed <= kBack_ns, qPrintable(QString::number(1e-9 * double(passed))));
+        QTRY_COMPARE_WITH_TIMEOUT(notTracked(tools, record, back), QString{}, kPatience_ms);
+        const auto recorded = readAnyRecording(record.toStdString());
+        QVERIFY2(recorded, recorded ? "" : recorded.error().detail.c_str());
+        for (const std::string& tool : tools) {
+            const qint64 toolPassed = firstTracked(*recorded, tool, back) - back;
+            QVERIFY2(toolPassed <= kBack_ns,
+                     (tool + ": " + std::to_string(1e-9 * double(toolPassed))).c_str());
+        }
     }
 
 private:
@@ -140,6 +181,18 @@ private:
     {
         return !shown.isEmpty() && firstTracked(shown, 0) == 0
                && shown[QStringLiteral("notice")].toString().contains(device.address());
+    }
+
+    /// Which of the tools are not tracked after `since` by the record; "head jaw".
+    static QString notTracked(const std::vector<std::string>& tools, const QString& record,
+                              qint64 since)
+    {
+        const auto recorded = readAnyRecording(record.toStdString());
+        QStringList missing;
+        for (const std::string& tool : tools)
+            if (!recorded || firstTracked(*recorded, tool, since) == 0)
+                missing << QString::fromStdString(tool);
+        return missing.join(QLatin1Char{' '});
     }
 
     /// By the trainee's journal, all lines.

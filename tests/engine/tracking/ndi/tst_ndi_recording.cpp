@@ -2,11 +2,9 @@
 
 #include "engine/tracking/ndi/ndi_reply.h"
 #include "tests/engine/tracking/ndi/ndi_samples.h"
+#include "tests/engine/tracking/ndi/written_poses.h"
 #include "tests/support/test_class.h"
 #include "tests/support/test_data.h"
-
-#include <QFile>
-#include <QRegularExpression>
 
 #include <sstream>
 
@@ -24,34 +22,6 @@ Result<std::vector<NdiExchange>> read(const std::string& text)
 }
 
 std::string folderOf(const char* file) { return std::string{"tracker/ndi-recordings/"} + file; }
-
-/// A pose in a reply to TX, found in the text of a file by a regular expression alone.
-struct WrittenPose {
-    int handle = 0;
-    Vec3 p_mm;
-    double error_mm = 0.0;
-    unsigned frame = 0;
-};
-
-std::vector<WrittenPose> posesWrittenIn(const QString& path)
-{
-    QFile file{path};
-    if (!file.open(QIODevice::ReadOnly))
-        return {};
-    const QString text = QString::fromLatin1(file.readAll());
-    static const QRegularExpression pose{QStringLiteral(
-        "(?<![0-9A-F+-])(?:0\\d)?(0[1-9A-F])(?:[+-]\\d{5}){4}([+-]\\d{6})([+-]\\d{6})([+-]"
-        "\\d{6})([+-]\\d{5})[0-9A-F]{8}([0-9A-F]{8})")};
-    std::vector<WrittenPose> poses;
-    for (auto matches = pose.globalMatch(text); matches.hasNext();) {
-        const QRegularExpressionMatch match = matches.next();
-        const auto number = [&match](int group) { return match.captured(group).toDouble(); };
-        poses.push_back({match.captured(1).toInt(nullptr, 16),
-                         Vec3{number(2), number(3), number(4)} / 100.0, number(5) / 1e4,
-                         match.captured(6).toUInt(nullptr, 16)});
-    }
-    return poses;
-}
 
 /// Whether a recording is read, without a fault in it.
 bool isWhole(const std::string& recorded)
@@ -250,7 +220,7 @@ private Q_SLOTS:
         const auto path = test::testData(folderOf(file.toUtf8().constData()));
         if (!path)
             QSKIP("no recordings of a Polaris");
-        const std::vector<WrittenPose> written = posesWrittenIn(QString::fromStdString(*path));
+        const auto written = test::posesWrittenIn(QString::fromStdString(*path));
         QVERIFY(!written.empty());
         const auto recording = readNdiRecordingFile(*path);
         QVERIFY(recording);

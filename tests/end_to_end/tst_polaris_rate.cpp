@@ -10,27 +10,58 @@ namespace
 {
 
 constexpr int kPatience_ms = 120'000;
+constexpr double kRate_Hz = 59.0;
 
 } // namespace
 
-/// The rate at which three tools of a Polaris are read, what that costs, and how soon they are
-/// tracked again. The bounds are those of `carina-lab polaris-rate`.
+/// The rate at which three tools of a Polaris are read, at a serial port and over TCP, what that
+/// costs, and how soon they are tracked again. The bounds are those of `carina-lab polaris-rate`.
 class TestPolarisRate : public QObject
 {
     Q_OBJECT
 
 private Q_SLOTS:
-    void holdsItsBounds()
+    void initTestCase()
     {
         QProcess lab;
         lab.setProcessChannelMode(QProcess::ForwardedErrorChannel);
         lab.start(QStringLiteral(CARINA_LAB), {QStringLiteral("polaris-rate")});
         QVERIFY(lab.waitForFinished(kPatience_ms));
-        const QByteArray printed = lab.readAllStandardOutput();
-        const QJsonObject measured = QJsonDocument::fromJson(printed).object();
-        QVERIFY2(measured[QLatin1StringView{"acceptable"}].toBool(), printed.constData());
-        QCOMPARE(lab.exitCode(), 0);
+        m_printed = lab.readAllStandardOutput();
+        m_measured = QJsonDocument::fromJson(m_printed).object();
+        m_exitCode = lab.exitCode();
     }
+
+    void threeToolsKeepTheirRate_data()
+    {
+        QTest::addColumn<QString>("part");
+        QTest::addColumn<double>("core_percent");
+        QTest::newRow("at a serial port") << "all_seen" << 3.0;
+        QTest::newRow("at a serial port, one of them hidden") << "one_hidden" << 3.0;
+        QTest::newRow("over TCP") << "network" << 10.0;
+    }
+
+    void threeToolsKeepTheirRate()
+    {
+        QFETCH(const QString, part);
+        QFETCH(const double, core_percent);
+        const QJsonObject measured = m_measured[part].toObject();
+        const double rate = measured[QLatin1StringView{"samples_per_s"}].toDouble();
+        QVERIFY2(rate >= kRate_Hz, m_printed.constData());
+        const double client = measured[QLatin1StringView{"client_core_percent"}].toDouble();
+        QVERIFY2(client > 0.0 && client < core_percent, m_printed.constData());
+    }
+
+    void holdsItsBounds()
+    {
+        QVERIFY2(m_measured[QLatin1StringView{"acceptable"}].toBool(), m_printed.constData());
+        QCOMPARE(m_exitCode, 0);
+    }
+
+private:
+    QByteArray m_printed;
+    QJsonObject m_measured;
+    int m_exitCode = 0;
 };
 
 CARINA_TEST(TestPolarisRate)

@@ -3,6 +3,8 @@
 
 #include <QJsonObject>
 
+#include <array>
+
 namespace carina::lab::polaris_rate_command_test
 {
 
@@ -12,6 +14,15 @@ namespace
 constexpr double kBack_s = 2.0; ///< from when a device is back until its tools are tracked
 constexpr double kRate_Hz = 59.0;
 constexpr double kCore_percent = 3.0;
+constexpr double kNetworkCore_percent = 10.0;
+
+/// A part of what was measured, and what is demanded of it.
+struct Part {
+    const char* key;
+    double core_percent;
+};
+constexpr std::array kParts{Part{"all_seen", kCore_percent}, Part{"one_hidden", kCore_percent},
+                            Part{"network", kNetworkCore_percent}};
 
 } // namespace
 
@@ -21,7 +32,7 @@ class PolarisRateCommandTest : public QObject
 
 private Q_SLOTS:
     // Here other tests run beside it: end_to_end.polaris_rate demands that it is acceptable.
-    void threeToolsKeepTheirRateWhileOneIsHidden()
+    void threeToolsKeepTheirRate()
     {
         const auto object =
             polarisRateCommand().run({QStringLiteral("--seconds"), QStringLiteral("2")});
@@ -29,13 +40,14 @@ private Q_SLOTS:
         QCOMPARE((*object)[QLatin1StringView{"bits_per_second"}].toInt(), 115200);
         QCOMPARE((*object)[QLatin1StringView{"poses"}].toString(), QStringLiteral("bx"));
         bool isFast = true;
-        for (const char* part : {"all_seen", "one_hidden"}) {
-            const QJsonObject measured = (*object)[QLatin1StringView{part}].toObject();
+        for (const Part& part : kParts) {
+            const QJsonObject measured = (*object)[QLatin1StringView{part.key}].toObject();
             const double rate = measured[QLatin1StringView{"samples_per_s"}].toDouble();
-            QVERIFY2(rate > 30.0 && rate < 61.5, qPrintable(QString::number(rate)));
+            QVERIFY2(rate > 30.0 && rate < 61.5,
+                     qPrintable(QLatin1StringView{part.key} + QStringLiteral(": %1").arg(rate)));
             const double client = measured[QLatin1StringView{"client_core_percent"}].toDouble();
             QVERIFY(client > 0.0);
-            isFast = isFast && rate >= kRate_Hz && client < kCore_percent;
+            isFast = isFast && rate >= kRate_Hz && client < part.core_percent;
             QVERIFY(measured[QLatin1StringView{"device_core_percent"}].toDouble() > 0.0);
         }
         const double back = (*object)[QLatin1StringView{"back_s"}].toDouble();

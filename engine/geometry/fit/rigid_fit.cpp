@@ -1,6 +1,5 @@
 #include "engine/geometry/fit/rigid_fit.h"
 
-#include "engine/core/expects.h"
 #include "engine/geometry/fit/point_check.h"
 
 #include <Eigen/SVD>
@@ -26,38 +25,17 @@ struct Moments {
     Mat3 scatter_M = Mat3::Zero();
 };
 
-/// The shares of the landmarks in a fit: their weights, scaled to a sum of 1.
-class Shares
+Moments momentsOf(std::span<const LandmarkPair> pairs)
 {
-public:
-    Shares(std::span<const LandmarkPair> pairs, std::span<const double> weights)
-        : m_weights{weights}, m_equal{1.0 / double(pairs.size())}
-    {
-        for (const double weight : weights)
-            m_sum += weight;
-    }
-    double operator[](std::size_t i) const
-    {
-        return m_weights.empty() ? m_equal : m_weights[i] / m_sum;
-    }
-
-private:
-    std::span<const double> m_weights;
-    double m_equal;
-    double m_sum = 0.0;
-};
-
-Moments momentsOf(std::span<const LandmarkPair> pairs, const Shares& shares)
-{
+    const double share = 1.0 / double(pairs.size());
     Moments moments;
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-        moments.p_A_mean += shares[i] * pairs[i].p_AQ;
-        moments.p_M_mean += shares[i] * pairs[i].p_MQ;
+    for (const LandmarkPair& pair : pairs) {
+        moments.p_A_mean += share * pair.p_AQ;
+        moments.p_M_mean += share * pair.p_MQ;
     }
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-        const double share = shares[i];
-        const Vec3 d_A = pairs[i].p_AQ - moments.p_A_mean;
-        const Vec3 d_M = pairs[i].p_MQ - moments.p_M_mean;
+    for (const LandmarkPair& pair : pairs) {
+        const Vec3 d_A = pair.p_AQ - moments.p_A_mean;
+        const Vec3 d_M = pair.p_MQ - moments.p_M_mean;
         moments.cross_AM.noalias() += share * d_A * d_M.transpose();
         moments.scatter_A.noalias() += share * d_A * d_A.transpose();
         moments.scatter_M.noalias() += share * d_M * d_M.transpose();
@@ -79,14 +57,6 @@ Result<void> checkPairs(std::span<const LandmarkPair> pairs)
     return {};
 }
 
-Result<void> checkWeights(std::span<const double> weights)
-{
-    for (const double weight : weights)
-        if (!(weight > 0.0 && std::isfinite(weight)))
-            return fail(Errc::OutOfRange, "the weight of a landmark is not above 0");
-    return {};
-}
-
 /// The proper R_AM of the least-squares fit; std::nullopt where it is not unique.
 std::optional<Mat3> rotationFrom(const Mat3& cross_AM)
 {
@@ -102,14 +72,11 @@ std::optional<Mat3> rotationFrom(const Mat3& cross_AM)
 
 } // namespace
 
-Result<RigidFit> fitRigid(std::span<const LandmarkPair> pairs, std::span<const double> weights)
+Result<RigidFit> fitRigid(std::span<const LandmarkPair> pairs)
 {
-    CARINA_EXPECTS(weights.empty() || weights.size() == pairs.size());
     if (const auto sound = checkPairs(pairs); !sound)
         return tl::unexpected(sound.error());
-    if (const auto sound = checkWeights(weights); !sound)
-        return tl::unexpected(sound.error());
-    const Moments moments = momentsOf(pairs, {pairs, weights});
+    const Moments moments = momentsOf(pairs);
     if (const auto spread = checkSpread(moments.scatter_A, "the anatomy's"); !spread)
         return tl::unexpected(spread.error());
     if (const auto spread = checkSpread(moments.scatter_M, "the manikin's"); !spread)

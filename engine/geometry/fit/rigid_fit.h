@@ -35,20 +35,16 @@ inline constexpr double kCollinearShare = 0.01;
 
 /// Fits the manikin to the anatomy: the X_AM that minimises
 ///
-///     sum_i w_i | p_AQ_i - X_AM * p_MQ_i |^2
+///     sum_i | p_AQ_i - X_AM * p_MQ_i |^2
 ///
 /// in closed form, from the SVD of the cross-covariance (Arun, Huang, Blostein 1987). The rotation
 /// is always proper (Umeyama 1991): noisy, coplanar or mirrored landmarks never yield a mirrored
-/// anatomy.
+/// anatomy. Errors that are known to differ are weighted by fitWeighted (weighted_fit.h).
 ///
-/// @param weights w of each pair; all 1 where there are none
-/// @pre no weights, or as many as pairs.
-/// @returns TooFewLandmarks below three pairs; OutOfRange for a weight that is not above 0;
-///          NotFinite for NaN or infinity and OutOfRange for a kilometre or more in either set;
-///          DegenerateLandmarks if either set is coincident or (nearly) collinear, or if more than
-///          one rotation fits best, as when one set is the mirror image of the other or landmarks
-///          were touched in another order.
-[[nodiscard]] Result<RigidFit> fitRigid(std::span<const LandmarkPair> pairs,
-                                        std::span<const double> weights = {});
+/// @returns TooFewLandmarks below three pairs; NotFinite for NaN or infinity and OutOfRange for a
+///          kilometre or more in either set; DegenerateLandmarks if either set is coincident or
+///          (nearly) collinear, or if more than one rotation fits best, as when one set is the
+///          mirror image of the other or landmarks were touched in another order.
+[[nodiscard]] Result<RigidFit> fitRigid(std::span<const LandmarkPair> pairs);
 
 } // namespace carina

@@ -15,45 +15,34 @@ namespace
 
 constexpr std::size_t kUsualMarkers = 24; ///< markers of a probe, for which no memory is asked for
 
-/// Corresponding points of T and O, and their weights.
+/// Corresponding points of T and O.
 struct Correspondence {
     std::vector<LandmarkPair> many; ///< only of more than the usual number
     std::array<LandmarkPair, kUsualMarkers> few;
-    std::array<double, kUsualMarkers> fewWeights{};
-    std::vector<double> manyWeights;
     std::span<const LandmarkPair> pairs;
-    std::span<const double> weights;
 
     Correspondence(const Probe& probe, std::span<const SeenMarker> seen)
     {
         const bool isUsual = seen.size() <= kUsualMarkers;
-        if (!isUsual) {
+        if (!isUsual)
             many.resize(seen.size());
-            manyWeights.resize(seen.size());
-        }
         LandmarkPair* const to = isUsual ? few.data() : many.data();
-        double* const toWeights = isUsual ? fewWeights.data() : manyWeights.data();
         for (std::size_t i = 0; i < seen.size(); ++i) {
             CARINA_EXPECTS(seen[i].marker < probe.markers.size());
             to[i] = {seen[i].p_TQ, probe.markers[seen[i].marker].p_OQ};
-            toWeights[i] = seen[i].weight;
         }
         pairs = {to, seen.size()};
-        weights = {toWeights, seen.size()};
     }
-    Correspondence(const Correspondence&) = delete; // its spans point into it
+    Correspondence(const Correspondence&) = delete; // its span points into it
     Correspondence& operator=(const Correspondence&) = delete;
 };
 
 Result<RigidFit> fitOfMarkers(const Correspondence& all, std::span<const std::size_t> chosen)
 {
     std::vector<LandmarkPair> pairs;
-    std::vector<double> weights;
-    for (const std::size_t i : chosen) {
+    for (const std::size_t i : chosen)
         pairs.push_back(all.pairs[i]);
-        weights.push_back(all.weights[i]);
-    }
-    return fitRigid(pairs, weights);
+    return fitRigid(pairs);
 }
 
 bool fitsMarkers(const Result<RigidFit>& fit, double limit)
@@ -67,7 +56,7 @@ bool isMirrored(const Correspondence& all, double limit)
     std::vector<LandmarkPair> mirrored{all.pairs.begin(), all.pairs.end()};
     for (LandmarkPair& pair : mirrored)
         pair.p_MQ.x() = -pair.p_MQ.x();
-    return fitsMarkers(fitRigid(mirrored, all.weights), limit);
+    return fitsMarkers(fitRigid(mirrored), limit);
 }
 
 Result<MarkerPose> poseOfMost(const Correspondence& all, double limit)
@@ -99,7 +88,7 @@ Result<MarkerPose> markerPose(const Probe& probe, std::span<const SeenMarker> se
     if (seen.size() < probe.fewest)
         return fail(Errc::TooFewLandmarks, std::to_string(seen.size()) + " markers are seen");
     const Correspondence all{probe, seen};
-    const Result<RigidFit> fit = fitRigid(all.pairs, all.weights);
+    const Result<RigidFit> fit = fitRigid(all.pairs);
     if (!fit && fit.error().code != Errc::DegenerateLandmarks)
         return tl::unexpected(fit.error());
     const double limit = probe.largestMisfit.si;

@@ -10,7 +10,6 @@ namespace carina
 struct SeenMarker {
     std::size_t marker = 0;   ///< index in the probe
     Vec3 p_TQ = Vec3::Zero(); ///< metres
-    double weight = 1.0;      ///< in the fit: the inverse of its variance, up to a common factor
 };
 
 /// The pose of a probe from its markers.
@@ -22,8 +21,8 @@ struct MarkerPose {
         leftOut{}; ///< indices, in what was seen, of what is elsewhere than the pose puts it
 };
 
-/// The pose of a probe whose markers are known one by one: the weighted fit in closed form
-/// (fitRigid). Where a marker misfits by more than the probe allows, the pose is that of the most
+/// The pose of a probe whose markers are known one by one: the fit in closed form
+/// (fitRigid), in which all count alike. Where a marker misfits by more than the probe allows, the pose is that of the most
 /// markers that agree (consensus), of which there have to be more than half and three at least; the
 /// others are left out. Markers that fit the mirror image of the probe are refused.
 ///

@@ -4,7 +4,6 @@
 #include "tests/engine/geometry/fit/horn.h"
 #include "tests/support/test_class.h"
 
-#include <array>
 #include <numeric>
 #include <random>
 
@@ -206,31 +205,6 @@ private Q_SLOTS:
         }
         const double expected = (1.0 - 2.0 / 4.0) * 3.0 * kNoise * kNoise;
         QVERIFY(std::abs(squares / expected - 1.0) < kThreeStandardErrors);
-    }
-
-    void countsAPairAsOftenAsItWeighs()
-    {
-        // A weight of 3 is that of a pair that is there three times.
-        std::mt19937 random{23};
-        std::normal_distribution<double> part;
-        const auto point = [&] { return Vec3{part(random), part(random), part(random)}; };
-        for (int trial = 0; trial < 20; ++trial) {
-            std::vector<LandmarkPair> pairs;
-            std::vector<LandmarkPair> repeated;
-            std::vector<double> weights;
-            for (int i = 0; i < 5; ++i) {
-                const Vec3 p = point();
-                pairs.push_back({p + 0.05 * point(), p});
-                weights.push_back(1.0 + i);
-                repeated.insert(repeated.end(), std::size_t(1 + i), pairs.back());
-            }
-            const auto weighted = fitRigid(pairs, weights);
-            const auto often = fitRigid(repeated);
-            QVERIFY((weighted->X_AM.matrix() - often->X_AM.matrix()).norm() < 1e-12);
-            QVERIFY((weighted->X_AM.matrix() - fitRigid(pairs)->X_AM.matrix()).norm() > 1e-6);
-        }
-        const std::vector<LandmarkPair> some(3);
-        QCOMPARE(fitRigid(some, std::array{1.0, 0.0, 1.0}).error().code, Errc::OutOfRange);
     }
 };
 

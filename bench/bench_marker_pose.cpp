@@ -1,8 +1,8 @@
 // How long it takes to compute the pose of a probe from four markers in known order, beside
 // Eigen::umeyama and, where it is installed, OpenCV's estimateAffine3D without scale; with the
-// check of each marker, which the peers lack; and with one marker elsewhere, and the order unknown.
-// Prints one JSON object, with the means of all calls and the medians of the repetitions; goal and
-// ratios are about the means.
+// check of each marker, which the peers lack; of five, one of which is elsewhere; and with the
+// order of four unknown. Prints one JSON object, with the means of all calls and the medians of the
+// repetitions; goal and ratios are about the means.
 
 #include "bench/interleaved.h"
 #include "engine/tracking/markers/marker_search.h"
@@ -34,8 +34,19 @@ const Probe& probe()
     return made;
 }
 
+/// The same with a fifth: of four markers none can be left out.
+const Probe& probeOfFive()
+{
+    static const Probe made = [] {
+        Probe five = probe();
+        five.markers.push_back({{0.032, -0.061, 0.023}});
+        return five;
+    }();
+    return made;
+}
+
 struct Sight {
-    std::vector<SeenMarker> seen;
+    std::vector<SeenMarker> seen; ///< four
     std::vector<SeenMarker> withOutlier;
     std::vector<Vec3> points;
     Eigen::Matrix3Xd p_T{3, 4};
@@ -63,7 +74,8 @@ Sight someSight(std::mt19937& random)
         sight.p_O.col(int(i)) = p_OQ;
     }
     sight.withOutlier = sight.seen;
-    sight.withOutlier.back().p_TQ += Vec3{0.02, 0.0, 0.0};
+    sight.withOutlier[3].p_TQ += Vec3{0.02, 0.0, 0.0};
+    sight.withOutlier.push_back({.marker = 4, .p_TQ = X_TO * probeOfFive().markers[4].p_OQ});
 #ifdef CARINA_HAS_OPENCV
     // A row for each point: the same numbers in the same order.
     sight.cv_T = cv::Mat(4, 3, CV_64F, sight.p_T.data()).clone();
@@ -101,7 +113,7 @@ auto carinas(const Sight& sight) { return carina::markerPose(probe(), sight.seen
 
 auto carinasWithOutlier(const Sight& sight)
 {
-    return carina::markerPose(probe(), sight.withOutlier);
+    return carina::markerPose(probeOfFive(), sight.withOutlier);
 }
 
 auto carinasSearch(const Sight& sight) { return carina::searchMarkers(probe(), sight.points); }

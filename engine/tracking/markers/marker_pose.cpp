@@ -6,7 +6,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <limits>
+#include <utility>
 
 namespace carina
 {
@@ -15,11 +16,13 @@ namespace
 
 constexpr std::size_t kUsualMarkers = 24; ///< markers of a probe, for which no memory is asked for
 
-/// Corresponding points of T and O.
+using MarkerPairs = std::span<const LandmarkPair>; ///< points of T and of O
+
+/// The pairs of what was seen.
 struct Correspondence {
     std::vector<LandmarkPair> many; ///< only of more than the usual number
     std::array<LandmarkPair, kUsualMarkers> few;
-    std::span<const LandmarkPair> pairs;
+    MarkerPairs pairs;
 
     Correspondence(const Probe& probe, std::span<const SeenMarker> seen)
     {
@@ -37,12 +40,21 @@ struct Correspondence {
     Correspondence& operator=(const Correspondence&) = delete;
 };
 
-Result<RigidFit> fitOfMarkers(const Correspondence& all, std::span<const std::size_t> chosen)
+std::vector<LandmarkPair> chosenPairs(MarkerPairs all, std::span<const std::size_t> chosen)
 {
     std::vector<LandmarkPair> pairs;
     for (const std::size_t i : chosen)
-        pairs.push_back(all.pairs[i]);
-    return fitRigid(pairs);
+        pairs.push_back(all[i]);
+    return pairs;
+}
+
+/// What would have been seen of the mirror image of the probe.
+std::vector<LandmarkPair> withMirroredProbe(MarkerPairs all)
+{
+    std::vector<LandmarkPair> mirrored{all.begin(), all.end()};
+    for (LandmarkPair& pair : mirrored)
+        pair.p_MQ.x() = -pair.p_MQ.x();
+    return mirrored;
 }
 
 bool fitsMarkers(const Result<RigidFit>& fit, double limit)
@@ -50,33 +62,55 @@ bool fitsMarkers(const Result<RigidFit>& fit, double limit)
     return fit && std::ranges::max(fit->residuals) <= limit;
 }
 
-/// Whether what was seen is the mirror image of the probe.
-bool isMirrored(const Correspondence& all, double limit)
-{
-    std::vector<LandmarkPair> mirrored{all.pairs.begin(), all.pairs.end()};
-    for (LandmarkPair& pair : mirrored)
-        pair.p_MQ.x() = -pair.p_MQ.x();
-    return fitsMarkers(fitRigid(mirrored), limit);
-}
+/// The most markers that agree on one pose.
+struct Agreement {
+    std::vector<std::size_t> markers; ///< ascending; none where too few agree
+    Result<RigidFit> fit;             ///< of these
+};
 
-Result<MarkerPose> poseOfMost(const Correspondence& all, double limit)
+Agreement agreementOf(MarkerPairs all, double limit)
 {
-    const std::size_t count = all.pairs.size();
+    const auto fitOf = [&](std::span<const std::size_t> some) {
+        return fitRigid(chosenPairs(all, some));
+    };
     const auto distance = [&](const Result<RigidFit>& fit, std::size_t i) {
-        return fit ? (all.pairs[i].p_AQ - fit->X_AM * all.pairs[i].p_MQ).norm()
+        return fit ? (all[i].p_AQ - fit->X_AM * all[i].p_MQ).norm()
                    : std::numeric_limits<double>::infinity();
     };
-    const std::vector<std::size_t> agreeing = consensus(
-        count, 3, limit, [&](std::span<const std::size_t> some) { return fitOfMarkers(all, some); },
-        distance);
-    if (2 * agreeing.size() <= count)
+    std::vector<std::size_t> agreeing = consensus(all.size(), 3, limit, fitOf, distance);
+    if (agreeing.size() < kFewestAgreeing)
+        agreeing.clear();
+    Result<RigidFit> fit = fitOf(agreeing);
+    return {std::move(agreeing), std::move(fit)};
+}
+
+bool agreesAsWell(const Agreement& one, const Agreement& other)
+{
+    if (!one.fit || one.markers.size() != other.markers.size())
+        return one.fit && one.markers.size() > other.markers.size();
+    return one.fit->rms <= other.fit->rms;
+}
+
+/// Whether markers of a probe cannot be told from their mirror image.
+bool isLikeItsImage(std::vector<LandmarkPair> markers, double limit)
+{
+    for (LandmarkPair& pair : markers)
+        pair.p_AQ = pair.p_MQ;
+    const Result<RigidFit> fit = fitRigid(withMirroredProbe(markers));
+    return fit && fit->rms <= limit;
+}
+
+Result<MarkerPose> poseOfMost(MarkerPairs all, double limit)
+{
+    const Agreement most = agreementOf(all, limit);
+    if (!most.fit || 2 * most.markers.size() <= all.size())
         return fail(Errc::DegenerateLandmarks, "the markers do not fit the tool");
-    const Result<RigidFit> fit = fitOfMarkers(all, agreeing);
-    if (!fit)
-        return tl::unexpected(fit.error());
-    MarkerPose pose{.X_TO = fit->X_AM, .rms = fit->rms};
-    for (std::size_t i = 0; i < count; ++i)
-        if (!std::ranges::binary_search(agreeing, i))
+    if (!isLikeItsImage(chosenPairs(all, most.markers), limit)
+        && agreesAsWell(agreementOf(withMirroredProbe(all), limit), most))
+        return fail(Errc::DegenerateLandmarks, "the markers are the mirror image of the tool");
+    MarkerPose pose{.X_TO = most.fit->X_AM, .rms = most.fit->rms};
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (!std::ranges::binary_search(most.markers, i))
             pose.leftOut.push_back(i);
     return pose;
 }
@@ -94,11 +128,11 @@ Result<MarkerPose> markerPose(const Probe& probe, std::span<const SeenMarker> se
     const double limit = probe.largestMisfit.si;
     if (fitsMarkers(fit, limit))
         return MarkerPose{.X_TO = fit->X_AM, .rms = fit->rms};
-    if (isMirrored(all, limit))
+    if (fitsMarkers(fitRigid(withMirroredProbe(all.pairs)), limit))
         return fail(Errc::DegenerateLandmarks, "the markers are the mirror image of the tool");
-    if (seen.size() < 4)
+    if (seen.size() <= kFewestAgreeing) // none can be left out
         return fail(Errc::DegenerateLandmarks, "the markers do not fit the tool");
-    return poseOfMost(all, limit);
+    return poseOfMost(all.pairs, limit);
 }
 
 } // namespace carina

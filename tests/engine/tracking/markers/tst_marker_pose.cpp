@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace carina::marker_pose_test
 {
@@ -49,6 +50,65 @@ Scene sceneOf(const Probe& probe, test::Hand& hand, Length noise = {})
             {.marker = i,
              .p_TQ = scene.X_TO * probe.markers[i].p_OQ + noise.si / std::sqrt(3.0) * hand.unit()});
     return scene;
+}
+
+/// A tool of markers drawn at random, its corners some 80 mm apart.
+Probe randomTool(std::size_t count, test::Hand& hand)
+{
+    Probe probe;
+    for (std::size_t i = 0; i < count; ++i)
+        probe.markers.push_back({0.04 * hand.unit()});
+    return probe;
+}
+
+std::vector<Vec3> places(const Probe& probe)
+{
+    std::vector<Vec3> places;
+    for (const ToolMarker& marker : probe.markers)
+        places.push_back(marker.p_OQ);
+    return places;
+}
+
+/// How far points are from where the best pose, by Horn's method, puts those of the tool: RMS and
+/// largest, metres.
+struct HornMisfit {
+    double rms = 0.0;
+    double most = 0.0;
+};
+
+HornMisfit misfitByHorn(const std::vector<Vec3>& p_T, const std::vector<Vec3>& p_O)
+{
+    const RigidTransform X_TO = test::hornFit(p_T, p_O);
+    HornMisfit misfit;
+    for (std::size_t i = 0; i < p_T.size(); ++i) {
+        const double d = (p_T[i] - X_TO * p_O[i]).norm();
+        misfit.rms += d * d / double(p_T.size());
+        misfit.most = std::max(misfit.most, d);
+    }
+    misfit.rms = std::sqrt(misfit.rms);
+    return misfit;
+}
+
+/// How far the mirror image of those four markers is from them (RMS, laid over them as well as it
+/// goes) of which it is nearest, metres: 0 where four are in one plane. Above the misfit allowed,
+/// no pose puts four markers of the image at places that are allowed.
+double leastMirrorMisfit(const Probe& probe)
+{
+    const std::vector<Vec3> all = places(probe);
+    std::vector<bool> isChosen(all.size(), false);
+    std::fill(isChosen.end() - 4, isChosen.end(), true);
+    double least = std::numeric_limits<double>::infinity();
+    do {
+        std::vector<Vec3> four;
+        std::vector<Vec3> image;
+        for (std::size_t i = 0; i < all.size(); ++i)
+            if (isChosen[i]) {
+                four.push_back(all[i]);
+                image.push_back({-all[i].x(), all[i].y(), all[i].z()});
+            }
+        least = std::min(least, misfitByHorn(image, four).rms);
+    } while (std::next_permutation(isChosen.begin(), isChosen.end()));
+    return least;
 }
 
 double off(const RigidTransform& a, const RigidTransform& b)
@@ -128,17 +188,109 @@ private Q_SLOTS:
         }
     }
 
+    void leavesNoneOutOfFour()
+    {
+        test::Hand hand{12};
+        for (int trial = 0; trial < 50; ++trial) {
+            Scene scene = sceneOf(tool(), hand, kNoise);
+            scene.seen.resize(4);
+            scene.seen[std::size_t(trial) % 4].p_TQ += 0.015 * hand.unit().normalized();
+            const auto pose = markerPose(tool(), scene.seen);
+            // Moved along its circle about the other three it may still fit.
+            QVERIFY(!pose.has_value() || pose->leftOut.empty());
+        }
+    }
+
+    void refusesTheMirrorImage_data()
+    {
+        QTest::addColumn<int>("count");
+        QTest::addColumn<bool>("isOneElsewhere");
+        for (const int count : {4, 5, 6}) {
+            QTest::addRow("%d markers", count) << count << false;
+            QTest::addRow("%d markers, one elsewhere", count) << count << true;
+        }
+    }
+
+    /// Of no tool but those of which four markers are nearly in one plane: these cannot be told
+    /// from their image.
     void refusesTheMirrorImage()
+    {
+        QFETCH(int, count);
+        QFETCH(bool, isOneElsewhere);
+        constexpr int kTools = 500;
+        const auto wrong = std::size_t(count - 1);
+        test::Hand hand{6};
+        int tools = 0;
+        while (tools < kTools) {
+            const Probe probe = randomTool(std::size_t(count), hand);
+            const double allowed = probe.largestMisfit.si;
+            if (leastMirrorMisfit(probe) <= 1.5 * allowed)
+                continue;
+            Scene scene = sceneOf(probe, hand, kNoise);
+            for (SeenMarker& marker : scene.seen)
+                marker.p_TQ.x() = -marker.p_TQ.x();
+            if (isOneElsewhere) {
+                scene.seen[wrong].p_TQ += 0.03 * hand.unit();
+                // One of four that came to where the tool itself has it makes it the tool.
+                if (misfitByHorn(scene.points(), places(probe)).most <= allowed)
+                    continue;
+            }
+            ++tools;
+            const auto pose = markerPose(probe, scene.seen);
+            QVERIFY2(!pose.has_value(), qPrintable(QString::number(tools)));
+            QCOMPARE(pose.error().code, Errc::DegenerateLandmarks);
+        }
+    }
+
+    void takesTheSameToolsNotMirrored_data() { refusesTheMirrorImage_data(); }
+
+    void takesTheSameToolsNotMirrored()
+    {
+        QFETCH(int, count);
+        QFETCH(bool, isOneElsewhere);
+        if (isOneElsewhere && count == 4)
+            QSKIP("of four markers none is left out");
+        constexpr int kTools = 500;
+        constexpr double kElsewhere = 0.03; // metres
+        const auto wrong = std::size_t(count - 1);
+        test::Hand hand{6};
+        int tools = 0;
+        while (tools < kTools) {
+            const Probe probe = randomTool(std::size_t(count), hand);
+            if (leastMirrorMisfit(probe) <= 1.5 * probe.largestMisfit.si)
+                continue;
+            ++tools;
+            Scene scene = sceneOf(probe, hand, kNoise);
+            if (isOneElsewhere)
+                scene.seen[wrong].p_TQ += kElsewhere * hand.unit().normalized();
+            const auto pose = markerPose(probe, scene.seen);
+            QVERIFY2(pose.has_value(), qPrintable(QString::number(tools)));
+            QCOMPARE(pose->leftOut, std::vector<std::size_t>(isOneElsewhere ? 1 : 0, wrong));
+        }
+    }
+
+    /// Its image is the tool turned over.
+    void leavesAMarkerOutOfAFlatToolToo()
+    {
+        test::Hand hand{13};
+        for (int trial = 0; trial < 50; ++trial) {
+            Scene scene = sceneOf(tool(true), hand, kNoise);
+            scene.seen[2].p_TQ += 0.015 * hand.unit().normalized();
+            const auto pose = markerPose(tool(true), scene.seen);
+            QVERIFY(pose.has_value());
+            QCOMPARE(pose->leftOut, std::vector<std::size_t>{2});
+            QVERIFY(off(pose->X_TO, scene.X_TO) < kWithin);
+        }
+    }
+
+    void findsNoFourMarkersInTheMirrorImage()
     {
         test::Hand hand{6};
         Scene scene = sceneOf(tool(), hand);
         for (SeenMarker& marker : scene.seen)
             marker.p_TQ.x() = -marker.p_TQ.x();
-        const auto pose = markerPose(tool(), scene.seen);
-        QVERIFY(!pose.has_value());
-        QCOMPARE(pose.error().code, Errc::DegenerateLandmarks);
-        QVERIFY(!searchMarkers(tool(), scene.points()).has_value()
-                || searchMarkers(tool(), scene.points())->size() < 4);
+        const auto found = searchMarkers(tool(), scene.points());
+        QVERIFY(!found.has_value() || found->size() < 4);
     }
 
     void refusesWhatIsNotTheTool()

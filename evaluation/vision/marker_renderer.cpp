@@ -20,6 +20,7 @@ namespace
 
 constexpr double kBackground = 105.0;
 constexpr double kRoom = 40.0; ///< how much lighter the background is at its right edge
+constexpr std::mt19937::result_type kSampleSeed = 9;
 
 /// The pixels that may show a face, its margin included.
 struct PixelBox {
@@ -60,9 +61,13 @@ MarkerRenderer::MarkerRenderer(const CameraModel& camera, MarkerDictionary dicti
 {
     const int n = rendering.samples;
     m_sights.reserve(std::size_t(camera.width) * std::size_t(camera.height) * std::size_t(n * n));
+    std::mt19937 random{kSampleSeed};
+    std::uniform_real_distribution<double> share;
     for (int y = 0; y < camera.height * n; ++y)
         for (int x = 0; x < camera.width * n; ++x) {
-            const Vec2 at{(x + 0.5) / n - 0.5, (y + 0.5) / n - 0.5};
+            const double column = x + (y % n + share(random)) / n;
+            const double row = y + (x % n + share(random)) / n;
+            const Vec2 at{column / n - 0.5, row / n - 0.5};
             m_sights.push_back(sightOf(camera, at).head<2>().cast<float>());
         }
 }

@@ -29,7 +29,7 @@ struct DrawnPattern {
 
 /// What a rendered picture looks like.
 struct Rendering {
-    int samples = 3;      ///< along each axis of a pixel
+    int samples = 3;      ///< n, of which a pixel has n^2
     double blur = 0.5;    ///< standard deviation of the lens' blur, pixels
     double noise = 2.0;   ///< standard deviation of a pixel, of 255
     double black = 30.0;  ///< of the ink
@@ -38,8 +38,11 @@ struct Rendering {
 };
 
 /// Draws markers as a camera sees them, by following the line of sight of every sample of a pixel
-/// to the nearest marker that faces the camera. The camera is the formula of CameraModel, which a
-/// test holds against OpenCV's; of OpenCV itself only the cells of the markers are used.
+/// to the nearest marker that faces the camera. The n^2 samples of a pixel are drawn, one in each
+/// of n^2 columns and rows of it (Chiu, Shirley and Wang 1994): on a lattice of n by n an edge
+/// along the rows of the picture would be off by as much as half of a pixel's n-th part. The camera
+/// is the formula of CameraModel, which a test holds against OpenCV's; of OpenCV itself only the
+/// cells of the markers are used.
 class MarkerRenderer
 {
 public:

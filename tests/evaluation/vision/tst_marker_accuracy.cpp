@@ -1,6 +1,7 @@
 #include "engine/geometry/rotation.h"
 #include "engine/vision/printed_tools.h"
 #include "evaluation/vision/marker_accuracy.h"
+#include "tests/engine/vision/stated_covariance.h"
 #include "tests/engine/vision/vision_bench.h"
 #include "tests/evaluation/vision/propagated_error.h"
 #include "tests/support/test_class.h"
@@ -13,6 +14,12 @@ namespace carina::marker_accuracy_test
 namespace
 {
 
+constexpr int kPosesStated = 40; ///< of accuracyOf()
+/// How much smaller than for independent corners the errors of a sheet of four markers may be,
+/// squared: a line through an edge is shared by two corners, whose errors partly cancel in the
+/// pose.
+constexpr double kSharedEdges = 8.0;
+
 MarkerAccuracy accuracyOf(const std::string& tool, double distance)
 {
     const PrintedTool& printed = vision_test::printed(tool);
@@ -22,7 +29,7 @@ MarkerAccuracy accuracyOf(const std::string& tool, double distance)
                            .rendering = {},
                            .distance = distance,
                            .isTurning = printed.isSleeve,
-                           .poses = 40});
+                           .poses = kPosesStated});
 }
 
 constexpr int kPoses = 60;
@@ -145,6 +152,44 @@ private Q_SLOTS:
         QVERIFY2(sum.seen >= 30, qPrintable(told));
         for (const double ratio : {across, along, rotation})
             QVERIFY2(std::abs(ratio - 1.0) < kSecondOrder, qPrintable(told));
+    }
+
+    void statesNoLessErrorThanThereIs_data()
+    {
+        QTest::addColumn<QString>("tool");
+        QTest::addColumn<double>("distance");
+        QTest::newRow("chest at 0.4 m") << QStringLiteral("Manikin") << 0.4;
+        QTest::newRow("chest at 0.8 m") << QStringLiteral("Manikin") << 0.8;
+        QTest::newRow("tube at 0.3 m") << QStringLiteral("Tube") << 0.3;
+        QTest::newRow("tube at 0.5 m") << QStringLiteral("Tube") << 0.5;
+    }
+
+    /// The squares of the errors over the stated covariances are chi-squared, six degrees of
+    /// freedom a pose, where these are right. Rendered corners are better than assumed: of the
+    /// sheet, all of whose 16 corners are seen, it is known by how much that makes the squares
+    /// less.
+    void statesNoLessErrorThanThereIs()
+    {
+        QFETCH(QString, tool);
+        QFETCH(double, distance);
+        const MarkerAccuracy found = accuracyOf(tool.toStdString(), distance);
+        const int poses = found.seen - found.wrong;
+        QVERIFY(poses >= kPosesStated / 2);
+        const double most = vision_test::rareShare(6.0 * poses);
+        const double expected = vision_test::expectedSquare(found.cornerRms, 2 * 16 - 6);
+        const QString told = QStringLiteral("%1; at most %2, for independent corners %3; corners "
+                                            "off by %4 pixels; %5 poses")
+                                 .arg(found.normalisedSquare)
+                                 .arg(most)
+                                 .arg(expected)
+                                 .arg(found.cornerRms)
+                                 .arg(poses);
+        qInfo("%s", qPrintable(told));
+        QVERIFY2(found.normalisedSquare < most, qPrintable(told));
+        if (tool != QLatin1StringView{"Manikin"})
+            return;
+        QVERIFY2(found.normalisedSquare < most * expected, qPrintable(told));
+        QVERIFY2(found.normalisedSquare > expected / kSharedEdges, qPrintable(told));
     }
 
     /// No pose that is given is its mirror image, however small the marker; the others are told to

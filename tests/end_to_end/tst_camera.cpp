@@ -26,8 +26,25 @@ constexpr int kTubeKind = 2; ///< of ObjectKind
 
 constexpr double kVideo_s = 5.0; ///< the tube is moved from the third second on
 constexpr double kRate_hz = 10.0;
-constexpr double kLate_s = 1.5 / kRate_hz; ///< bound of how late or early a picture counts
-constexpr double kBin_mm = 20.0;           ///< of distances from the camera
+constexpr double kBin_mm = 20.0; ///< of distances from the camera
+
+// Bounds, about twice what a correct program reaches. `carina-lab camera video DIR --seconds 5
+// --rate 10 --width 640 --compare` finds the tube within 0.5 mm and 0.1 degrees (RMS) at about 600
+// mm and 1.1 mm and 0.12 degrees at about 650. It moves at up to 59 mm/s: straight on from two
+// pictures it is 0.3 mm off at most at the next one, 0.5 mm where that is looked at 30 ms late.
+
+/// What is found of a tube at rest, as it is in most of the video, and 0.1 mm of prediction.
+constexpr double kHalf_mm = 1.2;
+/// What is found from farthest off, and the prediction of one that moves. A tube that is drawn
+/// where the last picture had it is 5 to 7 mm off.
+constexpr double kMost_mm = 3.5;
+/// The tube keeps its direction: what is found, and the noise of the predicted turn.
+constexpr double kHalf_deg = 0.25;
+constexpr double kMost_deg = 0.6;
+/// A picture is stamped when it is due, and the tube predicted to the moment of the frame: not late
+/// but for a depth that is found 1 mm wrong, 20 ms of its way. Unpredicted, it is later by half of
+/// the time between two pictures, 50 ms, and by the time that looking takes.
+constexpr double kLate_s = 0.040;
 
 /// Where a tool was at a time, in the anatomy frame.
 struct Placed {
@@ -52,12 +69,17 @@ struct Apart {
     [[nodiscard]] double distance_mm() const { return std::sqrt(dot(off_mm, off_mm)); }
 };
 
+/// By the chord between the quaternions, which is exact also for small angles.
 double angleBetween_deg(const Placed& a, const Placed& b)
 {
-    double product = 0.0;
-    for (std::size_t i = 0; i < 4; ++i)
-        product += a.q[i] * b.q[i];
-    return 2.0 * std::acos(std::min(1.0, std::abs(product))) * 180.0 / std::numbers::pi;
+    double same = 0.0;
+    double opposite = 0.0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        same += std::pow(a.q[i] - b.q[i], 2);
+        opposite += std::pow(a.q[i] + b.q[i], 2);
+    }
+    const double chord = std::sqrt(std::min(same, opposite));
+    return 4.0 * std::asin(std::min(1.0, 0.5 * chord)) * 180.0 / std::numbers::pi;
 }
 
 /// The poses of the tube that were rendered.
@@ -200,10 +222,25 @@ Quantiles quantiles(const std::vector<Apart>& all, double share)
 
 void report(const char* of, const std::vector<Apart>& all)
 {
+    if (all.empty())
+        return;
     const Quantiles half = quantiles(all, 0.5);
     const Quantiles most = quantiles(all, 0.9);
     qInfo("%s: %zu frames, %.2f mm and %.2f degrees (median), %.2f mm and %.2f degrees (90 %%)", of,
           all.size(), half.distance_mm, half.angle_deg, most.distance_mm, most.angle_deg);
+}
+
+/// Of a tube that rests and of one that moves.
+void reportByMotion(const std::vector<Apart>& all)
+{
+    constexpr double kRests_mm_s = 1.0;
+    std::vector<Apart> rests;
+    std::vector<Apart> moves;
+    for (const Apart& apart : all)
+        (std::sqrt(dot(apart.speed_mm_s, apart.speed_mm_s)) < kRests_mm_s ? rests : moves)
+            .push_back(apart);
+    report("at rest", rests);
+    report("moved", moves);
 }
 
 void reportByDistance(const std::vector<Apart>& all)
@@ -265,16 +302,15 @@ private Q_SLOTS:
         QVERIFY(!began.empty());
         const std::vector<Apart> apart = apartFrom(rendered, drawnTube(journal), began, *camera);
         QVERIFY(apart.size() >= kFrames / 4);
-        report("all", apart);
-        reportByDistance(apart);
-        // A marker's distance is found to some 3 mm in such pictures (docs/tracking.md, scaled by
-        // their size); a tool that was not found in some of them is drawn where it was last.
-        QVERIFY(quantiles(apart, 0.5).distance_mm < 5.0);
-        QVERIFY(quantiles(apart, 0.5).angle_deg < 2.0);
-        QVERIFY(quantiles(apart, 0.9).distance_mm < 15.0);
-        QVERIFY(quantiles(apart, 0.9).angle_deg < 6.0);
         const double late = lateness_s(apart);
+        report("all", apart);
+        reportByMotion(apart);
+        reportByDistance(apart);
         qInfo("drawn %.0f ms late", 1e3 * late);
+        QVERIFY(quantiles(apart, 0.5).distance_mm < kHalf_mm);
+        QVERIFY(quantiles(apart, 0.9).distance_mm < kMost_mm);
+        QVERIFY(quantiles(apart, 0.5).angle_deg < kHalf_deg);
+        QVERIFY(quantiles(apart, 0.9).angle_deg < kMost_deg);
         QVERIFY(std::abs(late) < kLate_s);
     }
 };

@@ -25,7 +25,7 @@ uniform mat4 chest;  // columns: origin and frontShare; perMetre; right hilum; l
 struct Region {
     mat4 motion;
 };
-uniform Region regions[12];
+uniform Region regions[14];
 mat4 motion; // of this vertex's region
 #else
 uniform mat4 motion;
@@ -41,11 +41,13 @@ uniform mat4 cords;
 uniform mat4 web;
 uniform mat4 vestibule;
 uniform mat4 pharynx;
+uniform mat4 windpipeSides;
+uniform mat4 windpipeDepth;
 // Columns: centre and perAcross2; axis and perAlong2; shift and outward; soft2, isFlat, tissues.
 struct Swelling {
     mat4 form;
 };
-uniform Swelling swellings[10];
+uniform Swelling swellings[16];
 #endif
 #ifdef BLADE_PUSHES
 // Columns: across and acrossFrom; out and outFrom; along and alongFrom; rise, sag, halfWidth.
@@ -87,10 +89,11 @@ const float kSpotStray = 0.04; // light from everywhere, of what the mucosa scat
 const float kTool = 2.0; // MaterialGroup
 const float kAirway = 3.0;
 
-const float kMediastinum = 8.0; // ChestRegion: it and those after it follow the jaw
-const float kThroat = 9.0;
-const float kPharynx = 10.0;
-const float kLarynx = 11.0;
+const float kTeeth = 8.0; // ChestRegion: events move it and those after it
+const float kMediastinum = 10.0; // it and those after it follow the jaw
+const float kThroat = 11.0;
+const float kPharynx = 12.0;
+const float kLarynx = 13.0;
 
 const vec3 kStiffness = vec3(16.0, 6.25, 16.0);
 const float kBeyond = 0.2;
@@ -342,16 +345,22 @@ void swell(mat4 swelling, inout vec3 position, inout vec3 normal)
 
 void changeAirway(inout vec3 position, inout vec3 normal)
 {
-    if (vertexPart.y < kThroat)
+    if (vertexPart.y < kTeeth)
         return;
     if (vertexPart.y == kLarynx) {
         narrow(cords, position, normal);
         narrow(web, position, normal);
     }
-    narrow(vestibule, position, normal);
-    narrow(pharynx, position, normal);
-    int tissue = 1 << int(vertexPart.y - kThroat);
-    for (int i = 0; i < 10; ++i)
+    if (vertexPart.y >= kThroat) {
+        narrow(vestibule, position, normal);
+        narrow(pharynx, position, normal);
+    }
+    if (vertexPart.y == kMediastinum) {
+        narrow(windpipeSides, position, normal);
+        narrow(windpipeDepth, position, normal);
+    }
+    int tissue = 1 << int(vertexPart.y - kTeeth);
+    for (int i = 0; i < 16; ++i)
         if ((int(swellings[i].form[3].z) & tissue) != 0)
             swell(swellings[i].form, position, normal);
 }

@@ -43,6 +43,15 @@ bool isFramed(const PatientSurface& surface)
     }
 }
 
+/// What is fixed to the lower jaw goes with it alone.
+ChestRegion drawnRegionOf(const PatientSurface& surface)
+{
+    const ChestRegion region = regionOf(surface.description.role);
+    return surface.body == SurfaceBody::Mandible && region == ChestRegion::Teeth
+               ? ChestRegion::Still
+               : region;
+}
+
 /// A clear tube with dark marks, a bluish cuff and a white connector, as they are sold.
 Appearance tubeAppearance(const std::string& piece)
 {
@@ -78,7 +87,7 @@ std::vector<ScenePart> sceneParts(const PatientModel& patient)
                          .listedUnder = surface.body == SurfaceBody::Tube
                                             ? BodyRegion::Tools
                                             : bodyRegionOf(surface.description.role),
-                         .region = regionOf(surface.description.role),
+                         .region = drawnRegionOf(surface),
                          .body = bodyName(surface.body),
                          .liftedWith = surface.body == SurfaceBody::Tube
                                            ? ""

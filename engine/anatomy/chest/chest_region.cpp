@@ -24,8 +24,11 @@ ChestRegion regionOf(PartRole role)
     case PartRole::Diaphragm:
         return ChestRegion::Diaphragm;
     case PartRole::Rib:
-    case PartRole::Skin:
         return ChestRegion::Wall;
+    case PartRole::Tooth:
+        return ChestRegion::Teeth;
+    case PartRole::Skin:
+        return ChestRegion::Skin;
     case PartRole::Trachea:
     case PartRole::Oesophagus:
     case PartRole::Heart:
@@ -64,6 +67,12 @@ std::optional<ThroatTissue> tissueOf(ChestRegion region)
 std::optional<AirwayTissue> airwayTissueOf(ChestRegion region)
 {
     switch (region) {
+    case ChestRegion::Teeth:
+        return AirwayTissue::Teeth;
+    case ChestRegion::Skin:
+        return AirwayTissue::Skin;
+    case ChestRegion::Mediastinum:
+        return AirwayTissue::Windpipe;
     case ChestRegion::Throat:
         return AirwayTissue::Throat;
     case ChestRegion::Pharynx:

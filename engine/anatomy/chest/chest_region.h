@@ -9,20 +9,22 @@ namespace carina
 
 /// Regions of the body; all parts of a region move in the same way with breathing and the jaw.
 enum class ChestRegion : std::uint8_t {
-    Still,          ///< skull, teeth, spine, and unrecognised parts: do not move
+    Still,          ///< skull, spine, and unrecognised parts: do not move
     RightUpperLung, ///< upper and middle lobe; also a lung without lobes
     RightLowerLung, ///< lower lobe, which slides along the oblique fissure
     LeftUpperLung,
     LeftLowerLung,
     Bronchi,     ///< main bronchi and the bronchial tree
     Diaphragm,   ///< moves with the base of the lungs
-    Wall,        ///< ribs, sternum and skin, on which the lungs slide
-    Mediastinum, ///< trachea, oesophagus, heart, vessels; upper parts follow the jaw
+    Wall,        ///< ribs and sternum, on which the lungs slide
+    Teeth,       ///< do not breathe; events move those of the upper jaw
+    Skin,        ///< breathes with the wall; events move it where it covers the neck
+    Mediastinum, ///< trachea, oesophagus, heart, vessels; upper parts follow the jaw and events
     Throat,      ///< tongue and muscles: follow the jaw, and give way to a blade
     Pharynx,     ///< follows jaw and blade, except its posterior wall and the palate
     Larynx,      ///< and epiglottis: as Throat, but tilted by a blade
 };
-inline constexpr std::size_t kChestRegions = 12;
+inline constexpr std::size_t kChestRegions = 14;
 
 /// The region of a part, by its role.
 [[nodiscard]] ChestRegion regionOf(PartRole role);
@@ -30,8 +32,8 @@ inline constexpr std::size_t kChestRegions = 12;
 /// The kind of tissue as which a region follows the jaw; nothing for a region that does not.
 [[nodiscard]] std::optional<ThroatTissue> tissueOf(ChestRegion region);
 
-/// The kind of tissue as which a blade and events move a region; nothing for a region that they do
-/// not.
+/// The kind of tissue as which events, or a blade too, move a region; nothing for a region that
+/// they do not.
 [[nodiscard]] std::optional<AirwayTissue> airwayTissueOf(ChestRegion region);
 
 } // namespace carina

@@ -82,6 +82,18 @@ void AirwayField::narrowPharynx(const Lumen& pharynx, double share)
     close(m_frame.pharynx, pharynx, share);
 }
 
+void AirwayField::narrowWindpipe(const Lumen& sides, double share)
+{
+    CARINA_EXPECTS(share >= 0.0);
+    close(m_frame.windpipeSides, sides, share);
+}
+
+void AirwayField::flattenWindpipe(const Lumen& depth, double share)
+{
+    CARINA_EXPECTS(share >= 0.0);
+    close(m_frame.windpipeDepth, depth, share);
+}
+
 void AirwayField::close(NarrowingFrame<double>& frame, const Lumen& lumen, double share)
 {
     constexpr double kLeastOuterToOpen = 2.0;
@@ -112,6 +124,8 @@ AirwayFrame<float> inSingle(const AirwayFrame<double>& frame)
     single.web = narrowingInSingle(frame.web);
     single.vestibule = narrowingInSingle(frame.vestibule);
     single.pharynx = narrowingInSingle(frame.pharynx);
+    single.windpipeSides = narrowingInSingle(frame.windpipeSides);
+    single.windpipeDepth = narrowingInSingle(frame.windpipeDepth);
     for (std::size_t i = 0; i < kMostSwellings; ++i)
         single.swellings[i] = swellingInSingle(frame.swellings[i]);
     return single;

@@ -17,7 +17,7 @@ struct Swelling {
     Vec3 shift_A = Vec3::Zero();     ///< and what is in the middle so far to one side, metres
     Length depth = millimetres(2.0); ///< within which `outward` grows from the centre
     bool isFlat = false; ///< outward along the axis only, to both sides of the plane across it
-    AirwayTissues tissues = kAllAirwayTissues;
+    AirwayTissues tissues = kThroatTissues;
 };
 
 /// A lumen that has a midplane, as the glottis between the cords.
@@ -75,6 +75,10 @@ public:
     /// The same of the entrance of the larynx, and of the pharynx, for shares from 0 on.
     void narrowVestibule(const Lumen& vestibule, double share);
     void narrowPharynx(const Lumen& pharynx, double share);
+    /// The same of the windpipe from side to side, and then from front to back: of that `right_A`
+    /// of the lumen is to the front or back, and its front at one side.
+    void narrowWindpipe(const Lumen& sides, double share);
+    void flattenWindpipe(const Lumen& depth, double share);
 
     [[nodiscard]] const AirwayFrame<double>& frame() const { return m_frame; }
     /// Whether anything is moved.

@@ -40,15 +40,18 @@ template <class T> struct NarrowingFrame {
     T outer{};   ///< in half widths: beyond, nothing moves
 };
 
-inline constexpr std::size_t kMostSwellings = 10;
+inline constexpr std::size_t kMostSwellings = 16;
 
 /// All that changes an airway. A narrowing of the cords, and a web between them, move the larynx,
-/// one of the vestibule and one of the pharynx all tissues.
+/// one of the vestibule and one of the pharynx all of kThroatTissues, those of the windpipe, from
+/// side to side and from front to back, the windpipe.
 template <class T> struct AirwayFrame {
     NarrowingFrame<T> cords;
     NarrowingFrame<T> web;
     NarrowingFrame<T> vestibule;
     NarrowingFrame<T> pharynx;
+    NarrowingFrame<T> windpipeSides;
+    NarrowingFrame<T> windpipeDepth;
     std::array<SwellingFrame<T>, kMostSwellings> swellings{};
 };
 
@@ -172,8 +175,14 @@ template <class T>
         narrow(airway.cords);
         narrow(airway.web);
     }
-    narrow(airway.vestibule);
-    narrow(airway.pharynx);
+    if ((kThroatTissues & only(tissue)) != 0) {
+        narrow(airway.vestibule);
+        narrow(airway.pharynx);
+    }
+    if (tissue == AirwayTissue::Windpipe) {
+        narrow(airway.windpipeSides);
+        narrow(airway.windpipeDepth);
+    }
     for (const SwellingFrame<T>& swelling : airway.swellings)
         if ((static_cast<AirwayTissues>(swelling.tissues) & only(tissue)) != 0)
             pull = followedBy(

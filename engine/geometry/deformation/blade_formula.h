@@ -198,6 +198,8 @@ template <class T>
         return larynxTilt(blade, p);
     if (tissue == AirwayTissue::Pharynx)
         return pharynxShift(blade, p);
+    if (tissue != AirwayTissue::Throat)
+        return {Vector3<T>::Zero(), Matrix3<T>::Zero()};
     return followedBy(tongueBaseShift(blade, p), p,
                       [&blade](const Vector3<T>& moved) { return bladePush(blade, moved); });
 }

@@ -115,6 +115,7 @@ ChestMotion motionOf(ChestRegion region, const ChestPose& pose, const ChestField
         return motion;
     }
     case ChestRegion::Wall:
+    case ChestRegion::Skin:
         return {wallTerms(rightWall, proportions), wallTerms(leftWall, proportions)};
     case ChestRegion::Mediastinum: {
         ChestTerms<double> c;
@@ -122,6 +123,7 @@ ChestMotion motionOf(ChestRegion region, const ChestPose& pose, const ChestField
         return both(c);
     }
     case ChestRegion::Still:
+    case ChestRegion::Teeth:
     case ChestRegion::Throat:
     case ChestRegion::Pharynx:
     case ChestRegion::Larynx:

@@ -1,3 +1,5 @@
+#include "engine/anatomy/patient/builtin_patient.h"
+#include "models/patient/patient_source.h"
 #include "tests/support/test_class.h"
 #include "tests/support/throat_motion.h"
 #include "ui/scene/scene_parts.h"
@@ -12,6 +14,24 @@ class TestSceneParts : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    // Events move those of the upper jaw.
+    void keepsTheLowerTeethWithTheirJaw()
+    {
+        const auto patient = patientOf(builtinPatient(BuiltinPatient::TwelveYears).value());
+        QVERIFY(patient.has_value());
+        int teeth = 0;
+        for (const ScenePart& part : sceneParts(**patient)) {
+            const QString name = QString::fromStdString(part.name);
+            if (!name.endsWith(QStringLiteral(" tooth")))
+                continue;
+            const bool isLower = name.contains(QStringLiteral(" lower "));
+            QCOMPARE(part.body == "mandible", isLower);
+            QVERIFY(part.region == (isLower ? ChestRegion::Still : ChestRegion::Teeth));
+            ++teeth;
+        }
+        QCOMPARE(teeth, 28);
+    }
+
     void drawsThePatientInItsPlaceUntilItIsActedOn()
     {
         const SceneFrame frame = sceneFrame({}, ChestField{});

@@ -98,10 +98,11 @@ QMatrix4x4 tiltUniform(const BladeField& field)
 
 std::array<AirwayUniform, kAirwayUniforms> airwayUniforms(const AirwayField& field)
 {
-    constexpr std::array kSwellings{"swellings[0].form", "swellings[1].form", "swellings[2].form",
-                                    "swellings[3].form", "swellings[4].form", "swellings[5].form",
-                                    "swellings[6].form", "swellings[7].form", "swellings[8].form",
-                                    "swellings[9].form"};
+    constexpr std::array kSwellings{
+        "swellings[0].form",  "swellings[1].form",  "swellings[2].form",  "swellings[3].form",
+        "swellings[4].form",  "swellings[5].form",  "swellings[6].form",  "swellings[7].form",
+        "swellings[8].form",  "swellings[9].form",  "swellings[10].form", "swellings[11].form",
+        "swellings[12].form", "swellings[13].form", "swellings[14].form", "swellings[15].form"};
     static_assert(kSwellings.size() == kMostSwellings);
     const AirwayFrame<float> frame = inSingle(field.frame());
     std::array<AirwayUniform, kAirwayUniforms> all;
@@ -109,8 +110,10 @@ std::array<AirwayUniform, kAirwayUniforms> airwayUniforms(const AirwayField& fie
     all[1] = {"web", narrowingUniform(frame.web)};
     all[2] = {"vestibule", narrowingUniform(frame.vestibule)};
     all[3] = {"pharynx", narrowingUniform(frame.pharynx)};
+    all[4] = {"windpipeSides", narrowingUniform(frame.windpipeSides)};
+    all[5] = {"windpipeDepth", narrowingUniform(frame.windpipeDepth)};
     for (std::size_t n = 0; n < kMostSwellings; ++n)
-        all[4 + n] = {kSwellings[n], swellingUniform(frame.swellings[n])};
+        all[6 + n] = {kSwellings[n], swellingUniform(frame.swellings[n])};
     return all;
 }
 

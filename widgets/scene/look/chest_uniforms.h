@@ -29,7 +29,7 @@ struct AirwayUniform {
     const char* name;
     QMatrix4x4 value;
 };
-inline constexpr std::size_t kAirwayUniforms = 4 + kMostSwellings;
+inline constexpr std::size_t kAirwayUniforms = 6 + kMostSwellings;
 [[nodiscard]] std::array<AirwayUniform, kAirwayUniforms> airwayUniforms(const AirwayField& field);
 /// Whether the jaw is displaced: jawUniform is not all 0.
 [[nodiscard]] bool isJawMoved(const RigidTransform& X_AJ);

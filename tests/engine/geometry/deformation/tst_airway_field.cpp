@@ -21,7 +21,8 @@ constexpr double kPositionTolerance_m = 2e-7; ///< a few roundings in single pre
 constexpr double kLeastOfSwelling = 0.07;
 constexpr double kLeastOfOpening = 0.1;
 
-constexpr std::array kTissues{AirwayTissue::Throat, AirwayTissue::Pharynx, AirwayTissue::Larynx};
+constexpr std::array kTissues{AirwayTissue::Teeth,  AirwayTissue::Skin,    AirwayTissue::Windpipe,
+                              AirwayTissue::Throat, AirwayTissue::Pharynx, AirwayTissue::Larynx};
 
 std::vector<Vec3> places()
 {
@@ -45,7 +46,7 @@ Swelling anySwelling(std::mt19937& random)
                   .along = metres(0.01 + 0.03 * share(random)),
                   .depth = metres(0.0005 + 0.005 * share(random)),
                   .isFlat = share(random) < 0.5,
-                  .tissues = AirwayTissues(1.0 + 7.0 * share(random))};
+                  .tissues = AirwayTissues(1.0 + double(kAllAirwayTissues) * share(random))};
     const double most = 0.999 * AirwayField::kMostOfReach * std::min(made.across.si, made.along.si);
     made.outward = metres(share(random) * most);
     made.shift_A = (most - made.outward.si) * any().normalized();
@@ -80,6 +81,8 @@ AirwayField anyField(std::mt19937& random)
     field.joinCords(anyLumen(random), 0.9 * share(random));
     field.narrowVestibule(anyLumen(random), 0.6 * share(random));
     field.narrowPharynx(anyLumen(random), 0.6 * share(random));
+    field.narrowWindpipe(anyLumen(random), 0.8 * share(random));
+    field.flattenWindpipe(anyLumen(random), 0.8 * share(random));
     return field;
 }
 
@@ -111,6 +114,8 @@ private Q_SLOTS:
     void opensTheCordsAlike();
     void joinsWhatTheBreathLeavesOpen();
     void movesTheLarynxAloneWithTheCords();
+    void narrowsTheWindpipeToBothSidesAndFrontToBack();
+    void movesTheWindpipeAloneWithItsNarrowing();
     void foldsNowhereInAnySwelling();
     void foldsNowhereInAnyNarrowing();
     void foldsNowhereWithAllAtOnce();
@@ -279,8 +284,54 @@ void TestAirwayField::movesTheLarynxAloneWithTheCords()
     field.closeCords(glottis(), 0.5);
     field.joinCords(glottis(), 0.5);
     for (const Vec3& p_A : places())
-        for (const AirwayTissue tissue : {AirwayTissue::Throat, AirwayTissue::Pharynx})
-            QCOMPARE(airwayPull<double>(field.frame(), tissue, p_A).d.norm(), 0.0);
+        for (const AirwayTissue tissue : kTissues)
+            if (tissue != AirwayTissue::Larynx)
+                QCOMPARE(airwayPull<double>(field.frame(), tissue, p_A).d.norm(), 0.0);
+}
+
+// A round windpipe about the z axis: by 60 % in both directions, within its whole part.
+void TestAirwayField::narrowsTheWindpipeToBothSidesAndFrontToBack()
+{
+    AirwayField field;
+    field.narrowWindpipe({.p_A_front = {0.0, -0.013, 0.0},
+                          .toWidest = millimetres(15.0),
+                          .halfInFront = millimetres(10.0),
+                          .halfAtWidest = millimetres(10.0)},
+                         0.6);
+    field.flattenWindpipe({.p_A_front = {0.013, 0.0, 0.0},
+                           .right_A = -Vec3::UnitY(),
+                           .back_A = -Vec3::UnitX(),
+                           .toWidest = millimetres(15.0),
+                           .halfInFront = millimetres(10.0),
+                           .halfAtWidest = millimetres(10.0)},
+                          0.6);
+    for (double turn = 0.0; turn < 6.28; turn += 0.3)
+        for (const double height : {-0.002, 0.0, 0.002}) {
+            const Vec3 wall{0.0095 * std::cos(turn), 0.0095 * std::sin(turn), height};
+            const Vec3 moved =
+                wall + airwayPull<double>(field.frame(), AirwayTissue::Windpipe, wall).d;
+            QVERIFY((moved - Vec3{0.4 * wall.x(), 0.4 * wall.y(), height}).norm() < 1e-12);
+        }
+    const Vec3 above{0.0095, 0.0, 1.16 * 0.015};
+    QCOMPARE(airwayPull<double>(field.frame(), AirwayTissue::Windpipe, above).d.norm(), 0.0);
+}
+
+void TestAirwayField::movesTheWindpipeAloneWithItsNarrowing()
+{
+    AirwayField field;
+    field.narrowWindpipe(glottis(), 0.5);
+    field.flattenWindpipe(glottis(), 0.5);
+    AirwayField throat;
+    throat.narrowVestibule(glottis(), 0.5);
+    throat.narrowPharynx(glottis(), 0.5);
+    for (const Vec3& p_A : places())
+        for (const AirwayTissue tissue : kTissues) {
+            const bool isOfThroat = (kThroatTissues & only(tissue)) != 0;
+            if (tissue != AirwayTissue::Windpipe)
+                QCOMPARE(airwayPull<double>(field.frame(), tissue, p_A).d.norm(), 0.0);
+            if (!isOfThroat)
+                QCOMPARE(airwayPull<double>(throat.frame(), tissue, p_A).d.norm(), 0.0);
+        }
 }
 
 void TestAirwayField::foldsNowhereInAnySwelling()

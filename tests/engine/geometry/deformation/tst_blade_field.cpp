@@ -69,6 +69,7 @@ class TestBladeField : public QObject
 private Q_SLOTS:
     void hasItsTipAndItsMiddleWhereTheFormSays();
     void movesNothingWithoutABlade();
+    void leavesTeethSkinAndWindpipe();
     void leavesNothingInsideTheBlade();
     void pushesAlongTheHandleOnly();
     void leavesWhatIsFarAway();
@@ -98,6 +99,17 @@ void TestBladeField::movesNothingWithoutABlade()
         }
         QVERIFY(deformed(mesh, BladeField{}, tissue).positions == mesh.positions);
     }
+}
+
+void TestBladeField::leavesTeethSkinAndWindpipe()
+{
+    const BladeField blade = plainBlade();
+    for (const Vec3& p_A : places())
+        for (const AirwayTissue tissue :
+             {AirwayTissue::Teeth, AirwayTissue::Skin, AirwayTissue::Windpipe}) {
+            QCOMPARE(bladePull<double>(blade.frame(), tissue, p_A).d.norm(), 0.0);
+            QCOMPARE(bladePull<double>(blade.frame(), tissue, p_A).gradient.norm(), 0.0);
+        }
 }
 
 // However deep it would be; but for its last fifth before the heel the blade pushes wholly.

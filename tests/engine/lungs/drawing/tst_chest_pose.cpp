@@ -93,6 +93,7 @@ void TestChestPose::movesTheRibsForwardUpwardAndOutward()
     const Vec3 sternum = moved_mm(ChestRegion::Wall, pose, kSternum);
     QVERIFY2(-sternum.y() > 3.0 && -sternum.y() < 5.0, qPrintable(QString::number(sternum.y())));
     QVERIFY(sternum.z() > 3.0 && sternum.z() < 5.0);
+    QCOMPARE(moved_mm(ChestRegion::Skin, pose, kSternum), sternum);
     const Vec3 side = moved_mm(ChestRegion::Wall, pose, kAxilla);
     QVERIFY2(-side.x() > 1.0 && -side.x() < 2.5, qPrintable(QString::number(side.x())));
     const Vec3 other = moved_mm(ChestRegion::Wall, pose, {0.13, 0.0, -0.05});
@@ -225,7 +226,8 @@ void TestChestPose::movesNothingElse()
 {
     const ChestPose pose{{LungPose{2.0, 1.0, 0.3, 0.1}, LungPose{1.0, 0.2, 0.1, 0.2}}, 0.1};
     for (const Vec3& p_A : {kDome, kSternum, kHeart})
-        QCOMPARE(moved_mm(ChestRegion::Still, pose, p_A).norm(), 0.0);
+        for (const ChestRegion still : {ChestRegion::Still, ChestRegion::Teeth})
+            QCOMPARE(moved_mm(still, pose, p_A).norm(), 0.0);
 }
 
 void TestChestPose::knowsHowMuchOfTheRangeIsTaken_data()

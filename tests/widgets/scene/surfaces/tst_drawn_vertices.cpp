@@ -70,6 +70,8 @@ AirwayField changesInLungs()
     airway.joinCords(lumen, 0.15);
     airway.narrowVestibule(lumen, 0.1);
     airway.narrowPharynx(lumen, 0.3);
+    airway.narrowWindpipe(lumen, 0.2);
+    airway.flattenWindpipe(lumen, 0.25);
     airway.swell({.p_A_centre = {0.05, 0.01, -0.03},
                   .axis_A = Vec3{1.0, 2.0, 3.0}.normalized(),
                   .across = millimetres(60.0),
@@ -87,11 +89,12 @@ AirwayField changesInLungs()
          .isFlat = true,
          .tissues = AirwayTissues(only(AirwayTissue::Throat) | only(AirwayTissue::Larynx))});
     for (std::size_t n = 2; n < kMostSwellings; ++n)
-        airway.swell({.p_A_centre = {0.02 * (double(n) - 5.5), 0.0, -0.01},
+        airway.swell({.p_A_centre = {0.015 * (double(n) - 8.5), 0.0, -0.01},
                       .across = millimetres(40.0),
                       .along = millimetres(50.0),
                       .outward = millimetres(2.0),
-                      .shift_A = {0.0, 0.001, 0.001}});
+                      .shift_A = {0.0, 0.001, 0.001},
+                      .tissues = kAllAirwayTissues});
     return airway;
 }
 
@@ -224,12 +227,15 @@ void TestDrawnVertices::drawsWhatABladePushesAsTheReference()
 void TestDrawnVertices::drawsWhatEventsChangeAsTheReference_data()
 {
     QTest::addColumn<ChestRegion>("region");
+    QTest::newRow("teeth") << ChestRegion::Teeth;
+    QTest::newRow("skin") << ChestRegion::Skin;
+    QTest::newRow("trachea") << ChestRegion::Mediastinum;
     QTest::newRow("tongue") << ChestRegion::Throat;
     QTest::newRow("pharynx") << ChestRegion::Pharynx;
     QTest::newRow("larynx and epiglottis") << ChestRegion::Larynx;
 }
 
-// Changed first, then moved by the jaw and by a blade.
+// Changed first, then moved by the jaw and by a blade, where these move it.
 void TestDrawnVertices::drawsWhatEventsChangeAsTheReference()
 {
     constexpr float kMoved_m = 0.005F;
@@ -243,8 +249,9 @@ void TestDrawnVertices::drawsWhatEventsChangeAsTheReference()
         DrawnVertices drawn = DrawnVertices::of(mesh, region).value();
         const AirwayTissue tissue = *airwayTissueOf(region);
         const TriangleMesh changed = deformed(mesh, airway, tissue);
-        const TriangleMesh reference =
-            deformed(deformed(changed, following, *tissueOf(region)), blade, tissue);
+        const auto ofJaw = tissueOf(region);
+        const TriangleMesh followed = ofJaw ? deformed(changed, following, *ofJaw) : changed;
+        const TriangleMesh reference = deformed(followed, blade, tissue);
         const auto [positions, normals] =
             drawn.at(lungs.field(), {}, following, blade, airway).value();
         float furthest = 0.0F;

@@ -24,16 +24,30 @@ public:
     }
     static QString of(AirwayEventKind kind, const PatientModel& patient)
     {
-        return kind == AirwayEventKind::TongueOedema && !hasTongue(patient)
-                   ? tr("Not shown: this patient has no tongue of its own.")
-                   : tr("Not shown: this patient has too little of what it changes.");
+        switch (kind) {
+        case AirwayEventKind::TongueOedema:
+            if (!has(patient, PartRole::Tongue))
+                return tr("Not shown: this patient has no tongue of its own.");
+            break;
+        case AirwayEventKind::TrachealStenosis:
+        case AirwayEventKind::TrachealDeviation:
+        case AirwayEventKind::Goitre:
+            if (!has(patient, PartRole::Trachea))
+                return tr("Not shown: this patient has no trachea of its own.");
+            break;
+        case AirwayEventKind::ProminentIncisors:
+            return tr("Not shown: this patient has no teeth where the upper incisors are.");
+        default:
+            break;
+        }
+        return tr("Not shown: this patient has too little of what it changes.");
     }
 
 private:
-    static bool hasTongue(const PatientModel& patient)
+    static bool has(const PatientModel& patient, PartRole role)
     {
-        return std::ranges::any_of(patient.surfaces(), [](const PatientSurface& surface) {
-            return surface.description.role == PartRole::Tongue;
+        return std::ranges::any_of(patient.surfaces(), [role](const PatientSurface& surface) {
+            return surface.description.role == role;
         });
     }
 };

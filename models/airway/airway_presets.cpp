@@ -43,7 +43,25 @@ const auto& presets()
         AirwayPreset{"spasm",
                      QT_TRANSLATE_NOOP("Airway", "Spasm after extubation"),
                      {{LaryngealOedema, 0.2}, {Laryngospasm, 1.0}}},
-        AirwayPreset{"web", QT_TRANSLATE_NOOP("Airway", "Congenital web"), {{LaryngealWeb, 0.7}}}};
+        AirwayPreset{"web", QT_TRANSLATE_NOOP("Airway", "Congenital web"), {{LaryngealWeb, 0.7}}},
+        AirwayPreset{"anterior_pressed",
+                     QT_TRANSLATE_NOOP("Airway", "BURP on an anterior larynx"),
+                     {{AnteriorLarynx, 0.8}, {ExternalPressure, 1.0}}},
+        AirwayPreset{"obese",
+                     QT_TRANSLATE_NOOP("Airway", "Obese"),
+                     {{TongueOedema, 0.1}, {NeckObesity, 0.8}}},
+        AirwayPreset{"trauma_collar",
+                     QT_TRANSLATE_NOOP("Airway", "Trauma with collar"),
+                     {{TongueOedema, 0.3}, {PharyngealSwelling, 0.3}, {Trismus, 0.7}}},
+        AirwayPreset{"goitre",
+                     QT_TRANSLATE_NOOP("Airway", "Large goitre"),
+                     {{TrachealDeviation, 0.4}, {Goitre, 0.9}}},
+        AirwayPreset{"after_tracheostomy",
+                     QT_TRANSLATE_NOOP("Airway", "Stenosis after tracheostomy"),
+                     {{TrachealStenosis, 0.8}}},
+        AirwayPreset{"overjet",
+                     QT_TRANSLATE_NOOP("Airway", "Prominent teeth, mouth opens little"),
+                     {{ProminentIncisors, 0.9}, {Trismus, 0.5}}}};
     return all;
 }
 

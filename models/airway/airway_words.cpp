@@ -33,6 +33,20 @@ QString eventText(AirwayEventKind kind)
         return airwayWords(QT_TRANSLATE_NOOP("Airway", "Angio-oedema"));
     case AirwayEventKind::LaryngealWeb:
         return airwayWords(QT_TRANSLATE_NOOP("Airway", "Laryngeal web"));
+    case AirwayEventKind::ExternalPressure:
+        return airwayWords(QT_TRANSLATE_NOOP("Airway", "Pressure on the larynx (BURP)"));
+    case AirwayEventKind::TrachealStenosis:
+        return airwayWords(QT_TRANSLATE_NOOP("Airway", "Tracheal stenosis"));
+    case AirwayEventKind::TrachealDeviation:
+        return airwayWords(QT_TRANSLATE_NOOP("Airway", "Tracheal deviation"));
+    case AirwayEventKind::Goitre:
+        return airwayWords(QT_TRANSLATE_NOOP("Airway", "Goitre"));
+    case AirwayEventKind::NeckObesity:
+        return airwayWords(QT_TRANSLATE_NOOP("Airway", "Obesity of the neck"));
+    case AirwayEventKind::ProminentIncisors:
+        return airwayWords(QT_TRANSLATE_NOOP("Airway", "Prominent incisors"));
+    case AirwayEventKind::Trismus:
+        return airwayWords(QT_TRANSLATE_NOOP("Airway", "Trismus"));
     }
     return {};
 }
@@ -68,6 +82,31 @@ QString eventEffect(AirwayEventKind kind)
     case AirwayEventKind::LaryngealWeb:
         return airwayWords(QT_TRANSLATE_NOOP(
             "Airway", "The vocal cords are joined in front, and leave a tube less room"));
+    case AirwayEventKind::ExternalPressure:
+        return airwayWords(
+            QT_TRANSLATE_NOOP("Airway", "A manoeuvre, no disease: the larynx is pressed back, up "
+                                        "and to the right, so that more of the glottis is seen"));
+    case AirwayEventKind::TrachealStenosis:
+        return airwayWords(QT_TRANSLATE_NOOP(
+            "Airway",
+            "The trachea is narrow below the cords, where a tube stops that passed them"));
+    case AirwayEventKind::TrachealDeviation:
+        return airwayWords(QT_TRANSLATE_NOOP(
+            "Airway", "The trachea goes to the patient's right between larynx and carina"));
+    case AirwayEventKind::Goitre:
+        return airwayWords(QT_TRANSLATE_NOOP(
+            "Airway", "A swelling bulges in front of the trachea, narrows it and pushes it aside"));
+    case AirwayEventKind::NeckObesity:
+        return airwayWords(QT_TRANSLATE_NOOP(
+            "Airway",
+            "The pharynx is narrower, the base of the tongue larger and the neck thicker"));
+    case AirwayEventKind::ProminentIncisors:
+        return airwayWords(QT_TRANSLATE_NOOP(
+            "Airway", "The upper incisors stand out and lower, and leave a blade less room"));
+    case AirwayEventKind::Trismus:
+        return airwayWords(
+            QT_TRANSLATE_NOOP("Airway", "The mouth is drawn open less, at 100 % by 10 mm at most; "
+                                        "a manikin's own jaw is not held"));
     }
     return {};
 }

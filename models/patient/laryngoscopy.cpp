@@ -1,5 +1,7 @@
 #include "models/patient/laryngoscopy.h"
 
+#include "engine/anatomy/events/mouth_opening.h"
+
 #include <algorithm>
 #include <cctype>
 
@@ -12,11 +14,12 @@ namespace
 constexpr Angle kDirectFieldOfView = degrees(13.3);
 constexpr double kCameraFromTip = 0.31; ///< of the length, as on a Macintosh 3
 
-bool isOfThroat(PartRole role)
+bool isLookedThrough(PartRole role)
 {
     return role == PartRole::Epiglottis || role == PartRole::Larynx
            || role == PartRole::LaryngealMucosa || role == PartRole::VocalFold
-           || role == PartRole::Pharynx || role == PartRole::Tongue;
+           || role == PartRole::Pharynx || role == PartRole::Tongue || role == PartRole::Tooth
+           || role == PartRole::Trachea || role == PartRole::Skin;
 }
 
 /// The parts by which upperAirwayOf finds its places.
@@ -24,7 +27,7 @@ std::vector<AnatomyPart> partsOfThroat(const PatientModel& patient)
 {
     std::vector<AnatomyPart> parts;
     for (const PatientSurface& surface : patient.surfaces()) {
-        if (!isOfThroat(surface.description.role) && !isLip(surface.description))
+        if (!isLookedThrough(surface.description.role) && !isLip(surface.description))
             continue;
         parts.push_back(surface.description);
         parts.back().levels.push_back(*surface.levels.front());
@@ -75,6 +78,7 @@ void Laryngoscopy::changeAirway(const AirwayEvents& events, double inspiration)
 {
     m_changes = airwayChanges(m_airway, events, inspiration);
     m_changed = changed(m_airway, m_changes);
+    m_changed.mostOpening = mostMouthOpening(events, m_airway.size());
 }
 
 LaryngoscopyPose Laryngoscopy::pose(LaryngoscopyStep step, Length lift) const
@@ -120,7 +124,7 @@ RigidTransform Laryngoscopy::eyeAt(const LaryngoscopyPose& pose, ScopeEye eye) c
     if (eye == ScopeEye::Video)
         return pose.X_AL * cameraOnBlade(m_blade);
     const GlotticLine glottis = glottisAt(pose);
-    return eyePastBlade(m_blade, pose.X_AL, m_airway.p_A_incisors,
+    return eyePastBlade(m_blade, pose.X_AL, m_changed.p_A_edge(),
                         0.5 * (glottis.p_A_commissure + glottis.p_A_notch));
 }
 

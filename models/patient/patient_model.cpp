@@ -1,6 +1,8 @@
 #include "models/patient/patient_model.h"
 
 #include "engine/anatomy/chest/chest_region.h"
+#include "engine/anatomy/events/mouth_opening.h"
+#include "engine/anatomy/laryngoscopy/upper_airway.h"
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "engine/lungs/drawing/chest_drawing.h"
 
@@ -79,9 +81,17 @@ Result<PatientModel> PatientModel::of(Anatomy anatomy, Length innerDiameter)
     return model;
 }
 
-FollowingThroat PatientModel::throat(const std::optional<RigidTransform>& X_AJ) const
+FollowingThroat PatientModel::throat(const std::optional<RigidTransform>& X_AJ,
+                                     const AirwayEvents& events) const
 {
-    return {m_throat, X_AJ ? *X_AJ * m_heldJaw.inverse() : RigidTransform{}};
+    const Vec3 wayToGlottis = m_landmarks.p_A_glottis - m_landmarks.p_A_incisors;
+    const auto most = mostMouthOpening(events, wayToGlottis.norm() / kReferenceWay.si);
+    if (!X_AJ && !most)
+        return {m_throat, {}};
+    const RigidTransform held = X_AJ.value_or(m_heldJaw);
+    const RigidTransform within =
+        most ? withinOpening(held, m_landmarks.p_A_incisors, *most) : held;
+    return {m_throat, within * m_heldJaw.inverse()};
 }
 
 std::shared_ptr<const TriangleMesh> PatientModel::shutMesh(const PatientSurface& surface) const

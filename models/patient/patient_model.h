@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/anatomy/anatomy.h"
+#include "engine/anatomy/events/airway_event.h"
 #include "engine/anatomy/organ_group.h"
 #include "engine/anatomy/shapes/tube.h"
 #include "engine/geometry/deformation/throat_field.h"
@@ -51,7 +52,9 @@ public:
     /// The deformation of the throat, between jaw and carina, that follows the jaw.
     /// @param X_AJ pose of the mandible, the identity with the mouth closed; std::nullopt: as in
     ///             the surfaces
-    [[nodiscard]] FollowingThroat throat(const std::optional<RigidTransform>& X_AJ) const;
+    /// @param events that limit how far the mouth opens (withinOpening), also as in the surfaces
+    [[nodiscard]] FollowingThroat throat(const std::optional<RigidTransform>& X_AJ,
+                                         const AirwayEvents& events = {}) const;
     /// The finest mesh of a surface with the mouth closed, as for landmarks touched on a manikin.
     [[nodiscard]] std::shared_ptr<const TriangleMesh> shutMesh(const PatientSurface& surface) const;
     [[nodiscard]] const TubeShape& tube() const { return m_tube; }

@@ -176,7 +176,8 @@ std::vector<std::string> factBodies()
         fact::ParticipantFellSilent{self},
         fact::AirwayEventsSet{{{AirwayEventKind::TongueOedema, 0.5},
                                {AirwayEventKind::Laryngospasm, 1.0},
-                               {AirwayEventKind::LaryngealWeb, 0.25}},
+                               {AirwayEventKind::LaryngealWeb, 0.25},
+                               {AirwayEventKind::Trismus, 0.75}},
                               std::chrono::seconds{30}}};
     static_assert(std::size(bodies) == std::variant_size_v<FactBody>, "one of each kind");
     std::vector<std::string> all;

@@ -27,17 +27,27 @@ constexpr int kMostPercent = 100;
 constexpr int kChangeStep_s = 5;
 constexpr int kEventGap = 4; ///< pixels
 constexpr int kPresetLetters = 16;
+constexpr int kLeastSlider = 60; ///< pixels
 
-/// The kinds with their keys, in the order of the enumerators.
-constexpr std::array kEventLabels{QT_TRANSLATE_NOOP("carina::AirwayPanel", "Tong&ue oedema"),
-                                  QT_TRANSLATE_NOOP("carina::AirwayPanel", "Pharyngeal &swelling"),
-                                  QT_TRANSLATE_NOOP("carina::AirwayPanel", "Epig&lottitis"),
-                                  QT_TRANSLATE_NOOP("carina::AirwayPanel", "La&ryngeal oedema"),
-                                  QT_TRANSLATE_NOOP("carina::AirwayPanel", "Lary&ngospasm"),
-                                  QT_TRANSLATE_NOOP("carina::AirwayPanel", "Floppy epiglo&ttis"),
-                                  QT_TRANSLATE_NOOP("carina::AirwayPanel", "Anterior laryn&x"),
-                                  QT_TRANSLATE_NOOP("carina::AirwayPanel", "Ang&io-oedema"),
-                                  QT_TRANSLATE_NOOP("carina::AirwayPanel", "Laryngeal we&b")};
+/// The kinds in the order of the enumerators, with their keys as far as letters of the console's
+/// window are left.
+constexpr std::array kEventLabels{
+    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Tong&ue oedema"),
+    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Pharyngeal &swelling"),
+    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Epig&lottitis"),
+    QT_TRANSLATE_NOOP("carina::AirwayPanel", "La&ryngeal oedema"),
+    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Lary&ngospasm"),
+    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Floppy epiglo&ttis"),
+    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Anterior laryn&x"),
+    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Ang&io-oedema"),
+    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Laryngeal we&b"),
+    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Pressure on the\nlarynx (BURP)"),
+    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Tracheal stenosis"),
+    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Tracheal deviation"),
+    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Goitre"),
+    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Obesity of the neck"),
+    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Prominent incisors"),
+    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Trismus")};
 static_assert(kEventLabels.size() == kAirwayEventKinds);
 
 std::size_t placeOf(AirwayEventKind kind) { return static_cast<std::size_t>(kind); }
@@ -96,6 +106,7 @@ void AirwayPanel::layOut()
     addPresets(*controls);
     addTime(*controls);
     auto* rows = new QGridLayout;
+    rows->setVerticalSpacing(kEventGap);
     controls->addLayout(rows);
     for (std::size_t place = 0; place < m_rows.size(); ++place)
         m_rows[place] = addRow(*rows, static_cast<AirwayEventKind>(place));
@@ -175,6 +186,7 @@ AirwayPanel::Row AirwayPanel::addRow(QGridLayout& rows, AirwayEventKind kind)
     row.slider->setAccessibleName(tr("%1, severity slider").arg(eventText(kind)));
     row.slider->setToolTip(shownAsIs(effect));
     row.slider->setRange(0, kMostPercent);
+    row.slider->setMinimumWidth(kLeastSlider);
     row.slider->setPageStep(kSeverityStep_percent);
     row.present->setObjectName(name + QStringLiteral("Now"));
     row.present->setAccessibleName(tr("%1, present severity").arg(eventText(kind)));

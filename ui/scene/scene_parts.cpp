@@ -117,7 +117,8 @@ std::vector<ScenePart> tubeParts(const PatientModel& patient, const std::string&
 FollowingThroat throatAt(const StationMoment& moment, const PatientModel& patient)
 {
     const bool hasJaw = moment.jaw && moment.jaw->validity != Validity::Lost;
-    return patient.throat(hasJaw ? std::optional{moment.jaw->X_FO} : std::nullopt);
+    return patient.throat(hasJaw ? std::optional{moment.jaw->X_FO} : std::nullopt,
+                          moment.airwayEvents);
 }
 
 SceneFrame sceneFrame(const StationMoment& moment, const ChestField& chest,

@@ -25,7 +25,7 @@ inline constexpr const char* kTubeBody = "tube";
                                                std::uint16_t firstId);
 
 /// The deformation of a patient's throat by the jaw at a moment; while the chin probe is not seen,
-/// the mouth is drawn as in the surfaces.
+/// the mouth is drawn as in the surfaces. Either way it opens no farther than events let it.
 [[nodiscard]] FollowingThroat throatAt(const StationMoment& moment, const PatientModel& patient);
 
 /// The frame of that scene for a station's moment: the patient's chest is deformed by `chest`, the

@@ -124,12 +124,14 @@ private:
 Result<void> canShowAll(const Laryngoscopy& laryngoscopy, const AirwayEvents& events)
 {
     for (const AirwayEvent& event : events)
-        if (!laryngoscopy.canShow(event.kind))
+        if (!laryngoscopy.canShow(event.kind)) {
+            const std::string part{partNeeded(event.kind)};
             return fail(Errc::NoAirway,
                         std::string{eventName(event.kind)}
-                            + (event.kind == AirwayEventKind::TongueOedema
-                                   ? " needs a tongue, which this patient does not have"
-                                   : " needs larger places of the airway than were found"));
+                            + (part.empty()
+                                   ? " needs larger places of the airway than were found"
+                                   : " needs " + part + ", which this patient does not have"));
+        }
     return {};
 }
 

@@ -29,12 +29,20 @@ constexpr double kNarrowestGlottis = 5.7 / 9.0;
 
 constexpr double kMostOfVestibule = 0.55; ///< that the folds come together
 constexpr double kMostOfPharynx = 0.6;
+constexpr double kMostOfPharynxByFat = 0.35;
+constexpr double kMostOfTrachea = 0.75; ///< of its diameter, in a stenosis
+constexpr double kMostOfTracheaByGoitre = 0.35;
 
 /// Both tissues that the tongue's base and the epiglottis before it are of.
 constexpr auto kThroatAndLarynx =
     AirwayTissues(only(AirwayTissue::Throat) | only(AirwayTissue::Larynx));
 
+/// Across the midplane, to the right of who looks at the patient from the front.
 Vec3 rightOf(const UpperAirway& airway) { return airway.up_A.cross(airway.forward_A()); }
+Vec3 patientsRightOf(const UpperAirway& airway) { return -rightOf(airway); }
+
+/// Two narrowings of one lumen by these shares, one after the other.
+double bothShares(double one, double other) { return 1.0 - (1.0 - one) * (1.0 - other); }
 
 /// Of the narrowest that events make of it, at least what the breath leaves.
 double cordsClosing(double severity, double inspiration)
@@ -98,7 +106,8 @@ void swellTongue(AirwayField& field, const UpperAirway& airway, double severity)
                  .depth = size * millimetres(8.0)});
 }
 
-void swellPharynx(AirwayField& field, const UpperAirway& airway, double severity)
+/// By swelling, and by fat.
+void narrowPharynx(AirwayField& field, const UpperAirway& airway, double swelling, double fat)
 {
     const double size = airway.size();
     const auto fromUvula = [&](double forward_mm, double down_mm) {
@@ -113,13 +122,13 @@ void swellPharynx(AirwayField& field, const UpperAirway& airway, double severity
                          .halfInFront = size * millimetres(17.0),
                          .halfAtWidest = size * millimetres(17.0),
                          .outer = 1.7},
-                        severity * kMostOfPharynx);
+                        bothShares(swelling * kMostOfPharynx, fat * kMostOfPharynxByFat));
     field.swell({.p_A_centre = fromUvula(-16.0, 5.0),
                  .axis_A = airway.up_A,
                  .across = size * millimetres(22.0),
                  .along = size * millimetres(34.0),
-                 .outward = severity * size * millimetres(1.5),
-                 .shift_A = severity * size * 6e-3 * airway.forward_A()});
+                 .outward = swelling * size * millimetres(1.5),
+                 .shift_A = size * 1e-3 * (6.0 * swelling + 3.0 * fat) * airway.forward_A()});
 }
 
 void swellEpiglottis(AirwayField& field, const UpperAirway& airway, double severity)
@@ -186,6 +195,107 @@ void moveLarynxForward(AirwayField& field, const UpperAirway& airway, double sev
          .shift_A = severity * size * 1e-3 * (11.0 * airway.forward_A() + 2.0 * airway.up_A)});
 }
 
+/// Within the same reach, so that trachea and vallecula stay.
+void pressLarynx(AirwayField& field, const UpperAirway& airway, double severity)
+{
+    const double size = airway.glottis() / kMansGlottis;
+    const Vec3 p_A_middle = 0.5 * (airway.p_A_commissure + airway.p_A_notch);
+    field.swell({.p_A_centre = p_A_middle - size * 5e-3 * airway.up_A,
+                 .axis_A = airway.up_A,
+                 .across = size * millimetres(34.0),
+                 .along = size * millimetres(20.0),
+                 .shift_A = severity * size * 1e-3
+                            * (-8.0 * airway.forward_A() + 4.0 * airway.up_A
+                               + 6.0 * patientsRightOf(airway))});
+}
+
+/// By a stenosis from all sides, by a goitre from both.
+void narrowTrachea(AirwayField& field, const UpperAirway& airway, double stenosis, double goitre)
+{
+    constexpr double kMiddle =
+        0.9;                       // of the way to the widest, between front and end of a narrowing
+    constexpr double kReach = 1.4; // of half the width
+    const WindpipePlace& place = *airway.windpipe;
+    const Length toWidest = metres(std::max(
+        {airway.windpipeSize() * 15e-3, kReach * place.halfWidth.si, kReach * place.halfDepth.si}));
+    const double fromMiddle = kMiddle * toWidest.si;
+    const auto lumen = [&](const Vec3& across_A, const Vec3& along_A, Length half) {
+        return Lumen{.p_A_front = place.p_A_middle - fromMiddle * along_A,
+                     .right_A = across_A,
+                     .back_A = along_A,
+                     .up_A = airway.up_A,
+                     .toWidest = toWidest,
+                     .halfInFront = half,
+                     .halfAtWidest = half,
+                     .outer = 1.6};
+    };
+    field.narrowWindpipe(lumen(rightOf(airway), -airway.forward_A(), place.halfWidth),
+                         bothShares(stenosis * kMostOfTrachea, goitre * kMostOfTracheaByGoitre));
+    field.flattenWindpipe(lumen(airway.forward_A(), rightOf(airway), place.halfDepth),
+                          stenosis * kMostOfTrachea);
+}
+
+/// Its reach ends at the upper end of the trachea, and where the lungs come near it below.
+void moveTrachea(AirwayField& field, const UpperAirway& airway, double deviation, double goitre)
+{
+    const double size = airway.windpipeSize();
+    field.swell(
+        {.p_A_centre = airway.windpipe->p_A_middle - size * 15e-3 * airway.up_A,
+         .axis_A = airway.up_A,
+         .across = size * millimetres(40.0),
+         .along = size * millimetres(34.0),
+         .shift_A = size * 1e-3 * (14.0 * deviation + 5.0 * goitre) * patientsRightOf(airway),
+         .tissues = only(AirwayTissue::Windpipe)});
+}
+
+/// The skin before a goitre.
+void bulgeNeck(AirwayField& field, const UpperAirway& airway, double severity)
+{
+    if (!airway.p_A_neck)
+        return;
+    const double size = airway.windpipeSize();
+    field.swell({.p_A_centre = *airway.p_A_neck - size * 8e-3 * airway.forward_A(),
+                 .axis_A = rightOf(airway),
+                 .across = size * millimetres(36.0),
+                 .along = size * millimetres(60.0),
+                 .shift_A = severity * size * 16e-3 * airway.forward_A(),
+                 .tissues = only(AirwayTissue::Skin)});
+}
+
+/// What fat does but to the walls of the pharynx: the base of the tongue, and the skin all round.
+void thickenNeck(AirwayField& field, const UpperAirway& airway, double severity)
+{
+    const double size = airway.size();
+    field.swell({.p_A_centre = 0.5 * (airway.p_A_vallecula + airway.p_A_epiglottisTip)
+                               + size * 16e-3 * airway.forward_A(),
+                 .across = size * millimetres(30.0),
+                 .along = size * millimetres(30.0),
+                 .outward = severity * size * millimetres(3.0),
+                 .shift_A = severity * size * 1e-3 * (airway.up_A - 4.0 * airway.forward_A()),
+                 .depth = size * millimetres(8.0)});
+    const double neck = airway.windpipeSize();
+    field.swell({.p_A_centre =
+                     0.5 * (airway.p_A_commissure + airway.p_A_notch) - neck * 20e-3 * airway.up_A,
+                 .axis_A = airway.up_A,
+                 .across = neck * millimetres(125.0),
+                 .along = neck * millimetres(60.0),
+                 .outward = severity * neck * millimetres(30.0),
+                 .depth = neck * millimetres(30.0),
+                 .tissues = only(AirwayTissue::Skin)});
+}
+
+/// To the front and down as the face has it. Roots and jaw stay.
+void protrudeIncisors(AirwayField& field, const UpperAirway& airway, double severity)
+{
+    const double size = airway.size();
+    field.swell({.p_A_centre = airway.p_A_incisors + size * 4e-3 * Vec3::UnitZ(),
+                 .axis_A = Vec3::UnitX(),
+                 .across = size * millimetres(15.0),
+                 .along = size * millimetres(26.0),
+                 .shift_A = -severity * size * 1e-3 * (7.0 * Vec3::UnitY() + 2.5 * Vec3::UnitZ()),
+                 .tissues = AirwayTissues(only(AirwayTissue::Teeth) | only(AirwayTissue::Throat))});
+}
+
 void swellLip(AirwayField& field, const UpperAirway& airway, const Vec3& p_A_lip, double severity)
 {
     const double size = airway.size();
@@ -237,13 +347,23 @@ AirwayField airwayChanges(const UpperAirway& airway, const AirwayEvents& events,
     change(severityOf(AirwayEventKind::LaryngealWeb), joinCords);
     change(severityOf(AirwayEventKind::TongueOedema), swellTongue);
     change(severityOf(AirwayEventKind::AngioOedema), swellMouth);
-    change(severityOf(AirwayEventKind::PharyngealSwelling), swellPharynx);
+    const auto changeByBoth = [&](AirwayEventKind one, AirwayEventKind other, auto how) {
+        if (severityOf(one) > 0.0 || severityOf(other) > 0.0)
+            how(field, airway, severityOf(one), severityOf(other));
+    };
+    changeByBoth(AirwayEventKind::PharyngealSwelling, AirwayEventKind::NeckObesity, narrowPharynx);
+    changeByBoth(AirwayEventKind::TrachealStenosis, AirwayEventKind::Goitre, narrowTrachea);
     change(severityOf(AirwayEventKind::Epiglottitis), swellEpiglottis);
     change(std::max(severityOf(AirwayEventKind::LaryngealOedema),
                     severityOf(AirwayEventKind::AngioOedema)),
            swellEntrance);
     change(severityOf(AirwayEventKind::FloppyEpiglottis), letEpiglottisFall);
     change(severityOf(AirwayEventKind::AnteriorLarynx), moveLarynxForward);
+    change(severityOf(AirwayEventKind::ExternalPressure), pressLarynx);
+    changeByBoth(AirwayEventKind::TrachealDeviation, AirwayEventKind::Goitre, moveTrachea);
+    change(severityOf(AirwayEventKind::Goitre), bulgeNeck);
+    change(severityOf(AirwayEventKind::NeckObesity), thickenNeck);
+    change(severityOf(AirwayEventKind::ProminentIncisors), protrudeIncisors);
     return field;
 }
 
@@ -256,7 +376,15 @@ bool canShow(const UpperAirway& airway, AirwayEventKind kind)
     case AirwayEventKind::TongueOedema:
         return hasWay && airway.p_A_tongue;
     case AirwayEventKind::PharyngealSwelling:
+    case AirwayEventKind::NeckObesity:
+    case AirwayEventKind::Trismus:
         return hasWay;
+    case AirwayEventKind::ProminentIncisors:
+        return hasWay && airway.hasIncisors;
+    case AirwayEventKind::TrachealStenosis:
+    case AirwayEventKind::TrachealDeviation:
+    case AirwayEventKind::Goitre:
+        return airway.windpipe && airway.windpipeSize() > kLeastOfMans;
     case AirwayEventKind::Epiglottitis:
     case AirwayEventKind::FloppyEpiglottis:
         return (airway.p_A_epiglottisTip - airway.p_A_epiglottisBase).norm()
@@ -267,9 +395,26 @@ bool canShow(const UpperAirway& airway, AirwayEventKind kind)
     case AirwayEventKind::Laryngospasm:
     case AirwayEventKind::AnteriorLarynx:
     case AirwayEventKind::LaryngealWeb:
+    case AirwayEventKind::ExternalPressure:
         break;
     }
     return hasGlottis;
+}
+
+std::string_view partNeeded(AirwayEventKind kind)
+{
+    switch (kind) {
+    case AirwayEventKind::TongueOedema:
+        return "a tongue";
+    case AirwayEventKind::TrachealStenosis:
+    case AirwayEventKind::TrachealDeviation:
+    case AirwayEventKind::Goitre:
+        return "a trachea";
+    case AirwayEventKind::ProminentIncisors:
+        return "upper incisors";
+    default:
+        return {};
+    }
 }
 
 } // namespace carina

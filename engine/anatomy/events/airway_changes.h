@@ -4,6 +4,8 @@
 #include "engine/anatomy/laryngoscopy/upper_airway.h"
 #include "engine/geometry/deformation/airway_field.h"
 
+#include <string_view>
+
 namespace carina
 {
 
@@ -27,7 +29,22 @@ inline constexpr double kInspirationAsMade = 0.75;
 ///   the epiglottis and trachea where they were;
 /// - AngioOedema: lips and tongue, where the patient has them, swell, the latter in front, and the
 ///   entrance of the larynx as in LaryngealOedema;
-/// - LaryngealWeb: the cords are joined from the commissure on, whatever the breath.
+/// - LaryngealWeb: the cords are joined from the commissure on, whatever the breath;
+/// - ExternalPressure: the larynx goes to the back, up and to the patient's right; vallecula, tip
+/// of
+///   the epiglottis and trachea stay;
+/// - TrachealStenosis: the trachea's wall comes together from all sides kNarrowingOfWindpipe below
+///   the cords;
+/// - TrachealDeviation: the trachea, with what lies along it, goes to the patient's right between
+///   larynx and lungs;
+/// - Goitre: the skin before it bulges, and the trachea is narrowed from the sides and goes a
+/// little
+///   to the patient's right;
+/// - NeckObesity: the walls of the pharynx come nearer, the base of the tongue grows, and the skin
+/// of
+///   the neck goes outward;
+/// - ProminentIncisors: the upper front teeth stand out, with gums and lip;
+/// - Trismus: nothing of this; it limits the jaw (mostMouthOpening).
 ///
 /// An event that canShow() denies changes nothing.
 /// @pre areProper(events), and inspiration within 0 to 1
@@ -36,5 +53,8 @@ inline constexpr double kInspirationAsMade = 0.75;
 
 /// Whether the surfaces have what an event changes.
 [[nodiscard]] bool canShow(const UpperAirway& airway, AirwayEventKind kind);
+
+/// What surfaces need to have for an event beside what every one needs: "a tongue"; may be empty.
+[[nodiscard]] std::string_view partNeeded(AirwayEventKind kind);
 
 } // namespace carina

@@ -8,7 +8,7 @@
 namespace carina
 {
 
-/// What makes an airway difficult while it is worked in.
+/// What makes an airway difficult, or the view easier, while it is worked in.
 enum class AirwayEventKind : std::uint8_t {
     TongueOedema,       ///< the tongue swells, towards the palate and the pharynx
     PharyngealSwelling, ///< the side walls of the pharynx come inward
@@ -19,8 +19,15 @@ enum class AirwayEventKind : std::uint8_t {
     AnteriorLarynx,     ///< the larynx lies farther to the front, out of the line of sight
     AngioOedema,        ///< lips, the front of the tongue and the entrance of the larynx swell
     LaryngealWeb,       ///< the cords are joined in front
+    ExternalPressure,   ///< BURP, a manoeuvre: the larynx is pressed back, up and to the right
+    TrachealStenosis,   ///< the trachea is narrow at some rings below the cords
+    TrachealDeviation,  ///< the trachea goes to the patient's right between larynx and carina
+    Goitre,             ///< a swelling before the trachea, which it narrows and pushes aside
+    NeckObesity,        ///< pharynx narrower, tongue base larger, neck thicker
+    ProminentIncisors,  ///< the upper ones stand out to the front, and lower
+    Trismus,            ///< the mouth opens less
 };
-inline constexpr int kAirwayEventKinds = 9;
+inline constexpr int kAirwayEventKinds = 16;
 
 /// One of them, and how severe it is.
 struct AirwayEvent {

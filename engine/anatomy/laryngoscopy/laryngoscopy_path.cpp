@@ -84,12 +84,23 @@ constexpr Length kFadesBehind = millimetres(14.0);
 
 double sizeOf(const UpperAirway& airway) { return airway.size(); }
 
+/// No farther than the mouth opens.
+Angle withinMouth(const UpperAirway& airway, Angle opening)
+{
+    if (!airway.mostOpening)
+        return opening;
+    const double toIncisors = sizeOf(airway) * kReferenceWay.si * kJawHinge.norm();
+    const double most = 2.0 * std::asin(std::min(0.5 * airway.mostOpening->si / toIncisors, 1.0));
+    return radians(std::min(opening.si, most));
+}
+
 RigidTransform jawIn(const UpperAirway& airway, const StepFigures& step)
 {
     const double size = sizeOf(airway);
+    const Angle opening = withinMouth(airway, step.opening);
     const Vec3 p_A_hinge = airway.p_A_incisors + size * kReferenceWay.si * kJawHinge;
     return RigidTransform::translation(p_A_hinge - size * step.forward.si * Vec3::UnitY())
-           * RigidTransform{rotationFromVector(step.opening.si * Vec3::UnitX()), Vec3::Zero()}
+           * RigidTransform{rotationFromVector(opening.si * Vec3::UnitX()), Vec3::Zero()}
            * RigidTransform::translation(-p_A_hinge);
 }
 
@@ -182,7 +193,7 @@ Vec3 tipIn(LaryngoscopyStep step, const UpperAirway& moved, const Blade& blade, 
     const Centreline way = wayToEpiglottis(moved);
     switch (step) {
     case LaryngoscopyStep::Teeth:
-        return moved.p_A_incisors - size * kTipBelowTeeth.si * Vec3::UnitZ();
+        return moved.p_A_edge() - size * kTipBelowTeeth.si * Vec3::UnitZ();
     case LaryngoscopyStep::Uvula:
         return overTongue(moved, way, kUvulaShare * lengthOf(way));
     case LaryngoscopyStep::Epiglottis:
@@ -320,7 +331,7 @@ LaryngoscopyPose laryngoscopyPose(const UpperAirway& airway, const ThroatField& 
     const Vec3 p_A_from = tipIn(at.from, moved, blade, lift);
     const Vec3 p_A_placed = p_A_from + at.share * (tipIn(at.to, moved, blade, lift) - p_A_from);
     const Vec3 p_A_tip = p_A_placed + pose.lift.si * liftDirection(moved);
-    pose.X_AL = pastTeeth(blade.form, p_A_tip, airway.p_A_incisors);
+    pose.X_AL = pastTeeth(blade.form, p_A_tip, airway.p_A_edge());
     pose.field = bladeInTissue(moved, blade, pose.X_AL);
     return pose;
 }

@@ -157,6 +157,48 @@ void findLips(UpperAirway& airway, std::span<const AnatomyPart> parts, double x)
     airway.p_A_lowerLip = middle(kLowerLipWords);
 }
 
+void findWindpipe(UpperAirway& airway, std::span<const AnatomyPart> parts, const Vec3& p_A_level)
+{
+    constexpr double kRingsHeight = 2.5e-3; // metres to either side of the level
+    const auto isTrachea = [](const AnatomyPart& p) { return p.role == PartRole::Trachea; };
+    const Vec3 across = airway.up_A.cross(airway.forward_A());
+    Box reach; // across, to the front, and up from the level
+    for (const Vec3& p : verticesOf(parts, isTrachea)) {
+        const Vec3 from = p - p_A_level;
+        if (std::abs(from.dot(airway.up_A)) < kRingsHeight)
+            reach.include({from.dot(across), from.dot(airway.forward_A()), 0.0});
+    }
+    if (reach.empty())
+        return;
+    const Vec3 centre = reach.centre();
+    const Vec3 half = reach.max - centre;
+    if (half.x() > 0.0 && half.y() > 0.0)
+        airway.windpipe =
+            WindpipePlace{p_A_level + centre.x() * across + centre.y() * airway.forward_A(),
+                          metres(half.x()), metres(half.y())};
+}
+
+void findNeck(UpperAirway& airway, std::span<const AnatomyPart> parts, const Vec3& p_A_level)
+{
+    constexpr double kSkinNear = 8e-3; // metres; vertices of skin are some 7 mm apart
+    const auto isSkin = [](const AnatomyPart& p) { return p.role == PartRole::Skin; };
+    std::vector<Vec3> vertices = verticesOf(parts, isSkin);
+    std::erase_if(vertices, [&](const Vec3& p) {
+        return std::abs(p.x() - p_A_level.x()) > kSkinNear
+               || std::abs(airway.up_A.dot(p - p_A_level)) > kSkinNear;
+    });
+    if (const auto front = farthest(vertices, airway.forward_A()))
+        airway.p_A_neck = inPlane(*front, p_A_level.x());
+}
+
+bool hasTeethAt(std::span<const AnatomyPart> parts, const Vec3& p_A_edge)
+{
+    constexpr double kNearEdge = 6e-3; // metres
+    const auto isTooth = [](const AnatomyPart& p) { return p.role == PartRole::Tooth; };
+    return std::ranges::any_of(verticesOf(parts, isTooth),
+                               [&](const Vec3& p) { return (p - p_A_edge).norm() < kNearEdge; });
+}
+
 } // namespace
 
 Vec3 UpperAirway::forward_A() const { return (-Vec3::UnitY() + up_A.y() * up_A).normalized(); }
@@ -186,6 +228,12 @@ Result<UpperAirway> upperAirwayOf(std::span<const AnatomyPart> parts,
         return fail(Errc::NoAirway, "no soft palate");
     findTongue(airway, parts, x);
     findLips(airway, parts, x);
+    airway.toCarina = metres(trachea.norm());
+    const Vec3 p_A_level =
+        landmarks.p_A_glottis - airway.windpipeSize() * kNarrowingOfWindpipe.si * airway.up_A;
+    findWindpipe(airway, parts, p_A_level);
+    findNeck(airway, parts, p_A_level);
+    airway.hasIncisors = hasTeethAt(parts, landmarks.p_A_incisors);
     const std::span<const Vec3> path = pathFromTeeth(landmarks);
     const auto glottis = std::ranges::min_element(
         path, {}, [&](const Vec3& p) { return (p - landmarks.p_A_glottis).squaredNorm(); });
@@ -207,6 +255,8 @@ UpperAirway changed(UpperAirway airway, const AirwayField& changes)
                       &airway.p_A_commissure, &airway.p_A_notch})
         change(*p_A, AirwayTissue::Larynx);
     change(airway.p_A_uvula, AirwayTissue::Pharynx);
+    airway.d_A_incisors +=
+        airwayPull<double>(changes.frame(), AirwayTissue::Teeth, airway.p_A_incisors).d;
     for (auto* p_A : {&airway.p_A_tongue, &airway.p_A_upperLip, &airway.p_A_lowerLip})
         if (*p_A)
             change(**p_A, AirwayTissue::Throat);

@@ -12,6 +12,18 @@
 namespace carina
 {
 
+/// The trachea's wall at kNarrowingOfWindpipe below the cords, in A, metres.
+struct WindpipePlace {
+    Vec3 p_A_middle = Vec3::Zero(); ///< between its sides, and between its front and back
+    Length halfWidth{};             ///< from there to the outside of its wall
+    Length halfDepth{};
+};
+
+/// From the middle of the glottis to the carina in the reference man.
+inline constexpr Length kReferenceWindpipe = millimetres(127.0);
+/// Where a trachea is narrowed, below the middle of his glottis: the second to fourth ring.
+inline constexpr Length kNarrowingOfWindpipe = millimetres(42.0);
+
 /// The places by which a laryngoscope finds its way and what it shows is measured, in A, metres.
 struct UpperAirway {
     Vec3 p_A_incisors = Vec3::Zero(); ///< midpoint of the upper incisors' edge
@@ -26,6 +38,12 @@ struct UpperAirway {
     std::optional<Vec3> p_A_tongue;        ///< its middle, where there is one
     std::optional<Vec3> p_A_upperLip;      ///< their middles in the midplane, where there are any
     std::optional<Vec3> p_A_lowerLip;
+    Length toCarina{};                     ///< from the middle of the glottis
+    std::optional<WindpipePlace> windpipe; ///< where there is a trachea
+    std::optional<Vec3> p_A_neck;          ///< the skin in front of that, where there is any
+    bool hasIncisors = false;              ///< whether teeth are where the incisors' edge is
+    Vec3 d_A_incisors = Vec3::Zero();      ///< by which events have moved this edge
+    std::optional<Length> mostOpening;     ///< of the mouth at the incisors, where events limit it
 
     /// To the front, perpendicular to up_A; unit.
     [[nodiscard]] Vec3 forward_A() const;
@@ -33,6 +51,10 @@ struct UpperAirway {
     [[nodiscard]] Length glottis() const;
     /// Of the way from the incisors to the middle of the glottis, kReferenceWay being 1.
     [[nodiscard]] double size() const;
+    /// Of the way from the middle of the glottis to the carina, kReferenceWindpipe being 1.
+    [[nodiscard]] double windpipeSize() const { return toCarina / kReferenceWindpipe; }
+    /// The upper incisors' edge as events have moved it.
+    [[nodiscard]] Vec3 p_A_edge() const { return p_A_incisors + d_A_incisors; }
 };
 
 /// That way in the reference man.
@@ -50,7 +72,9 @@ inline constexpr double kValleculaHeight = 0.3;
 /// - uvula: the lowest place of the part whose name contains "uvula", or else "soft palate";
 /// - tongue: the mean of the vertices of that role, in the midplane; it may be missing;
 /// - lips: of the parts for which isLip holds, the mean of the vertices near the midplane; they may
-///   be missing.
+///   be missing;
+/// - windpipe: how far the part of that role reaches at its level; it may be missing;
+/// - neck: the foremost of the skin near the midplane at the same level; it may be missing.
 ///
 /// @returns NoAirway with what is missing
 [[nodiscard]] Result<UpperAirway> upperAirwayOf(std::span<const AnatomyPart> parts,

@@ -29,6 +29,7 @@ class TestAirwayPanel : public QObject
 
 private Q_SLOTS:
     void setsASeverityByKeyboardAlone();
+    void leadsFromEachEventToTheNextByTab();
     void setsSeverityBySliderAndBox();
     void tellsTheSeverityOfNowWhileItChanges();
     void clearsTheAirwayByItsButton();
@@ -128,6 +129,20 @@ void TestAirwayPanel::setsASeverityByKeyboardAlone()
     desk.enter("laryngospasm", QStringLiteral("10"));
     desk.settle();
     QVERIFY(desk.decided() == (AirwayEvents{{TongueOedema, 0.6}, {Laryngospasm, 0.1}}));
+}
+
+/// Also those whose label has no key.
+void TestAirwayPanel::leadsFromEachEventToTheNextByTab()
+{
+    Desk desk;
+    desk.panel.setFocus();
+    for (int kind = 0; kind < kAirwayEventKinds; ++kind) {
+        const QString name = QLatin1String{eventName(static_cast<AirwayEventKind>(kind))};
+        QCOMPARE(QApplication::focusWidget()->objectName(), name);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+        QCOMPARE(QApplication::focusWidget()->objectName(), name + QStringLiteral("Slider"));
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+    }
 }
 
 void TestAirwayPanel::setsSeverityBySliderAndBox()
@@ -311,7 +326,7 @@ void TestAirwayPanel::saysWhyAPatientShowsNoEvent()
     QCOMPARE(desk.first(), QStringLiteral("airwayOver"));
 }
 
-/// Also each label with its key has the words of the field.
+/// Also each label has the words of the field, with its key and over two lines where it is long.
 void TestAirwayPanel::namesAndExplainsEveryControl()
 {
     const Desk desk;
@@ -327,7 +342,8 @@ void TestAirwayPanel::namesAndExplainsEveryControl()
         int labels = 0;
         for (const QLabel* label : desk.panel.findChildren<QLabel*>())
             if (label->buddy() == &box) {
-                QCOMPARE(QString{label->text()}.remove(QLatin1Char{'&'}), eventText(event));
+                const QString words = QString{label->text()}.remove(QLatin1Char{'&'});
+                QCOMPARE(words.simplified(), eventText(event));
                 ++labels;
             }
         QCOMPARE(labels, 1);
@@ -343,6 +359,7 @@ void TestAirwayPanel::fitsIntoItsColumn()
     Desk desk;
     desk.enter("airwayOver", QStringLiteral("600"));
     desk.enter("pharyngeal_swelling", QStringLiteral("100"));
+    desk.enter("external_pressure", QStringLiteral("100"));
     desk.settle();
     desk.settle(std::chrono::minutes{1});
     QVERIFY(!desk.text("pharyngeal_swellingNow").isEmpty());

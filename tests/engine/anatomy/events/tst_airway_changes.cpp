@@ -102,6 +102,44 @@ double widthOfGlottis(const Person& person, const AirwayField& changes, double s
                       });
 }
 
+/// How far the places of a part within a slab across the trachea reach to one direction and back.
+double extentOf(const Person& person, const AirwayField& changes, const std::string& part,
+                const Vec3& dir_A, double below_m)
+{
+    const UpperAirway& a = person.airway;
+    const Vec3 p_A_level = 0.5 * (a.p_A_commissure + a.p_A_notch) - below_m * a.up_A;
+    double least = std::numeric_limits<double>::max();
+    double greatest = std::numeric_limits<double>::lowest();
+    for (const Vec3& p : person.verticesOf(part, changes))
+        if (std::abs((p - p_A_level).dot(a.up_A)) < 2.0 * kMillimetre) {
+            least = std::min(least, p.dot(dir_A));
+            greatest = std::max(greatest, p.dot(dir_A));
+        }
+    return greatest - least;
+}
+
+/// The farthest that anything of a part goes.
+double mostOf(const Person& person, const AirwayField& changes, const std::string& part)
+{
+    const std::vector<Vec3> made = person.verticesOf(part, {});
+    const std::vector<Vec3> moved = person.verticesOf(part, changes);
+    double most = 0.0;
+    for (std::size_t i = 0; i < made.size(); ++i)
+        most = std::max(most, (moved[i] - made[i]).norm());
+    return most;
+}
+
+/// The mean way of the vertices of a part.
+Vec3 meanWayOf(const Person& person, const AirwayField& changes, const std::string& part)
+{
+    const std::vector<Vec3> made = person.verticesOf(part, {});
+    const std::vector<Vec3> moved = person.verticesOf(part, changes);
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 0; i < made.size(); ++i)
+        sum += moved[i] - made[i];
+    return sum / double(made.size());
+}
+
 } // namespace
 
 class TestAirwayChanges : public QObject
@@ -134,6 +172,20 @@ private Q_SLOTS:
     void joinsTheCordsInFront_data() { people(); }
     void joinsTheCordsInFront();
     void joinsMoreOfTheCordsWithTheSeverity();
+    void pressesTheLarynxBackUpAndToTheRight_data() { people(); }
+    void pressesTheLarynxBackUpAndToTheRight();
+    void pressesAnAnteriorLarynxBackToItsPlace();
+    void narrowsTheTracheaFromAllSides_data() { people(); }
+    void narrowsTheTracheaFromAllSides();
+    void movesTheTracheaToTheRightAndKeepsItsEnds_data() { people(); }
+    void movesTheTracheaToTheRightAndKeepsItsEnds();
+    void keepsTheTracheaOutOfTheLungs();
+    void bulgesTheNeckBeforeANarrowTrachea_data() { people(); }
+    void bulgesTheNeckBeforeANarrowTrachea();
+    void narrowsAFatNeckInsideAndThickensIt_data() { people(); }
+    void narrowsAFatNeckInsideAndThickensIt();
+    void bringsTheIncisorsForwardAndDown_data() { people(); }
+    void bringsTheIncisorsForwardAndDown();
     void movesMoreWithTheSeverity_data();
     void movesMoreWithTheSeverity();
     void foldsNowhereWithAllEventsAtOnce_data() { people(); }
@@ -411,12 +463,193 @@ void TestAirwayChanges::joinsMoreOfTheCordsWithTheSeverity()
     QVERIFY(left(0.1, 0.15) > kShut_m); // not shut yet
 }
 
+// +x of A is to the patient's left, +y to the back.
+void TestAirwayChanges::pressesTheLarynxBackUpAndToTheRight()
+{
+    QFETCH(QString, name);
+    const Person person{name};
+    const UpperAirway& a = person.airway;
+    const AirwayField field = person.field(AirwayEventKind::ExternalPressure, 1.0);
+    const UpperAirway pressed = changed(a, field);
+    const double size = a.glottis() / millimetres(24.5);
+    for (const auto place : {&UpperAirway::p_A_commissure, &UpperAirway::p_A_notch}) {
+        const Vec3 way = (pressed.*place - a.*place) / size;
+        QVERIFY2(way.y() > 3.0 * kMillimetre, qPrintable(QString::number(1e3 * way.y())));
+        QVERIFY(way.x() < -3.0 * kMillimetre);
+        QVERIFY(way.dot(a.up_A) > 2.0 * kMillimetre);
+        QVERIFY(way.norm() < 11.0 * kMillimetre);
+    }
+    for (const char* cord : {"Left vocal fold", "Right vocal fold"})
+        QVERIFY(meanWayOf(person, field, cord).x() < -3.0 * kMillimetre * size);
+    QVERIFY((pressed.p_A_vallecula - a.p_A_vallecula).norm() < 2.0 * kMillimetre * size);
+    QVERIFY((pressed.p_A_epiglottisTip - a.p_A_epiglottisTip).norm() < 0.1 * kMillimetre);
+    QCOMPARE(mostOf(person, field, "Trachea"), 0.0);
+}
+
+// So that a glottis that an anterior larynx hides comes into view.
+void TestAirwayChanges::pressesAnAnteriorLarynxBackToItsPlace()
+{
+    const Person person{QStringLiteral("adult")};
+    const UpperAirway& a = person.airway;
+    const auto forward = [&](const AirwayEvents& events) {
+        const UpperAirway moved = changed(a, airwayChanges(a, events));
+        return 0.5
+               * (moved.p_A_commissure + moved.p_A_notch - a.p_A_commissure - a.p_A_notch)
+                     .dot(a.forward_A());
+    };
+    const double anterior = forward({{AirwayEventKind::AnteriorLarynx, 1.0}});
+    const double pressed =
+        forward({{AirwayEventKind::AnteriorLarynx, 1.0}, {AirwayEventKind::ExternalPressure, 1.0}});
+    QVERIFY2(pressed < 0.6 * anterior, qPrintable(QString::number(pressed / anterior)));
+}
+
+// To a quarter of its diameter, both ways: 94 % of its lumen, the third of Cotton's four grades.
+void TestAirwayChanges::narrowsTheTracheaFromAllSides()
+{
+    QFETCH(QString, name);
+    const Person person{name};
+    const UpperAirway& a = person.airway;
+    QVERIFY(a.windpipe);
+    const double below = a.windpipeSize() * kNarrowingOfWindpipe.si;
+    for (const Vec3& dir_A : {Vec3{Vec3::UnitX()}, a.forward_A()}) {
+        const auto share = [&](double severity, double level) {
+            const AirwayField field = person.field(AirwayEventKind::TrachealStenosis, severity);
+            return extentOf(person, field, "Trachea", dir_A, level)
+                   / extentOf(person, {}, "Trachea", dir_A, level);
+        };
+        QVERIFY2(std::abs(share(1.0, below) - 0.25) < 0.05,
+                 qPrintable(QString::number(share(1.0, below))));
+        QVERIFY(std::abs(share(0.4, below) - 0.7) < 0.05);
+        QVERIFY(share(1.0, below + 14.0 * kMillimetre * a.windpipeSize()) > 0.999);
+    }
+    const AirwayField field = person.field(AirwayEventKind::TrachealStenosis, 1.0);
+    for (const char* part : {"Cricoid cartilage", "Laryngeal mucosa", "Left vocal fold"})
+        QCOMPARE(mostOf(person, field, part), 0.0);
+}
+
+void TestAirwayChanges::movesTheTracheaToTheRightAndKeepsItsEnds()
+{
+    QFETCH(QString, name);
+    const Person person{name};
+    const UpperAirway& a = person.airway;
+    const AirwayField field = person.field(AirwayEventKind::TrachealDeviation, 1.0);
+    const double size = a.windpipeSize();
+    const Vec3 p_A_glottis = 0.5 * (a.p_A_commissure + a.p_A_notch);
+    const std::vector<Vec3> made = person.verticesOf("Trachea", {});
+    const std::vector<Vec3> moved = person.verticesOf("Trachea", field);
+    double most = 0.0;
+    for (std::size_t i = 0; i < made.size(); ++i) {
+        const Vec3 way = moved[i] - made[i];
+        const double below = (p_A_glottis - made[i]).dot(a.up_A) / size;
+        QVERIFY(way.x() <= 0.0);
+        if (below < 26.0 * kMillimetre || below > 88.0 * kMillimetre)
+            QVERIFY(way.norm() < 1.0 * kMillimetre);
+        most = std::max(most, -way.x());
+    }
+    QVERIFY2(most > 12.5 * kMillimetre * size && most < 14.1 * kMillimetre * size,
+             qPrintable(QString::number(1e3 * most)));
+    QVERIFY(mostOf(person, field, "Oesophagus") > 8.0 * kMillimetre * size);
+    QCOMPARE(mostOf(person, field, "Cricoid cartilage"), 0.0);
+}
+
+// Lungs do not give way to it.
+void TestAirwayChanges::keepsTheTracheaOutOfTheLungs()
+{
+    const Person person{QStringLiteral("adult")};
+    const AirwayField field =
+        airwayChanges(person.airway, {{AirwayEventKind::TrachealDeviation, 1.0}});
+    const auto lobe =
+        std::ranges::find(person.anatomy.parts, PartRole::RightUpperLobe, &AnatomyPart::role);
+    const auto isBeside = [](const Vec3& p, const Vec3f& q) {
+        return std::abs(p.y() - q.y()) < 5.0 * kMillimetre
+               && std::abs(p.z() - q.z()) < 3.0 * kMillimetre;
+    };
+    double least = std::numeric_limits<double>::max();
+    for (const Vec3& p : person.verticesOf("Trachea", field))
+        if (p.z() > 20.0 * kMillimetre)
+            for (const Vec3f& q : lobe->levels.front().positions)
+                if (isBeside(p, q))
+                    least = std::min(least, p.x() - q.x());
+    qInfo("%.1f mm from the lung", 1e3 * least);
+    QVERIFY(least > 0.0);
+}
+
+void TestAirwayChanges::bulgesTheNeckBeforeANarrowTrachea()
+{
+    QFETCH(QString, name);
+    const Person person{name};
+    const UpperAirway& a = person.airway;
+    QVERIFY(a.p_A_neck);
+    const AirwayField field = person.field(AirwayEventKind::Goitre, 1.0);
+    const Vec3 way = airwayPull<double>(field.frame(), AirwayTissue::Skin, *a.p_A_neck).d;
+    QVERIFY(way.dot(a.forward_A()) > 12.0 * kMillimetre * a.windpipeSize());
+    const double below = a.windpipeSize() * kNarrowingOfWindpipe.si;
+    const auto share = [&](const Vec3& dir_A) {
+        return extentOf(person, field, "Trachea", dir_A, below)
+               / extentOf(person, {}, "Trachea", dir_A, below);
+    };
+    QVERIFY(std::abs(share(Vec3::UnitX()) - 0.65) < 0.05);
+    QVERIFY(std::abs(share(a.forward_A()) - 1.0) < 1e-6);
+    const double aside = meanWayOf(person, field, "Trachea").x();
+    QVERIFY(aside < -0.5 * kMillimetre && aside > -5.0 * kMillimetre);
+    // Without skin it still narrows the trachea.
+    UpperAirway bare = a;
+    bare.p_A_neck.reset();
+    QVERIFY(canShow(bare, AirwayEventKind::Goitre));
+    QVERIFY(airwayChanges(bare, {{AirwayEventKind::Goitre, 1.0}}).isThere());
+}
+
+void TestAirwayChanges::narrowsAFatNeckInsideAndThickensIt()
+{
+    QFETCH(QString, name);
+    const Person person{name};
+    const UpperAirway& a = person.airway;
+    const AirwayField field = person.field(AirwayEventKind::NeckObesity, 1.0);
+    QVERIFY(field.frame().pharynx.closing > 0.3);
+    QVERIFY(field.frame().pharynx.closing
+            < person.field(AirwayEventKind::PharyngealSwelling, 1.0).frame().pharynx.closing);
+    const UpperAirway moved = changed(a, field);
+    QVERIFY((moved.p_A_vallecula - a.p_A_vallecula).dot(a.forward_A()) < 0.0);
+    const Vec3 skinWay = airwayPull<double>(field.frame(), AirwayTissue::Skin, *a.p_A_neck).d;
+    QVERIFY(skinWay.dot(a.forward_A()) > 1.0 * kMillimetre);
+    const double most = mostOf(person, field, "Skin");
+    QVERIFY2(most > 6.0 * kMillimetre && most < 18.0 * kMillimetre,
+             qPrintable(QString::number(1e3 * most)));
+    // Of fat and swelling together more than of each, and never shut.
+    const double both = airwayChanges(a, {{AirwayEventKind::PharyngealSwelling, 1.0},
+                                          {AirwayEventKind::NeckObesity, 1.0}})
+                            .frame()
+                            .pharynx.closing;
+    QVERIFY(both > 0.6 && both < 0.8);
+}
+
+void TestAirwayChanges::bringsTheIncisorsForwardAndDown()
+{
+    QFETCH(QString, name);
+    const Person person{name};
+    const UpperAirway& a = person.airway;
+    QVERIFY(a.hasIncisors);
+    const AirwayField field = person.field(AirwayEventKind::ProminentIncisors, 1.0);
+    const UpperAirway moved = changed(a, field);
+    const Vec3 edge = moved.p_A_edge() - a.p_A_edge();
+    QVERIFY2(-edge.y() > 5.0 * kMillimetre * a.size() && -edge.y() < 7.0 * kMillimetre * a.size(),
+             qPrintable(QString::number(-1e3 * edge.y())));
+    QVERIFY(-edge.z() > 1.5 * kMillimetre * a.size());
+    QCOMPARE(moved.size(), a.size()); // what is in proportion to the patient stays so
+    const double central = mostOf(person, field, "Left upper central secondary incisor tooth");
+    QVERIFY(central > 5.0 * kMillimetre * a.size());
+    QVERIFY(mostOf(person, field, "Left upper second secondary molar tooth") == 0.0);
+    QVERIFY(mostOf(person, field, "Gingiva of upper jaw") > 1.0 * kMillimetre);
+}
+
+// But trismus, which is of the jaw (tst_mouth_opening.cpp).
 void TestAirwayChanges::movesMoreWithTheSeverity_data()
 {
     QTest::addColumn<AirwayEventKind>("kind");
     for (int kind = 0; kind < kAirwayEventKinds; ++kind) {
         const auto each = static_cast<AirwayEventKind>(kind);
-        QTest::newRow(eventName(each)) << each;
+        if (each != AirwayEventKind::Trismus)
+            QTest::newRow(eventName(each)) << each;
     }
 }
 
@@ -481,8 +714,18 @@ void TestAirwayChanges::saysWhatASetCannotShow()
     person.airway.p_A_notch = person.airway.p_A_commissure;
     QVERIFY(!airwayChanges(person.airway, {{AirwayEventKind::Laryngospasm, 1.0}}, 0.0).isThere());
     for (const auto kind : {AirwayEventKind::AnteriorLarynx, AirwayEventKind::AngioOedema,
-                            AirwayEventKind::LaryngealWeb})
+                            AirwayEventKind::LaryngealWeb, AirwayEventKind::ExternalPressure})
         QVERIFY(!canShow(person.airway, kind));
+    for (const auto kind : {AirwayEventKind::TrachealStenosis, AirwayEventKind::TrachealDeviation,
+                            AirwayEventKind::Goitre, AirwayEventKind::ProminentIncisors})
+        QVERIFY(canShow(person.airway, kind));
+    person.airway.windpipe.reset();
+    person.airway.hasIncisors = false;
+    for (const auto kind : {AirwayEventKind::TrachealStenosis, AirwayEventKind::TrachealDeviation,
+                            AirwayEventKind::Goitre, AirwayEventKind::ProminentIncisors}) {
+        QVERIFY(!canShow(person.airway, kind));
+        QVERIFY(!person.field(kind, 1.0).isThere());
+    }
 }
 
 CARINA_TEST(TestAirwayChanges)

@@ -254,7 +254,14 @@ void TestAirwayEvents::areCheckedByTheHost_data()
          {FloppyEpiglottis, 1.0},
          {AnteriorLarynx, 1.0},
          {AngioOedema, 1.0},
-         {LaryngealWeb, 1.0}},
+         {LaryngealWeb, 1.0},
+         {ExternalPressure, 1.0},
+         {TrachealStenosis, 1.0},
+         {TrachealDeviation, 1.0},
+         {Goitre, 1.0},
+         {NeckObesity, 1.0},
+         {ProminentIncisors, 1.0},
+         {Trismus, 1.0}},
         minutes{10}, "fine");
     row("worse than the worst", {{TongueOedema, 1.0 + 1e-9}}, {}, "out of range");
     row("negative", {{TongueOedema, -1e-9}}, {}, "out of range");

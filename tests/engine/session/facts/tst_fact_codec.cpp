@@ -180,9 +180,9 @@ void TestFactCodec::refusesBadBytes_data()
     row("object kind 11", "06 0100 0100 0b 00", "fact of kind 6: enumerator");
     row("locked twice", "17 02", "fact of kind 23: flag");
     row("code of role 3", "18 03", "fact of kind 24: enumerator");
-    row("airway event 9", "26 01 09 0000000000000000 0000000000000000",
+    row("airway event 16", "26 01 10 0000000000000000 0000000000000000",
         "fact of kind 38: enumerator");
-    row("ten airway events", "26 0a", "fact of kind 38: number of airway events");
+    row("seventeen airway events", "26 11", "fact of kind 38: number of airway events");
     row("wanted twice", "0c 0100 02", "fact of kind 12: flag");
     row("infinite rate", "08 000000000000f07f", "fact of kind 8: finite number");
     row("negative infinite volume", "09 000000000000f0ff", "fact of kind 9: finite number");

@@ -36,6 +36,8 @@ private Q_SLOTS:
     void followsAnotherInstructor();
     void letsOnlyAnInstructorChange();
     void saysThatATongueIsMissing();
+    void saysThatATracheaIsMissing();
+    void saysThatIncisorsAreMissing();
     void saysThatAnEpiglottisIsTooSmall();
     void saysWhatALarynxLacks();
     void ofAllPatientsSetsWhatOneDoesNotShow();
@@ -334,6 +336,23 @@ void TestAirwayEventModel::saysThatATongueIsMissing()
     console.settle();
     QVERIFY(console.decided().empty());
     QVERIFY(!console.model.canBeSet(TongueOedema));
+}
+
+void TestAirwayEventModel::saysThatATracheaIsMissing()
+{
+    const Console console{test::childWithout(PartRole::Trachea)};
+    for (const AirwayEventKind kind : {TrachealStenosis, TrachealDeviation, Goitre})
+        QCOMPARE(console.model.limits().of(kind),
+                 QStringLiteral("Not shown: this patient has no trachea of its own."));
+    QCOMPARE(console.shownKinds().size(), std::size_t{kAirwayEventKinds - 3});
+}
+
+void TestAirwayEventModel::saysThatIncisorsAreMissing()
+{
+    const Console console{test::childWithout(PartRole::Tooth)};
+    QCOMPARE(console.model.limits().of(ProminentIncisors),
+             QStringLiteral("Not shown: this patient has no teeth where the upper incisors are."));
+    QCOMPARE(console.shownKinds().size(), std::size_t{kAirwayEventKinds - 1});
 }
 
 void TestAirwayEventModel::saysThatAnEpiglottisIsTooSmall()

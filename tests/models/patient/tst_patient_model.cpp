@@ -71,6 +71,29 @@ private Q_SLOTS:
         QCOMPARE((throat.X_AJ * chin - chin).norm(), 0.0);
     }
 
+    /// The mouth of the surfaces is open by 20 mm; one that a probe opens farther stops as well.
+    void opensTheMouthNoFartherThanTrismusLets()
+    {
+        const Vec3& incisors = m_patient->landmarks().p_A_incisors;
+        const RigidTransform heldInverse = m_patient->throat(RigidTransform{}).X_AJ;
+        const auto opening_mm = [&](const std::optional<RigidTransform>& X_AJ, double severity) {
+            const AirwayEvents events{{AirwayEventKind::Trismus, severity}};
+            const RigidTransform drawn =
+                m_patient->throat(X_AJ, events).X_AJ * heldInverse.inverse();
+            return 1e3 * (drawn * incisors - incisors).norm();
+        };
+        const double size = (m_patient->landmarks().p_A_glottis - incisors).norm() / 87.6e-3;
+        QVERIFY(std::abs(opening_mm({}, 1.0) - 10.0 * size) < 1e-6);
+        const RigidTransform wide = heldInverse.inverse() * heldInverse.inverse();
+        QVERIFY(opening_mm(wide, 0.0) > 25.0);
+        QVERIFY(std::abs(opening_mm(wide, 1.0) - 10.0 * size) < 1e-6);
+        QVERIFY(opening_mm(RigidTransform{}, 1.0) < 1e-9);
+        const Vec3 chin{0.0, -0.08, 0.12};
+        const RigidTransform unlimited =
+            m_patient->throat({}, {{AirwayEventKind::Trismus, 0.01}}).X_AJ;
+        QVERIFY((unlimited * chin - chin).norm() < 1e-12);
+    }
+
     /// What hangs from the jaw is where it is drawn; all else is where it was made.
     void movesWithTheJawWhatHangsFromIt()
     {

@@ -32,6 +32,21 @@ private Q_SLOTS:
         QCOMPARE(teeth, 28);
     }
 
+    void opensTheMouthNoFartherThanEventsLet()
+    {
+        const auto patient = patientOf(builtinPatient(BuiltinPatient::TwelveYears).value());
+        QVERIFY(patient.has_value());
+        const Vec3& incisors = (*patient)->landmarks().p_A_incisors;
+        StationMoment moment;
+        const auto moved = [&] {
+            const RigidTransform X = throatAt(moment, **patient).X_AJ;
+            return (X * incisors - incisors).norm();
+        };
+        QCOMPARE(moved(), 0.0);
+        moment.airwayEvents = {{AirwayEventKind::Trismus, 1.0}};
+        QVERIFY(moved() > 0.003); // shut from 20 mm to some 10
+    }
+
     void drawsThePatientInItsPlaceUntilItIsActedOn()
     {
         const SceneFrame frame = sceneFrame({}, ChestField{});

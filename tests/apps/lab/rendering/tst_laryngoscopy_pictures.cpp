@@ -56,6 +56,9 @@ private Q_SLOTS:
     void shutsTheCordsInASpasm();
     void worsensTheViewByEvents_data();
     void worsensTheViewByEvents();
+    void showsWhatChangesMouthAndNeck_data();
+    void showsWhatChangesMouthAndNeck();
+    void seesMoreOfAnAnteriorLarynxThatIsPressed();
 
 private:
     QTemporaryDir m_folder;
@@ -182,6 +185,43 @@ void TestLaryngoscopyPictures::worsensTheViewByEvents()
     QVERIFY(pogo(pictures[4]) <= pogo(m_pictures[4]));
     QVERIFY(pictures[4][QStringLiteral("visible_pixels")]
             != m_pictures[4][QStringLiteral("visible_pixels")]);
+}
+
+void TestLaryngoscopyPictures::showsWhatChangesMouthAndNeck_data()
+{
+    QTest::addColumn<QString>("event");
+    for (const char* name : {"external_pressure", "neck_obesity", "prominent_incisors", "trismus"})
+        QTest::newRow(name) << QString::fromLatin1(name);
+}
+
+void TestLaryngoscopyPictures::showsWhatChangesMouthAndNeck()
+{
+    QFETCH(QString, event);
+    const QJsonArray pictures = drawn(m_folder.filePath(event), {QStringLiteral("--event"),
+                                                                 event})[QStringLiteral("pictures")]
+                                    .toArray();
+    QCOMPARE(pictures.size(), 5);
+    qInfo("%s: %.0f %%, grade %s", qPrintable(event),
+          pictures[4][QStringLiteral("pogo_percent")].toDouble(), qPrintable(grade(pictures[4])));
+    QVERIFY(pictures[4][QStringLiteral("visible_pixels")]
+            != m_pictures[4][QStringLiteral("visible_pixels")]);
+}
+
+// BURP (Knill 1993).
+void TestLaryngoscopyPictures::seesMoreOfAnAnteriorLarynxThatIsPressed()
+{
+    const auto pogo = [this](const char* name, const QStringList& more) {
+        const QStringList anterior{QStringLiteral("--event"), QStringLiteral("anterior_larynx")};
+        const QJsonArray pictures = drawn(m_folder.filePath(QString::fromLatin1(name)),
+                                          anterior + more)[QStringLiteral("pictures")]
+                                        .toArray();
+        return pictures.size() == 5 ? pictures[4][QStringLiteral("pogo_percent")].toDouble() : -1.0;
+    };
+    const double anterior = pogo("anterior", {});
+    const double pressed =
+        pogo("pressed", {QStringLiteral("--event"), QStringLiteral("external_pressure")});
+    qInfo("%.0f %%, pressed %.0f %%", anterior, pressed);
+    QVERIFY(anterior >= 0.0 && pressed > anterior);
 }
 
 CARINA_SCREEN_TEST(TestLaryngoscopyPictures)

@@ -79,6 +79,9 @@ private Q_SLOTS:
     void goesOnBetweenTheSteps();
     void keepsClearOfTheTeeth_data() { blades(); }
     void keepsClearOfTheTeeth();
+    void keepsClearOfTeethThatStandOut_data() { blades(); }
+    void keepsClearOfTeethThatStandOut();
+    void opensTheMouthNoFartherThanItLets();
     void liftsTheEpiglottisOnlyInTheEnd_data() { blades(); }
     void liftsTheEpiglottisOnlyInTheEnd();
     void leavesNoTongueInsideTheBlade_data() { blades(); }
@@ -114,6 +117,17 @@ void TestLaryngoscopyPath::findsThePlacesOfAnAirway()
     QVERIFY(airway.p_A_epiglottisBase.z() > airway.p_A_commissure.z());
     QVERIFY(airway.forward_A().dot(airway.p_A_commissure - airway.p_A_notch) > 0.01);
     QVERIFY((airway.path_A.front() - airway.p_A_incisors).norm() < kLengthTolerance_m);
+    // Its trachea has the diameters of the patient (docs/patient.md), and the skin is before it.
+    QVERIFY(airway.windpipe && airway.p_A_neck && airway.hasIncisors);
+    QVERIFY(airway.windpipe->halfWidth > millimetres(5.0)
+            && airway.windpipe->halfWidth < millimetres(12.0));
+    QVERIFY(airway.windpipe->halfDepth > millimetres(5.0)
+            && airway.windpipe->halfDepth < millimetres(10.0));
+    QVERIFY(std::abs(airway.windpipe->p_A_middle.x()) < 1e-3);
+    const Vec3 toSkin = *airway.p_A_neck - airway.windpipe->p_A_middle;
+    QVERIFY(toSkin.dot(airway.forward_A()) > 0.02 && std::abs(toSkin.dot(airway.up_A)) < 0.01);
+    QCOMPARE(airway.p_A_edge(), airway.p_A_incisors);
+    QVERIFY(!airway.mostOpening);
 }
 
 void TestLaryngoscopyPath::hasAGlottisOfPublishedLength()
@@ -207,6 +221,45 @@ void TestLaryngoscopyPath::keepsClearOfTheTeeth()
             QVERIFY2(clear > kTeethClearance.si - kLengthTolerance_m, stepName(step));
         }
     }
+}
+
+// The more they stand out and down, the less room a blade has, and so it is turned.
+void TestLaryngoscopyPath::keepsClearOfTeethThatStandOut()
+{
+    QFETCH(const BladeKind, kind);
+    const Blade& blade = bladeOf(kind);
+    const Person person = personOf(BuiltinPatient::Adult);
+    UpperAirway prominent = person.airway;
+    prominent.d_A_incisors = {0.0, -0.006, -0.002};
+    for (const LaryngoscopyStep step :
+         {LaryngoscopyStep::Epiglottis, LaryngoscopyStep::Partial, LaryngoscopyStep::Full}) {
+        const LaryngoscopyPose pose =
+            laryngoscopyPose(prominent, person.throat, blade, step, kUsualLift);
+        const double clear = belowBlade(blade, pose, prominent.p_A_edge());
+        QVERIFY2(clear > kTeethClearance.si - kLengthTolerance_m, stepName(step));
+        const LaryngoscopyPose usual =
+            laryngoscopyPose(person.airway, person.throat, blade, step, kUsualLift);
+        QVERIFY((tipOf(blade, pose) - tipOf(blade, usual)).norm() < kLengthTolerance_m);
+        QVERIFY(pose.X_AL.rotation().angularDistance(usual.X_AL.rotation()) > 1e-3);
+    }
+}
+
+void TestLaryngoscopyPath::opensTheMouthNoFartherThanItLets()
+{
+    const Person person = personOf(BuiltinPatient::Adult);
+    UpperAirway stiff = person.airway;
+    const auto opening_mm = [&](const UpperAirway& airway) {
+        const LaryngoscopyPose pose =
+            laryngoscopyPose(airway, person.throat, bladeOf(BladeKind::Macintosh3),
+                             LaryngoscopyStep::Epiglottis, kUsualLift);
+        return 1e3 * (pose.X_AJ * airway.p_A_incisors - airway.p_A_incisors).norm();
+    };
+    QVERIFY(opening_mm(stiff) > 30.0);
+    stiff.mostOpening = millimetres(15.0);
+    QVERIFY2(std::abs(opening_mm(stiff) - 15.0) < 0.1,
+             qPrintable(QString::number(opening_mm(stiff))));
+    stiff.mostOpening = millimetres(60.0);
+    QVERIFY(opening_mm(stiff) > 30.0);
 }
 
 void TestLaryngoscopyPath::liftsTheEpiglottisOnlyInTheEnd()

@@ -212,8 +212,7 @@ void pressLarynx(AirwayField& field, const UpperAirway& airway, double severity)
 /// By a stenosis from all sides, by a goitre from both.
 void narrowTrachea(AirwayField& field, const UpperAirway& airway, double stenosis, double goitre)
 {
-    constexpr double kMiddle =
-        0.9;                       // of the way to the widest, between front and end of a narrowing
+    constexpr double kMiddle = std::midpoint(formula::kNarrowFront, formula::kNarrowBack);
     constexpr double kReach = 1.4; // of half the width
     const WindpipePlace& place = *airway.windpipe;
     const Length toWidest = metres(std::max(

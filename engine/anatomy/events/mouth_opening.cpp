@@ -11,7 +11,7 @@ namespace carina
 std::optional<Length> mostMouthOpening(const AirwayEvents& events, double size)
 {
     const auto trismus = std::ranges::find(events, AirwayEventKind::Trismus, &AirwayEvent::kind);
-    if (trismus == events.end() || trismus->severity <= 0.0)
+    if (trismus == events.end() || trismus->severity <= 0.0 || !(size > 0.0))
         return std::nullopt;
     return metres(size * std::lerp(kMouthOpening.si, kLeastMouthOpening.si, trismus->severity));
 }

@@ -16,7 +16,8 @@ inline constexpr Length kMouthOpening = millimetres(50.0);
 inline constexpr Length kLeastMouthOpening = millimetres(10.0);
 
 /// How far the mouth opens at most while events last: from kMouthOpening evenly to
-/// kLeastMouthOpening by the severity of trismus, in proportion to the patient; nothing without it.
+/// kLeastMouthOpening by the severity of trismus, in proportion to the patient; nothing without it,
+/// and of who has no size.
 /// @param size of the way from incisors to glottis, kReferenceWay being 1
 [[nodiscard]] std::optional<Length> mostMouthOpening(const AirwayEvents& events, double size);
 

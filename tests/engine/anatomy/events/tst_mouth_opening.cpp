@@ -38,6 +38,7 @@ private Q_SLOTS:
         QVERIFY(!mostMouthOpening({}, 1.0));
         QVERIFY(!mostMouthOpening({{AirwayEventKind::TongueOedema, 1.0}}, 1.0));
         QVERIFY(!mostMouthOpening({{AirwayEventKind::Trismus, 0.0}}, 1.0));
+        QVERIFY(!mostMouthOpening({{AirwayEventKind::Trismus, 1.0}}, 0.0)); // no patient
     }
 
     // From the mean of grown people to 10 mm, evenly; a smaller patient's is smaller.

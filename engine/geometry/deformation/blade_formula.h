@@ -180,15 +180,6 @@ template <class T>
     return forwardShift<T>(blade, p, formula::followingLean<T>(blade.up.dot(p) + blade.upFrom));
 }
 
-/// One displacement after another, and the gradient of both.
-template <class T, class Second>
-[[nodiscard]] DisplacementAt<T> followedBy(const DisplacementAt<T>& first, const Vector3<T>& p,
-                                           Second second)
-{
-    const DisplacementAt<T> then = second(Vector3<T>{p + first.d});
-    return {first.d + then.d, first.gradient + then.gradient + then.gradient * first.gradient};
-}
-
 /// The displacement at p of one of the tissues, and its gradient.
 template <class T>
 [[nodiscard]] DisplacementAt<T> bladePull(const BladeFrame<T>& blade, AirwayTissue tissue,

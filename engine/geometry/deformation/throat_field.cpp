@@ -24,6 +24,15 @@ JawShift<double> jawShift(const RigidTransform& X_AJ)
     return {X_AJ.rotation().toRotationMatrix() - Mat3::Identity(), X_AJ.translation()};
 }
 
+DisplacementAt<double> throatPull(const FollowingThroat& throat, ThroatTissue tissue,
+                                  const Vec3& p_A)
+{
+    const JawShift<double> jaw = jawShift(throat.X_AJ);
+    return pullInHead<double>(headPose(throat.neck), p_A, [&](const Vec3& p_U) {
+        return jawPull<double>(throat.field.frame(), tissue, jaw, p_U);
+    });
+}
+
 ThroatFrame<float> inSingle(const ThroatFrame<double>& frame)
 {
     return {frame.up.cast<float>(), static_cast<float>(frame.upFrom), frame.incisors.cast<float>(),
@@ -42,8 +51,14 @@ TriangleMesh deformed(const TriangleMesh& mesh_A, const FollowingThroat& throat,
     if (jaw.turn.isZero(0.0F) && jaw.shift.isZero(0.0F))
         return mesh_A;
     const ThroatFrame<float> frame = inSingle(throat.field.frame());
-    return movedMesh(
-        mesh_A, [&](const Vector3<float>& p_A) { return jawPull<float>(frame, tissue, jaw, p_A); });
+    const auto pullAt = [&](const Vector3<float>& p) {
+        return jawPull<float>(frame, tissue, jaw, p);
+    };
+    if (!throat.neck.isBent())
+        return movedMesh(mesh_A, pullAt);
+    return movedMesh(mesh_A, [&, head = inSingle(headPose(throat.neck))](const Vector3<float>& p) {
+        return pullInHead<float>(head, p, pullAt);
+    });
 }
 
 } // namespace carina

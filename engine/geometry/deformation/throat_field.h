@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/geometry/deformation/chest_field.h"
+#include "engine/geometry/deformation/neck_field.h"
 #include "engine/geometry/deformation/throat_formula.h"
 #include "engine/geometry/rigid_transform.h"
 
@@ -48,11 +49,17 @@ private:
     ThroatFrame<double> m_frame;
 };
 
-/// A throat, and the pose of its mandible.
+/// A throat, the pose of its mandible, and that of head and neck, which moves all of it first: what
+/// follows the jaw then does so in the frame of the head.
 struct FollowingThroat {
     ThroatField field;
-    RigidTransform X_AJ; ///< motion of the mandible from its pose in the surfaces
+    RigidTransform X_AJ; ///< motion of the mandible from its pose in the surfaces, in that frame
+    NeckField neck{};
 };
+
+/// The displacement by the jaw of what the neck has taken to p_A, and its gradient.
+[[nodiscard]] DisplacementAt<double> throatPull(const FollowingThroat& throat, ThroatTissue tissue,
+                                                const Vec3& p_A);
 
 /// R_AJ - I and the translation of X_AJ.
 [[nodiscard]] JawShift<double> jawShift(const RigidTransform& X_AJ);
@@ -63,7 +70,7 @@ struct FollowingThroat {
 
 /// The deformed mesh with its exact normals n ~ cof(I + grad d) n0, in single precision: the
 /// reference for the vertex shader resources/shaders/organ.vert, which applies it after breathing.
-/// Unchanged where X_AJ is the identity.
+/// Unchanged where X_AJ is the identity. @param mesh_A as the neck has it
 [[nodiscard]] TriangleMesh deformed(const TriangleMesh& mesh_A, const FollowingThroat& throat,
                                     ThroatTissue tissue);
 

@@ -115,6 +115,15 @@ template <class T>
         .normalized();
 }
 
+/// One displacement after another, and the gradient of both.
+template <class T, class Second>
+[[nodiscard]] DisplacementAt<T> followedBy(const DisplacementAt<T>& first, const Vector3<T>& p,
+                                           Second second)
+{
+    const DisplacementAt<T> then = second(Vector3<T>{p + first.d});
+    return {first.d + then.d, first.gradient + then.gradient + then.gradient * first.gradient};
+}
+
 /// The displacement at p and its gradient (see ThroatField).
 template <class T>
 [[nodiscard]] DisplacementAt<T> jawPull(const ThroatFrame<T>& frame, ThroatTissue tissue,

@@ -26,8 +26,11 @@ namespace
 {
 
 /// What they need of the shader.
-constexpr OrganShader kOpaque{
-    .hasManyRegions = false, .movesJaw = false, .pushesTissue = false, .changesAirway = false};
+constexpr OrganShader kOpaque{.hasManyRegions = false,
+                              .movesJaw = false,
+                              .pushesTissue = false,
+                              .changesAirway = false,
+                              .bendsNeck = false};
 
 std::vector<MergedSurface> opaqueSurfaces(const PatientScene& patient)
 {

@@ -7,7 +7,8 @@
 // engine/geometry/deformation/blade_formula.h. The names here are theirs. Nothing is uploaded meanwhile
 // but a matrix for each region, and one for the jaw. widgets/scene/look/organ_shader.h tells when what is
 // written between #ifdef and #endif is there. Before the jaw moves it, tissue is changed as engine/geometry/
-// deformation/airway_formula.h has it.
+// deformation/airway_formula.h has it, and then everything is moved with head and neck as
+// engine/geometry/deformation/neck_formula.h has it.
 
 in vec3 vertexPosition;
 in vec3 vertexNormal;
@@ -48,6 +49,13 @@ struct Swelling {
     mat4 form;
 };
 uniform Swelling swellings[16];
+#endif
+#ifdef NECK_BENDS
+// Columns: hinge and angle; along and from; arch and soft2; of the head against the neck, and of the
+// neck. The angle is 0 in the neutral position.
+uniform mat4 neckExtension;
+uniform mat4 neckFlexion;
+uniform mat4 headPose; // X_AU
 #endif
 #ifdef BLADE_PUSHES
 // Columns: across and acrossFrom; out and outFrom; along and alongFrom; rise, sag, halfWidth.
@@ -262,6 +270,12 @@ void followJaw(inout vec3 position, inout vec3 normal)
 {
     if (vertexPart.y < kMediastinum || jaw == mat4(0.0))
         return;
+#ifdef NECK_BENDS
+    // In the frame of the head: v * m is transpose(m) * v.
+    mat3 head = mat3(headPose);
+    position = (position - headPose[3].xyz) * head;
+    normal = normal * head;
+#endif
     vec3 slope;
     float s = jawShare(vertexPart.y == kPharynx ? kReachOfPharynx : kReachOfAirway, position, slope);
     vec3 anchor = mat3(jaw) * throat[2].xyz + jaw[3].xyz;
@@ -271,10 +285,14 @@ void followJaw(inout vec3 position, inout vec3 normal)
     mat3 j = mat3(1.0) + s * s * mat3(jaw) + outerProduct(along, slope);
     normal = normalize(normal.x * cross(j[1], j[2]) + normal.y * cross(j[2], j[0])
                        + normal.z * cross(j[0], j[1]));
+#ifdef NECK_BENDS
+    position = head * position + headPose[3].xyz;
+    normal = head * normal;
+#endif
 }
 #endif
 
-#if defined(AIRWAY_CHANGES) || defined(BLADE_PUSHES)
+#if defined(AIRWAY_CHANGES) || defined(BLADE_PUSHES) || defined(NECK_BENDS)
 // The normal that a surface has after a displacement with this gradient.
 vec3 turnedNormal(mat3 gradient, vec3 n)
 {
@@ -363,6 +381,29 @@ void changeAirway(inout vec3 position, inout vec3 normal)
     for (int i = 0; i < 16; ++i)
         if ((int(swellings[i].form[3].z) & tissue) != 0)
             swell(swellings[i].form, position, normal);
+}
+#endif
+
+#ifdef NECK_BENDS
+void bend(mat4 neck, inout vec3 position, inout vec3 normal)
+{
+    if (neck[0].w == 0.0)
+        return;
+    vec3 from = position - neck[0].xyz;
+    float root = sqrt(from.y * from.y + neck[2].y);
+    vec2 share = step3(dot(neck[1].xyz, position) + neck[1].w + neck[2].x * root);
+    if (share.x == 0.0)
+        return;
+    vec3 slope = neck[0].w * share.y * (neck[1].xyz + vec3(0.0, neck[2].x * from.y / root, 0.0));
+    float angle = neck[0].w * share.x;
+    float sine = sin(angle);
+    float halfSine = sin(0.5 * angle);
+    float less = 2.0 * halfSine * halfSine; // 1 - cosine
+    vec3 shift = vec3(0.0, -less * from.y - sine * from.z, sine * from.y - less * from.z);
+    vec3 turned = from + shift;
+    mat3 turn = mat3(0.0, 0.0, 0.0, 0.0, -less, sine, 0.0, -sine, -less); // column by column
+    position += shift;
+    normal = turnedNormal(turn + outerProduct(vec3(0.0, -turned.z, turned.y), slope), normal);
 }
 #endif
 
@@ -510,6 +551,10 @@ void main()
     deform(position, normal);
 #ifdef AIRWAY_CHANGES
     changeAirway(position, normal);
+#endif
+#ifdef NECK_BENDS
+    bend(neckExtension, position, normal);
+    bend(neckFlexion, position, normal);
 #endif
 #ifdef JAW_MOVES
     followJaw(position, normal);

@@ -292,8 +292,10 @@ std::optional<Vec3> drawnAt(const ScenePart& part, const Vec3& p_F, const SceneF
     const auto moved = airwayTissueOf(part.region);
     if (moved && frame.airway.isThere())
         p += airwayPull(frame.airway.frame(), *moved, p).d;
+    if (part.body == frame.bends && frame.throat.neck.isBent())
+        p = frame.throat.neck.placed(p);
     if (const auto tissue = tissueOf(part.region))
-        p += jawPull(frame.throat.field.frame(), *tissue, jawShift(frame.throat.X_AJ), p).d;
+        p += throatPull(frame.throat, *tissue, p).d;
     if (moved && frame.blade.isThere())
         p += bladePull(frame.blade.frame(), *moved, p).d;
     const auto place = placeOf(frame, part.body, part.liftedWith);

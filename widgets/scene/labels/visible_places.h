@@ -39,8 +39,8 @@ struct SeenPoint {
 /// @returns std::nullopt for a point that is not in front of the near plane or outside the picture
 [[nodiscard]] std::optional<SeenPoint> seenPoint(const Vec3& p_A, const SceneSight& sight);
 
-/// Where a frame draws a point of a part: moved by breathing, by the jaw, by a blade and by its
-/// body, and lifted out with its group.
+/// Where a frame draws a point of a part: moved by breathing, by head and neck, by the jaw, by a
+/// blade and by its body, and lifted out with its group.
 /// @returns std::nullopt if the part's body is not drawn
 [[nodiscard]] std::optional<Vec3> drawnAt(const ScenePart& part, const Vec3& p_F,
                                           const SceneFrame& frame);

@@ -30,6 +30,15 @@ QMatrix4x4 swellingUniform(const SwellingFrame<float>& frame)
     return uniform;
 }
 
+QMatrix4x4 bendUniform(const NeckBend<float>& bend)
+{
+    QMatrix4x4 uniform;
+    uniform.setColumn(0, column(bend.hinge, bend.angle));
+    uniform.setColumn(1, column(bend.along, bend.from));
+    uniform.setColumn(2, {bend.arch, bend.soft2, 0.0F, 0.0F});
+    return uniform;
+}
+
 } // namespace
 
 QMatrix4x4 chestUniform(const ChestField& field)
@@ -96,7 +105,7 @@ QMatrix4x4 tiltUniform(const BladeField& field)
     return uniform;
 }
 
-std::array<AirwayUniform, kAirwayUniforms> airwayUniforms(const AirwayField& field)
+std::array<NamedUniform, kAirwayUniforms> airwayUniforms(const AirwayField& field)
 {
     constexpr std::array kSwellings{
         "swellings[0].form",  "swellings[1].form",  "swellings[2].form",  "swellings[3].form",
@@ -105,7 +114,7 @@ std::array<AirwayUniform, kAirwayUniforms> airwayUniforms(const AirwayField& fie
         "swellings[12].form", "swellings[13].form", "swellings[14].form", "swellings[15].form"};
     static_assert(kSwellings.size() == kMostSwellings);
     const AirwayFrame<float> frame = inSingle(field.frame());
-    std::array<AirwayUniform, kAirwayUniforms> all;
+    std::array<NamedUniform, kAirwayUniforms> all;
     all[0] = {"cords", narrowingUniform(frame.cords)};
     all[1] = {"web", narrowingUniform(frame.web)};
     all[2] = {"vestibule", narrowingUniform(frame.vestibule)};
@@ -115,6 +124,19 @@ std::array<AirwayUniform, kAirwayUniforms> airwayUniforms(const AirwayField& fie
     for (std::size_t n = 0; n < kMostSwellings; ++n)
         all[6 + n] = {kSwellings[n], swellingUniform(frame.swellings[n])};
     return all;
+}
+
+std::array<NamedUniform, kNeckUniforms> neckUniforms(const NeckField& field)
+{
+    const NeckFrame<float> frame = inSingle(field.frame());
+    const HeadPose<float> head = inSingle(headPose(field));
+    QMatrix4x4 pose;
+    for (int axis = 0; axis < 3; ++axis)
+        pose.setColumn(axis, column(Vec3f{head.turn.col(axis)}));
+    pose.setColumn(3, column(head.shift, 1.0F));
+    return {NamedUniform{"neckExtension", bendUniform(frame.extension)},
+            NamedUniform{"neckFlexion", bendUniform(frame.flexion)},
+            NamedUniform{"headPose", pose}};
 }
 
 bool isJawMoved(const RigidTransform& X_AJ)

@@ -25,12 +25,15 @@ namespace carina
 [[nodiscard]] QMatrix4x4 tiltUniform(const BladeField& field);
 /// The uniforms for what events change of an airway, each by the name that it has in the shader.
 /// All 0 where nothing is changed.
-struct AirwayUniform {
+struct NamedUniform {
     const char* name;
     QMatrix4x4 value;
 };
 inline constexpr std::size_t kAirwayUniforms = 6 + kMostSwellings;
-[[nodiscard]] std::array<AirwayUniform, kAirwayUniforms> airwayUniforms(const AirwayField& field);
+[[nodiscard]] std::array<NamedUniform, kAirwayUniforms> airwayUniforms(const AirwayField& field);
+/// The same for a neck: both bends, and the pose of the head.
+inline constexpr std::size_t kNeckUniforms = 3;
+[[nodiscard]] std::array<NamedUniform, kNeckUniforms> neckUniforms(const NeckField& field);
 /// Whether the jaw is displaced: jawUniform is not all 0.
 [[nodiscard]] bool isJawMoved(const RigidTransform& X_AJ);
 

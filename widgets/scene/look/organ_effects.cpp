@@ -205,6 +205,14 @@ void OrganEffects::letAirwayChange()
     askForPrograms();
 }
 
+void OrganEffects::letNeckBend()
+{
+    if (m_needs.bendsNeck)
+        return;
+    m_needs.bendsNeck = true;
+    askForPrograms();
+}
+
 void OrganEffects::setSpotlight(const std::optional<Spotlight>& lamp)
 {
     if (lamp.has_value() != m_needs.isSpotlit) {

@@ -77,6 +77,8 @@ public:
     void letBladePush();
     /// Enables what events change of an airway.
     void letAirwayChange();
+    /// Enables that head and neck move.
+    void letNeckBend();
     /// Lights the scene by a lamp beside the eye alone; std::nullopt: as usual. Of two lamps only
     /// the uniform differs.
     void setSpotlight(const std::optional<Spotlight>& lamp);
@@ -109,7 +111,8 @@ private:
     Qt3DRender::QParameter* m_spot;
     OrganShader m_needs{.movesJaw = false,
                         .pushesTissue = false,
-                        .changesAirway = false}; ///< of each layer, but regions
+                        .changesAirway = false,
+                        .bendsNeck = false}; ///< of each layer, but regions
     bool m_isMapped = false;
     int m_framesToCome = 0; ///< until the requested programs are used; 0 if none are requested
 };

@@ -16,6 +16,8 @@ QByteArray organVertexShader(const OrganShader& needs)
         defined += "#define BLADE_PUSHES\n";
     if (needs.changesAirway)
         defined += "#define AIRWAY_CHANGES\n";
+    if (needs.bendsNeck)
+        defined += "#define NECK_BENDS\n";
     if (needs.isSpotlit)
         defined += "#define SPOTLIGHT\n";
     QByteArray source = resource("shaders/organ.vert");

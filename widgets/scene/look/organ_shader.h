@@ -15,6 +15,7 @@ struct OrganShader {
     bool movesJaw = true;       ///< uniforms throat and jaw; else the jaw stays as in the surfaces
     bool pushesTissue = true;   ///< uniforms blade and tilt; else no blade moves anything
     bool changesAirway = true;  ///< uniforms of airwayUniforms; else no events
+    bool bendsNeck = true;      ///< uniforms of neckUniforms; else the head is in neutral position
     bool isSpotlit = false;     ///< uniform spot: lit by a lamp beside the eye alone
 
     friend auto operator<=>(const OrganShader&, const OrganShader&) = default;

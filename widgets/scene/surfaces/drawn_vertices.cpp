@@ -186,7 +186,9 @@ void DrawnVertices::Card::runShader(const ChestField& field, const ChestMotion& 
     program.setUniformValue("jaw", jawUniform(throat.X_AJ));
     program.setUniformValue("blade", bladeUniform(blade));
     program.setUniformValue("tilt", tiltUniform(blade));
-    for (const AirwayUniform& uniform : airwayUniforms(airway))
+    for (const NamedUniform& uniform : neckUniforms(throat.neck))
+        program.setUniformValue(uniform.name, uniform.value);
+    for (const NamedUniform& uniform : airwayUniforms(airway))
         program.setUniformValue(uniform.name, uniform.value);
     program.setAttributeValue("vertexPart", 0.0F, static_cast<float>(region), 0.0F);
     for (std::size_t k = 0; k < kCaptured.size(); ++k) {

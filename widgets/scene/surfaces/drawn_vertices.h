@@ -39,6 +39,7 @@ public:
         std::vector<Vec3f> normals;   ///< unit
     };
 
+    /// The whole mesh bends with the throat's neck.
     /// @returns NoGraphics when the context is lost.
     [[nodiscard]] Result<Vertices> at(const ChestField& field, const ChestMotion& motion,
                                       const FollowingThroat& throat = {},

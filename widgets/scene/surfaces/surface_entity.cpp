@@ -27,10 +27,10 @@ std::vector<Qt3DRender::QParameter*> motionParameters(bool hasManyRegions)
     return parameters;
 }
 
-std::vector<Qt3DRender::QParameter*> airwayParameters()
+std::vector<Qt3DRender::QParameter*> parametersOf(std::span<const NamedUniform> uniforms)
 {
     std::vector<Qt3DRender::QParameter*> parameters;
-    for (const AirwayUniform& uniform : airwayUniforms({}))
+    for (const NamedUniform& uniform : uniforms)
         parameters.push_back(
             new Qt3DRender::QParameter(QString::fromLatin1(uniform.name), uniform.value));
     return parameters;
@@ -48,7 +48,8 @@ SurfaceEntity::SurfaceEntity(MergedSurface surface, Qt3DRender::QEffect* effect,
       m_columns(surfaceColumns(surface.vertices, m_entity.get())),
       m_chest(new Qt3DRender::QParameter(QStringLiteral("chest"), QMatrix4x4{})),
       m_motions(motionParameters(!m_key.region)),
-      m_airway(airwayParameters()),
+      m_airway(parametersOf(airwayUniforms({}))),
+      m_neck(parametersOf(neckUniforms({}))),
       m_throat(new Qt3DRender::QParameter(QStringLiteral("throat"), throatUniform({}))),
       m_jaw(new Qt3DRender::QParameter(QStringLiteral("jaw"), jawUniform({}))),
       m_blade(new Qt3DRender::QParameter(QStringLiteral("blade"), bladeUniform({}))),
@@ -62,8 +63,9 @@ SurfaceEntity::SurfaceEntity(MergedSurface surface, Qt3DRender::QEffect* effect,
     m_material->addParameter(m_chest);
     for (Qt3DRender::QParameter* motion : m_motions)
         m_material->addParameter(motion);
-    for (Qt3DRender::QParameter* change : m_airway)
-        m_material->addParameter(change);
+    for (const auto* parameters : {&m_airway, &m_neck})
+        for (Qt3DRender::QParameter* parameter : *parameters)
+            m_material->addParameter(parameter);
     for (Qt3DRender::QParameter* parameter : {m_throat, m_jaw, m_blade, m_tilt})
         m_material->addParameter(parameter);
     m_shares.push_back(
@@ -91,6 +93,17 @@ void SurfaceEntity::setAirway(const AirwayField& airway)
     const auto uniforms = airwayUniforms(airway);
     for (std::size_t i = 0; i < uniforms.size(); ++i)
         m_airway[i]->setValue(uniforms[i].value);
+}
+
+/// Likewise.
+void SurfaceEntity::setNeck(const NeckField& neck)
+{
+    if (!neck.isBent() && !m_isNeckBent)
+        return;
+    m_isNeckBent = neck.isBent();
+    const auto uniforms = neckUniforms(neck);
+    for (std::size_t i = 0; i < uniforms.size(); ++i)
+        m_neck[i]->setValue(uniforms[i].value);
 }
 
 /// Gives each group that is lifted out, and of which parts are here, a share of its own.
@@ -123,6 +136,7 @@ void SurfaceEntity::apply(const SceneFrame& frame)
     m_chest->setValue(chestUniform(frame.chest.field));
     setMotion(frame.chest);
     setAirway(frame.airway);
+    setNeck(m_key.body == frame.bends ? frame.throat.neck : NeckField{});
     m_throat->setValue(throatUniform(frame.throat.field));
     m_jaw->setValue(jawUniform(frame.throat.X_AJ));
     m_blade->setValue(bladeUniform(frame.blade));

@@ -42,6 +42,7 @@ public:
 private:
     void setMotion(const BreathingChest& chest);
     void setAirway(const AirwayField& airway);
+    void setNeck(const NeckField& neck);
     void liftShares(const SceneFrame& frame);
     [[nodiscard]] std::vector<SurfacePiece> piecesOf(const SurfaceShare& share) const;
 
@@ -61,6 +62,8 @@ private:
     std::vector<Qt3DRender::QParameter*> m_motions;
     std::vector<Qt3DRender::QParameter*> m_airway; ///< in the order of airwayUniforms
     bool m_isAirwayChanged = false;                ///< by the latest frame
+    std::vector<Qt3DRender::QParameter*> m_neck;   ///< in the order of neckUniforms
+    bool m_isNeckBent = false;                     ///< by the latest frame
     Qt3DRender::QParameter* m_throat;
     Qt3DRender::QParameter* m_jaw;
     Qt3DRender::QParameter* m_blade;

@@ -62,7 +62,8 @@ struct SceneFrame {
     BreathingChest chest;
     AirwayField airway; ///< what events change of the throat's tissue before it follows the jaw
     FollowingThroat throat;
-    BladeField blade; ///< which pushes tissue that has followed the jaw
+    std::string bends; ///< the body that the neck of `throat` bends; others keep their forms
+    BladeField blade;  ///< which pushes tissue that has followed the jaw
 
     /// The pose of each moving body, by name. A body that is not listed is not drawn: a lost pose
     /// is never an identity.

@@ -161,6 +161,8 @@ void SceneRenderer::apply(const SceneFrame& frame, std::span<const int> levels)
         m_effects.letJawMove();
     if (frame.airway.isThere())
         m_effects.letAirwayChange();
+    if (frame.throat.neck.isBent())
+        m_effects.letNeckBend();
     if (frame.blade.isThere())
         m_effects.letBladePush();
     m_effects.setSpotlight(m_spotlight ? std::optional{Spotlight{m_forward_A, *m_spotlight}}

@@ -1,6 +1,7 @@
 #include "tests/support/test_class.h"
 #include "tests/support/throat_motion.h"
 #include "tests/widgets/scene/scene_fixture.h"
+#include "widgets/scene/labels/visible_places.h"
 #include "widgets/scene/view/graphics.h"
 
 namespace carina::jaw_in_view_test
@@ -25,6 +26,13 @@ double column(double x)
     return 0.5 + focal * x / (kDistance + p_A_tongue.y()) / kWidth;
 }
 
+/// In heights of the picture from its top.
+double row(const Vec3& p_A)
+{
+    const double perHeight = 2.0 * std::tan(0.5 * OrbitCamera::kVerticalFieldOfView);
+    return 0.5 - p_A.z() / (kDistance + p_A.y()) / perHeight;
+}
+
 } // namespace
 
 class TestJawInView : public QObject
@@ -38,6 +46,8 @@ private Q_SLOTS:
     void init();
     void followsAJawThatBeginsToMove_data();
     void followsAJawThatBeginsToMove();
+    void followsAHeadThatBeginsToMove_data();
+    void followsAHeadThatBeginsToMove();
 };
 
 void TestJawInView::init()
@@ -82,6 +92,42 @@ void TestJawInView::followsAJawThatBeginsToMove()
         QVERIFY2(isMoved || (isStill && i < 2 + kSwitchFrames),
                  qPrintable(QString::number(seen[i])));
     }
+}
+
+void TestJawInView::followsAHeadThatBeginsToMove_data()
+{
+    QTest::addColumn<std::string>("bends");
+    QTest::newRow("of this body") << std::string{"patient"};
+    QTest::newRow("of another body") << std::string{"other"};
+}
+
+/// A neck bends the parts of its body, and no others.
+void TestJawInView::followsAHeadThatBeginsToMove()
+{
+    QFETCH(std::string, bends);
+    const Vec3 p_A_incisors{0.0, -0.3, 0.0};
+    const NeckField neck{{0.0, 0.0, -0.2}, p_A_incisors, {degrees(30.0), {}}};
+    const ScenePart tooth =
+        spherePart(1, MaterialGroup::Bone, p_A_incisors, kRadius, "patient");
+    SceneFrame shown = frontFrame();
+    shown.bodies["patient"] = {};
+    shown.bends = bends;
+    double seen = -1.0;
+    const auto view = shownView({tooth}, [&](int, LocalTime) { return shown; });
+    view->onFrameDrawn([&](const DrawnFrame&) {
+        const auto centre = redCentre(onScreen(*view));
+        seen = centre ? centre->y() : -1.0;
+    });
+    QVERIFY(draws(*view, 5));
+    QVERIFY(std::abs(seen - row(p_A_incisors)) < kTolerance);
+    shown.throat.neck = neck;
+    QVERIFY(draws(*view, 10));
+    const bool isBent = bends == tooth.body;
+    const Vec3 p_A_drawn = isBent ? neck.X_AU() * p_A_incisors : p_A_incisors;
+    QVERIFY(std::abs(row(neck.X_AU() * p_A_incisors) - row(p_A_incisors)) > 0.1);
+    QVERIFY2(std::abs(seen - row(p_A_drawn)) < kTolerance, qPrintable(QString::number(seen)));
+    // And so it is named where it is drawn.
+    QVERIFY((drawnAt(tooth, p_A_incisors, shown).value() - p_A_drawn).norm() < 1e-12);
 }
 
 CARINA_SCREEN_TEST(TestJawInView)

@@ -24,6 +24,8 @@ constexpr double kPushedTolerance_m = 2e-7;     ///< a few more of them
 constexpr double kPushedNormalTolerance = 2e-4; ///< where tissue is pressed thin
 constexpr double kChangedTolerance_m = 4e-7;    ///< one deformation more
 constexpr double kChangedNormalTolerance = 5e-4;
+constexpr double kBentTolerance_m = 1e-6; ///< sines of a graphics card are good to some 1e-6
+constexpr double kBentNormalTolerance = 2e-3;
 constexpr double kVolumeTolerance_ml = 0.1;
 
 TriangleMesh lung(double x, std::uint32_t rings)
@@ -98,6 +100,9 @@ AirwayField changesInLungs()
     return airway;
 }
 
+/// A neck as large as both lungs, with both bends in them.
+NeckField bentNeck() { return {{0.0, -0.04, -0.01}, {0.0, -0.11, 0.04}, kSniffing}; }
+
 } // namespace
 
 class TestDrawnVertices : public QObject
@@ -113,11 +118,14 @@ private Q_SLOTS:
     void drawsWhatABladePushesAsTheReference();
     void drawsWhatEventsChangeAsTheReference_data();
     void drawsWhatEventsChangeAsTheReference();
+    void drawsABentNeckAsTheReference_data();
+    void drawsABentNeckAsTheReference();
     void movesAlikeInEveryForm_data();
     void movesAlikeInEveryForm();
     void leavesRestExactlyAsItIs();
     void keepsEveryOtherRegionFromTheJaw();
     void keepsEveryOtherRegionFromEvents();
+    void bendsNoNeckWithoutItsShader();
     void followsTheCommandedVolume();
     void leavesTheContextThatWasCurrent();
     void movesWithItsUploadedMesh();
@@ -265,6 +273,48 @@ void TestDrawnVertices::drawsWhatEventsChangeAsTheReference()
     }
 }
 
+void TestDrawnVertices::drawsABentNeckAsTheReference_data()
+{
+    QTest::addColumn<ChestRegion>("region");
+    QTest::newRow("spine and skull") << ChestRegion::Still;
+    QTest::newRow("skin") << ChestRegion::Wall;
+    QTest::newRow("trachea") << ChestRegion::Mediastinum;
+    QTest::newRow("tongue") << ChestRegion::Throat;
+    QTest::newRow("pharynx") << ChestRegion::Pharynx;
+    QTest::newRow("larynx and epiglottis") << ChestRegion::Larynx;
+}
+
+// Changed by events, bent, then moved by the jaw in the frame of the head and by a blade in A.
+void TestDrawnVertices::drawsABentNeckAsTheReference()
+{
+    constexpr float kMoved_m = 0.005F;
+    QFETCH(ChestRegion, region);
+    const LungPair lungs = LungPair::of(patient()).value();
+    const FollowingThroat following{throat(), openJaw(), bentNeck()};
+    const BladeField blade = bladeInLungs();
+    const AirwayField airway = changesInLungs();
+    const auto tissue = airwayTissueOf(region);
+    for (const BreathingPart& part : lungs.parts()) {
+        const TriangleMesh& mesh = part.levels.front();
+        DrawnVertices drawn = DrawnVertices::of(mesh, region).value();
+        const TriangleMesh changed = tissue ? deformed(mesh, airway, *tissue) : mesh;
+        const TriangleMesh bent = deformed(changed, following.neck);
+        const auto follows = tissueOf(region);
+        const TriangleMesh followed = follows ? deformed(bent, following, *follows) : bent;
+        const TriangleMesh reference = tissue ? deformed(followed, blade, *tissue) : followed;
+        const auto [positions, normals] =
+            drawn.at(lungs.field(), {}, following, blade, airway).value();
+        float furthest = 0.0F;
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            QVERIFY((positions[i] - reference.positions[i]).cwiseAbs().maxCoeff()
+                    < kBentTolerance_m);
+            QVERIFY((normals[i] - reference.normals[i]).norm() < kBentNormalTolerance);
+            furthest = std::max(furthest, (bent.positions[i] - changed.positions[i]).norm());
+        }
+        QVERIFY(furthest > kMoved_m);
+    }
+}
+
 void TestDrawnVertices::movesAlikeInEveryForm_data()
 {
     QTest::addColumn<bool>("many");
@@ -341,6 +391,19 @@ void TestDrawnVertices::keepsEveryOtherRegionFromEvents()
         QVERIFY(without.at(lungs.field(), {}, {}, {}, changesInLungs()).value().positions
                 == mesh.positions);
     }
+}
+
+void TestDrawnVertices::bendsNoNeckWithoutItsShader()
+{
+    const LungPair lungs = LungPair::of(patient()).value();
+    const TriangleMesh& mesh = lungs.parts().front().levels.front();
+    const FollowingThroat bent{throat(), {}, bentNeck()};
+    DrawnVertices with = DrawnVertices::of(mesh).value();
+    QVERIFY(with.at(lungs.field(), {}, bent).value().positions != mesh.positions);
+    QVERIFY(with.at(lungs.field(), {}, {throat(), {}}).value().positions == mesh.positions);
+    DrawnVertices without =
+        DrawnVertices::of(mesh, ChestRegion::Still, {.bendsNeck = false}).value();
+    QVERIFY(without.at(lungs.field(), {}, bent).value().positions == mesh.positions);
 }
 
 // Two breaths of 280 ml, in 380 frames.

@@ -34,6 +34,15 @@ std::span<const Vec3> pathFromTeeth(const AirwayLandmarks& airway)
 
 Length teethToCarina(const AirwayLandmarks& airway) { return lengthOf(pathFromTeeth(airway)); }
 
+AirwayLandmarks bent(AirwayLandmarks airway, const NeckField& neck)
+{
+    for (Vec3* p_A : {&airway.p_A_incisors, &airway.p_A_glottis, &airway.p_A_carina})
+        *p_A = neck.placed(*p_A);
+    for (Vec3& p_A : airway.path_A)
+        p_A = neck.placed(p_A);
+    return airway;
+}
+
 std::optional<Length> teethToCarina(const Vec3& p_A_incisors, const Vec3& p_A_glottis,
                                     const Vec3& p_A_carina)
 {

@@ -2,6 +2,7 @@
 
 #include "engine/anatomy/anatomy.h"
 #include "engine/core/units.h"
+#include "engine/geometry/deformation/neck_field.h"
 
 #include <optional>
 #include <span>
@@ -15,6 +16,9 @@ namespace carina
 
 /// Its length.
 [[nodiscard]] Length teethToCarina(const AirwayLandmarks& airway);
+
+/// The same landmarks and path as a neck has taken them.
+[[nodiscard]] AirwayLandmarks bent(AirwayLandmarks airway, const NeckField& neck);
 
 /// The length from teeth to carina of another airway, of which three places are known: along the
 /// curve that airwayPath lays through them, as in the patient. Frame A, metres.

@@ -313,25 +313,26 @@ bool isInMouth(const UpperAirway& moved, const Blade& blade, const RigidTransfor
 
 LaryngoscopyPose laryngoscopyPose(const UpperAirway& airway, const ThroatField& throat,
                                   const Blade& blade, LaryngoscopyStep step, Length lift,
-                                  const RigidTransform& held)
+                                  const RigidTransform& held, const NeckField& neck)
 {
-    return laryngoscopyPose(airway, throat, blade, double(step), lift, held);
+    return laryngoscopyPose(airway, throat, blade, double(step), lift, held, neck);
 }
 
 LaryngoscopyPose laryngoscopyPose(const UpperAirway& airway, const ThroatField& throat,
                                   const Blade& blade, double progress, Length lift,
-                                  const RigidTransform& held)
+                                  const RigidTransform& held, const NeckField& neck)
 {
     const BetweenSteps at = betweenSteps(progress);
     const StepFigures figures = figuresAt(at);
     LaryngoscopyPose pose;
     pose.X_AJ = jawIn(airway, figures);
     pose.lift = figures.lift * lift;
-    const UpperAirway moved = followed(airway, {throat, pose.X_AJ * held.inverse()});
-    const Vec3 p_A_from = tipIn(at.from, moved, blade, lift);
-    const Vec3 p_A_placed = p_A_from + at.share * (tipIn(at.to, moved, blade, lift) - p_A_from);
-    const Vec3 p_A_tip = p_A_placed + pose.lift.si * liftDirection(moved);
-    pose.X_AL = pastTeeth(blade.form, p_A_tip, airway.p_A_edge());
+    const UpperAirway moved = followed(airway, {throat, pose.X_AJ * held.inverse(), neck});
+    const UpperAirway inHead = seenFrom(neck.X_AU().inverse(), moved);
+    const Vec3 p_U_from = tipIn(at.from, inHead, blade, lift);
+    const Vec3 p_U_placed = p_U_from + at.share * (tipIn(at.to, inHead, blade, lift) - p_U_from);
+    const Vec3 p_U_tip = p_U_placed + pose.lift.si * liftDirection(inHead);
+    pose.X_AL = neck.X_AU() * pastTeeth(blade.form, p_U_tip, inHead.p_A_edge());
     pose.field = bladeInTissue(moved, blade, pose.X_AL);
     return pose;
 }

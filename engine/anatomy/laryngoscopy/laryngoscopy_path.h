@@ -26,8 +26,9 @@ inline constexpr std::array kLaryngoscopySteps{LaryngoscopyStep::Teeth, Laryngos
 /// Blade and jaw of one patient at a moment.
 struct LaryngoscopyPose {
     RigidTransform X_AL;
-    RigidTransform X_AJ; ///< of the mandible, the identity with the mouth closed
-    Length lift{};       ///< along the handle, from where the tip was placed
+    /// Of the mandible in the frame of the head, the identity with the mouth closed.
+    RigidTransform X_AJ;
+    Length lift{}; ///< along the handle, from where the tip was placed
     /// How the tissue gives way, after it has followed the jaw.
     BladeField field{};
 };
@@ -41,10 +42,12 @@ struct LaryngoscopyPose {
 /// @param held X_AJ of the mandible in the surfaces, where the places of the airway were found
 /// @param throat by which the patient's tissue follows the jaw from there
 /// @param lift   of LaryngoscopyStep::Full; 0.7 of it is that of Partial
+/// @param neck   with which the airway moves; the blade goes in as before in the frame of the head
 [[nodiscard]] LaryngoscopyPose laryngoscopyPose(const UpperAirway& airway,
                                                 const ThroatField& throat, const Blade& blade,
                                                 LaryngoscopyStep step, Length lift,
-                                                const RigidTransform& held = {});
+                                                const RigidTransform& held = {},
+                                                const NeckField& neck = {});
 
 /// The same between two steps: jaw, lift and the place of the tip are interpolated linearly, and
 /// the blade is turned for these.
@@ -52,7 +55,8 @@ struct LaryngoscopyPose {
 [[nodiscard]] LaryngoscopyPose laryngoscopyPose(const UpperAirway& airway,
                                                 const ThroatField& throat, const Blade& blade,
                                                 double progress, Length lift,
-                                                const RigidTransform& held = {});
+                                                const RigidTransform& held = {},
+                                                const NeckField& neck = {});
 
 /// The lift of a good view: of ours, for the geometry of an adult with the head in neutral
 /// position.

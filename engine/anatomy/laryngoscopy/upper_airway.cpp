@@ -1,13 +1,16 @@
 #include "engine/anatomy/laryngoscopy/upper_airway.h"
 
 #include "engine/anatomy/airway/airway_measure.h"
+#include "engine/geometry/rotation.h"
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <functional>
 #include <numeric>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 namespace carina
 {
@@ -77,6 +80,23 @@ std::optional<Vec3> foremostAt(std::vector<Vec3> vertices, const UpperAirway& ai
         return std::abs(airway.up_A.dot(p - airway.p_A_epiglottisBase) - height) > kSameHeight;
     });
     return farthest(vertices, airway.forward_A());
+}
+
+/// All of its places are changed.
+template <class Change> void changePlaces(UpperAirway& airway, Change change)
+{
+    for (Vec3* p_A : {&airway.p_A_incisors, &airway.p_A_uvula, &airway.p_A_epiglottisBase,
+                      &airway.p_A_epiglottisTip, &airway.p_A_vallecula, &airway.p_A_commissure,
+                      &airway.p_A_notch})
+        change(*p_A);
+    for (Vec3& p_A : airway.path_A)
+        change(p_A);
+    for (auto* p_A :
+         {&airway.p_A_tongue, &airway.p_A_upperLip, &airway.p_A_lowerLip, &airway.p_A_neck})
+        if (*p_A)
+            change(**p_A);
+    if (airway.windpipe)
+        change(airway.windpipe->p_A_middle);
 }
 
 Vec3 inPlane(Vec3 p, double x)
@@ -207,7 +227,8 @@ Length UpperAirway::glottis() const { return metres((p_A_commissure - p_A_notch)
 
 double UpperAirway::size() const
 {
-    return (0.5 * (p_A_commissure + p_A_notch) - p_A_incisors).norm() / kReferenceWay.si;
+    const double way = (0.5 * (p_A_commissure + p_A_notch) - p_A_incisors).norm();
+    return way / kReferenceWay.si / drawnOut;
 }
 
 Result<UpperAirway> upperAirwayOf(std::span<const AnatomyPart> parts,
@@ -263,18 +284,45 @@ UpperAirway changed(UpperAirway airway, const AirwayField& changes)
     return airway;
 }
 
+UpperAirway bent(UpperAirway airway, const NeckField& neck)
+{
+    if (!neck.isBent())
+        return airway;
+    const double size = airway.size();
+    const Angle turn = neck.turnAt(0.5 * (airway.p_A_commissure + airway.p_A_notch));
+    airway.up_A = rotationFromVector(turn.si * Vec3::UnitX()) * airway.up_A;
+    airway.d_A_incisors = neck.X_AU().rotation() * airway.d_A_incisors;
+    changePlaces(airway, [&neck](Vec3& p_A) { p_A = neck.placed(p_A); });
+    airway.drawnOut *= airway.size() / size;
+    return airway;
+}
+
 UpperAirway followed(UpperAirway airway, const FollowingThroat& throat)
 {
-    const ThroatFrame<double>& frame = throat.field.frame();
-    const JawShift<double> jaw = jawShift(throat.X_AJ);
-    const auto follow = [&](Vec3& p_A) {
-        p_A += jawPull<double>(frame, ThroatTissue::Airway, jaw, p_A).d;
-    };
+    airway = bent(std::move(airway), throat.neck);
+    const auto follow = [&](Vec3& p_A) { p_A += throatPull(throat, ThroatTissue::Airway, p_A).d; };
     for (Vec3* p_A : {&airway.p_A_epiglottisBase, &airway.p_A_epiglottisTip, &airway.p_A_vallecula,
                       &airway.p_A_commissure, &airway.p_A_notch})
         follow(*p_A);
     for (Vec3& p_A : airway.path_A)
         follow(p_A);
+    return airway;
+}
+
+AirwayAxes airwayAxes(const UpperAirway& airway, const NeckField& neck)
+{
+    const auto between = [](const Vec3& a, const Vec3& b) {
+        return radians(std::atan2(a.cross(b).norm(), a.dot(b)));
+    };
+    const Vec3 sight = 0.5 * (airway.p_A_commissure + airway.p_A_notch) - airway.p_A_incisors;
+    return {between(neck.X_AU().rotation() * Vec3::UnitY(), sight), between(sight, -airway.up_A)};
+}
+
+UpperAirway seenFrom(const RigidTransform& X_FA, UpperAirway airway)
+{
+    changePlaces(airway, [&X_FA](Vec3& p) { p = X_FA * p; });
+    airway.up_A = X_FA.rotation() * airway.up_A;
+    airway.d_A_incisors = X_FA.rotation() * airway.d_A_incisors;
     return airway;
 }
 

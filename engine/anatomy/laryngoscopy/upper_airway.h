@@ -44,12 +44,14 @@ struct UpperAirway {
     bool hasIncisors = false;              ///< whether teeth are where the incisors' edge is
     Vec3 d_A_incisors = Vec3::Zero();      ///< by which events have moved this edge
     std::optional<Length> mostOpening;     ///< of the mouth at the incisors, where events limit it
+    double drawnOut = 1.0; ///< the way from incisors to glottis, by a bent neck
 
     /// To the front, perpendicular to up_A; unit.
     [[nodiscard]] Vec3 forward_A() const;
     /// Length of the glottis, from commissure to notch.
     [[nodiscard]] Length glottis() const;
-    /// Of the way from the incisors to the middle of the glottis, kReferenceWay being 1.
+    /// Of the way from the incisors to the middle of the glottis in a neck that is not bent,
+    /// kReferenceWay being 1.
     [[nodiscard]] double size() const;
     /// Of the way from the middle of the glottis to the carina, kReferenceWindpipe being 1.
     [[nodiscard]] double windpipeSize() const { return toCarina / kReferenceWindpipe; }
@@ -87,7 +89,24 @@ inline constexpr double kValleculaHeight = 0.3;
 /// tube stays.
 [[nodiscard]] UpperAirway changed(UpperAirway airway, const AirwayField& changes);
 
-/// The same places after they have followed the jaw; palate, lips, tongue and incisors stay.
+/// The same places as a neck has taken them.
+[[nodiscard]] UpperAirway bent(UpperAirway airway, const NeckField& neck);
+
+/// The same places after they have moved with head and neck and followed the jaw; the jaw leaves
+/// palate, lips, tongue and incisors.
 [[nodiscard]] UpperAirway followed(UpperAirway airway, const FollowingThroat& throat);
+
+/// The angles between the axes by which positions of the head are compared (Adnet et al,
+/// Anesthesiology 2001;94:83): that of the mouth, parallel to the hard palate, which is +y of the
+/// head; the line of sight from the incisors to the middle of the glottis; and that of the larynx.
+struct AirwayAxes {
+    Angle mouthToSight;
+    Angle sightToLarynx;
+};
+/// @param airway as the neck has taken it
+[[nodiscard]] AirwayAxes airwayAxes(const UpperAirway& airway, const NeckField& neck);
+
+/// The same places in another frame F that is at X_FA; up_A and the like are then given in F.
+[[nodiscard]] UpperAirway seenFrom(const RigidTransform& X_FA, UpperAirway airway);
 
 } // namespace carina

@@ -87,6 +87,8 @@ private Q_SLOTS:
     void leavesNoTongueInsideTheBlade_data() { blades(); }
     void leavesNoTongueInsideTheBlade();
     void takesAFallenEpiglottisAlongWithAStraightBlade();
+    void goesInThroughAMouthThatHasMoved_data() { blades(); }
+    void goesInThroughAMouthThatHasMoved();
 
 private:
     static void people()
@@ -322,6 +324,51 @@ void TestLaryngoscopyPath::takesAFallenEpiglottisAlongWithAStraightBlade()
     QVERIFY(back_m > 0.01);
     QVERIFY2(taken_m(BladeKind::Miller2) > back_m,
              qPrintable(QString::number(taken_m(BladeKind::Miller2))));
+}
+
+// Past the teeth as they lie, into the vallecula as it lies, and no tongue stays in the blade.
+void TestLaryngoscopyPath::goesInThroughAMouthThatHasMoved()
+{
+    constexpr double kNearVallecula_m = 12e-3; // 4 mm in front of it; a straight blade behind
+    QFETCH(const BladeKind, kind);
+    const Blade& blade = bladeOf(kind);
+    const Person person = personOf(BuiltinPatient::Adult);
+    const AirwayLandmarks& marks = resting(BuiltinPatient::Adult).landmarks;
+    const auto& parts = resting(BuiltinPatient::Adult).parts;
+    const auto tongue = std::ranges::find(parts, PartRole::Tongue, &AnatomyPart::role);
+    for (const HeadPosition& position : {kHeadExtended, kSniffing}) {
+        const NeckField neck{marks.p_A_glottis, marks.p_A_incisors, position};
+        for (const LaryngoscopyStep step : kLaryngoscopySteps) {
+            const LaryngoscopyPose pose =
+                laryngoscopyPose(person.airway, person.throat, blade, step, kUsualLift, {}, neck);
+            const FollowingThroat throat{person.throat, pose.X_AJ, neck};
+            const UpperAirway moved = followed(person.airway, throat);
+            QVERIFY(std::abs(moved.size() / person.airway.size() - 1.0) < 0.2);
+            QVERIFY((moved.p_A_incisors - neck.X_AU() * person.airway.p_A_incisors).norm()
+                    < kLengthTolerance_m);
+            if (step != LaryngoscopyStep::Teeth)
+                QVERIFY2(belowBlade(blade, pose, moved.p_A_incisors)
+                             > kTeethClearance.si - kLengthTolerance_m,
+                         stepName(step));
+            const double lifted = pose.lift.si;
+            const double toVallecula = (tipOf(blade, pose) - moved.p_A_vallecula).norm();
+            if (step == LaryngoscopyStep::Full)
+                QVERIFY2(toVallecula < lifted + kNearVallecula_m,
+                         qPrintable(QString::number(1e3 * toVallecula)));
+            const TriangleMesh drawn = deformed(
+                deformed(deformed(tongue->levels.front(), neck), throat, ThroatTissue::Airway),
+                pose.field, AirwayTissue::Throat);
+            for (const Vec3f& p : drawn.positions) {
+                const Vec3 p_L = pose.X_AL.inverse() * p.cast<double>();
+                const double share = -p_L.z() / blade.form.reach;
+                if (std::abs(p_L.x()) > 0.5 * blade.form.width || share < 0.0 || share > 1.0)
+                    continue;
+                QVERIFY2(p_L.y() - middleOfBlade(blade.form, share).y()
+                             > kBladeHalfThickness - 1e-6,
+                         stepName(step));
+            }
+        }
+    }
 }
 
 CARINA_TEST(TestLaryngoscopyPath)

@@ -81,10 +81,22 @@ void Laryngoscopy::changeAirway(const AirwayEvents& events, double inspiration)
     m_changed.mostOpening = mostMouthOpening(events, m_airway.size());
 }
 
+void Laryngoscopy::layHead(const HeadPosition& position)
+{
+    m_position = m_patient->neck(position).position();
+}
+
+AirwayAxes Laryngoscopy::axes() const
+{
+    const NeckField neck = m_patient->neck(m_position);
+    return airwayAxes(bent(m_changed, neck), neck);
+}
+
 LaryngoscopyPose Laryngoscopy::pose(LaryngoscopyStep step, Length lift) const
 {
     const LaryngoscopyScript all = script();
-    return laryngoscopyPose(m_changed, all.throat, m_blade, step, lift, all.held);
+    return laryngoscopyPose(m_changed, all.throat, m_blade, step, lift, all.held,
+                            m_patient->neck(m_position));
 }
 
 /// What the mandible is moved by when the mouth shuts is the inverse of how it is held.
@@ -116,7 +128,7 @@ GlotticLine Laryngoscopy::glottisAt(const FollowingThroat& throat, const BladeFi
 
 GlotticLine Laryngoscopy::glottisAt(const LaryngoscopyPose& pose) const
 {
-    return glottisAt(m_patient->throat(pose.X_AJ), pose.field);
+    return glottisAt(m_patient->throat(pose.X_AJ, m_position), pose.field);
 }
 
 RigidTransform Laryngoscopy::eyeAt(const LaryngoscopyPose& pose, ScopeEye eye) const
@@ -124,7 +136,8 @@ RigidTransform Laryngoscopy::eyeAt(const LaryngoscopyPose& pose, ScopeEye eye) c
     if (eye == ScopeEye::Video)
         return pose.X_AL * cameraOnBlade(m_blade);
     const GlotticLine glottis = glottisAt(pose);
-    return eyePastBlade(m_blade, pose.X_AL, m_changed.p_A_edge(),
+    return eyePastBlade(m_blade, pose.X_AL,
+                        m_patient->neck(m_position).placed(m_changed.p_A_edge()),
                         0.5 * (glottis.p_A_commissure + glottis.p_A_notch));
 }
 

@@ -45,6 +45,13 @@ public:
     /// glottis are those of the changed airway, but the script's.
     /// @pre as airwayChanges
     void changeAirway(const AirwayEvents& events, double inspiration = kInspirationAsMade);
+    /// Head and neck lie so from now on, in pose(), glottisAt(pose) and eyeAt(), but not in the
+    /// script.
+    void layHead(const HeadPosition& position);
+    /// How they lie, as it is drawn.
+    [[nodiscard]] const HeadPosition& headPosition() const { return m_position; }
+    /// The angles of the airway's axes there.
+    [[nodiscard]] AirwayAxes axes() const;
     /// How it is changed now: to be drawn before tissue follows the jaw.
     [[nodiscard]] const AirwayField& changes() const { return m_changes; }
     /// Whether the patient's surfaces have what an event changes.
@@ -78,6 +85,7 @@ private:
     UpperAirway m_airway;  ///< as in the surfaces
     UpperAirway m_changed; ///< and changed
     AirwayField m_changes;
+    HeadPosition m_position;
 };
 
 } // namespace carina

@@ -82,16 +82,17 @@ Result<PatientModel> PatientModel::of(Anatomy anatomy, Length innerDiameter)
 }
 
 FollowingThroat PatientModel::throat(const std::optional<RigidTransform>& X_AJ,
+                                     const HeadPosition& position,
                                      const AirwayEvents& events) const
 {
     const Vec3 wayToGlottis = m_landmarks.p_A_glottis - m_landmarks.p_A_incisors;
     const auto most = mostMouthOpening(events, wayToGlottis.norm() / kReferenceWay.si);
     if (!X_AJ && !most)
-        return {m_throat, {}};
+        return {m_throat, {}, neck(position)};
     const RigidTransform held = X_AJ.value_or(m_heldJaw);
     const RigidTransform within =
         most ? withinOpening(held, m_landmarks.p_A_incisors, *most) : held;
-    return {m_throat, within * m_heldJaw.inverse()};
+    return {m_throat, within * m_heldJaw.inverse(), neck(position)};
 }
 
 std::shared_ptr<const TriangleMesh> PatientModel::shutMesh(const PatientSurface& surface) const

@@ -49,12 +49,19 @@ public:
     [[nodiscard]] const std::vector<std::string>& attributions() const { return m_attributions; }
     [[nodiscard]] const std::vector<PatientSurface>& surfaces() const { return m_surfaces; }
     [[nodiscard]] const LungPair& lungs() const { return *m_lungs; }
-    /// The deformation of the throat, between jaw and carina, that follows the jaw.
-    /// @param X_AJ pose of the mandible, the identity with the mouth closed; std::nullopt: as in
-    ///             the surfaces
-    /// @param events that limit how far the mouth opens (withinOpening), also as in the surfaces
+    /// The deformation of neck and throat, between head and carina, that follows head and jaw.
+    /// @param X_AJ     pose of the mandible in the frame of the head, the identity with the mouth
+    ///                 closed; std::nullopt: as in the surfaces
+    /// @param position of head and neck; where it is out of reach the nearest is taken
+    /// @param events   that limit how far the mouth opens (withinOpening), also as in the surfaces
     [[nodiscard]] FollowingThroat throat(const std::optional<RigidTransform>& X_AJ,
+                                         const HeadPosition& position = {},
                                          const AirwayEvents& events = {}) const;
+    /// How head and neck move to lie so.
+    [[nodiscard]] NeckField neck(const HeadPosition& position) const
+    {
+        return {m_landmarks.p_A_glottis, m_landmarks.p_A_incisors, position};
+    }
     /// The finest mesh of a surface with the mouth closed, as for landmarks touched on a manikin.
     [[nodiscard]] std::shared_ptr<const TriangleMesh> shutMesh(const PatientSurface& surface) const;
     [[nodiscard]] const TubeShape& tube() const { return m_tube; }

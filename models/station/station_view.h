@@ -22,7 +22,8 @@ struct StationMoment {
     Volume notDrawn{};                    ///< volume of the lungs that the pose cannot show
     double exaggeration = 1.0;            ///< of the pose; unless 1, the drawn volumes are not true
     std::optional<PoseSample> tube;       ///< X_AE of who is at work; empty if never seen
-    std::optional<PoseSample> jaw;        ///< X_AJ of who is at work
+    std::optional<PoseSample> jaw;        ///< X_AJ of who is at work, with the head
+    HeadPosition headPosition;            ///< how head and neck of patient and manikin lie
     std::optional<PoseSample> head;       ///< X_AH of this program's participant
     bool headIsAwaited = false;           ///< a tracker here has a tool for the head, seen or not
     Angle turn{};                         ///< of the place chosen for this program's participant

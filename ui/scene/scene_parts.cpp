@@ -117,8 +117,9 @@ std::vector<ScenePart> tubeParts(const PatientModel& patient, const std::string&
 FollowingThroat throatAt(const StationMoment& moment, const PatientModel& patient)
 {
     const bool hasJaw = moment.jaw && moment.jaw->validity != Validity::Lost;
-    return patient.throat(hasJaw ? std::optional{moment.jaw->X_FO} : std::nullopt,
-                          moment.airwayEvents);
+    const RigidTransform X_UA = patient.neck(moment.headPosition).X_AU().inverse();
+    return patient.throat(hasJaw ? std::optional{X_UA * moment.jaw->X_FO} : std::nullopt,
+                          moment.headPosition, moment.airwayEvents);
 }
 
 SceneFrame sceneFrame(const StationMoment& moment, const ChestField& chest,
@@ -132,7 +133,8 @@ SceneFrame sceneFrame(const StationMoment& moment, const ChestField& chest,
     const ActedPose patient = moment.patient ? moment.patient->acted : ActedPose{};
     frame.bodies[kPatientBody] = inPatient(patient, {});
     frame.throat = throat;
-    frame.bodies[kMandible] = inPatient(patient, throat.X_AJ);
+    frame.bends = kPatientBody;
+    frame.bodies[kMandible] = inPatient(patient, throat.neck.X_AU() * throat.X_AJ);
     if (moment.tube && moment.tube->validity != Validity::Lost)
         frame.bodies[kTubeBody] = moment.tube->X_FO;
     return frame;

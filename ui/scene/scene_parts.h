@@ -24,13 +24,14 @@ inline constexpr const char* kTubeBody = "tube";
 [[nodiscard]] std::vector<ScenePart> tubeParts(const PatientModel& patient, const std::string& body,
                                                std::uint16_t firstId);
 
-/// The deformation of a patient's throat by the jaw at a moment; while the chin probe is not seen,
-/// the mouth is drawn as in the surfaces. Either way it opens no farther than events let it.
+/// The deformation of a patient's throat by head, neck and jaw at a moment; while the chin probe is
+/// not seen, the mouth is drawn as in the surfaces. Either way it opens no farther than events let
+/// it. The probe is on a manikin whose head lies as that of the patient.
 [[nodiscard]] FollowingThroat throatAt(const StationMoment& moment, const PatientModel& patient);
 
-/// The frame of that scene for a station's moment: the patient's chest is deformed by `chest`, the
-/// tissue around the jaw by `throat` (by default not at all). A lost body is not drawn. An action
-/// that moves the patient does not move the tools.
+/// The frame of that scene for a station's moment: the patient's chest is deformed by `chest`, neck
+/// and tissue around the jaw by `throat` (by default not at all). A lost body is not drawn. An
+/// action that moves the patient does not move the tools.
 [[nodiscard]] SceneFrame sceneFrame(const StationMoment& moment, const ChestField& chest,
                                     const FollowingThroat& throat = {});
 

@@ -79,7 +79,7 @@ private Q_SLOTS:
         const auto opening_mm = [&](const std::optional<RigidTransform>& X_AJ, double severity) {
             const AirwayEvents events{{AirwayEventKind::Trismus, severity}};
             const RigidTransform drawn =
-                m_patient->throat(X_AJ, events).X_AJ * heldInverse.inverse();
+                m_patient->throat(X_AJ, {}, events).X_AJ * heldInverse.inverse();
             return 1e3 * (drawn * incisors - incisors).norm();
         };
         const double size = (m_patient->landmarks().p_A_glottis - incisors).norm() / 87.6e-3;
@@ -90,8 +90,21 @@ private Q_SLOTS:
         QVERIFY(opening_mm(RigidTransform{}, 1.0) < 1e-9);
         const Vec3 chin{0.0, -0.08, 0.12};
         const RigidTransform unlimited =
-            m_patient->throat({}, {{AirwayEventKind::Trismus, 0.01}}).X_AJ;
+            m_patient->throat({}, {}, {{AirwayEventKind::Trismus, 0.01}}).X_AJ;
         QVERIFY((unlimited * chin - chin).norm() < 1e-12);
+    }
+
+    /// However the jaw is held; what is out of reach is drawn as the nearest that is not.
+    void laysHeadAndNeckAsItIsTold()
+    {
+        QVERIFY(!m_patient->throat(std::nullopt).neck.isBent());
+        for (const auto& jaw : {std::optional<RigidTransform>{}, std::optional{RigidTransform{}}}) {
+            const FollowingThroat throat = m_patient->throat(jaw, kSniffing);
+            QVERIFY(throat.neck.position() == kSniffing);
+            QCOMPARE((throat.X_AJ.matrix() - m_patient->throat(jaw).X_AJ.matrix()).norm(), 0.0);
+        }
+        const HeadPosition far{degrees(90.0), {}};
+        QVERIFY(m_patient->neck(far).position() == (HeadPosition{kMostFlexion, {}}));
     }
 
     /// What hangs from the jaw is where it is drawn; all else is where it was made.

@@ -90,6 +90,24 @@ private Q_SLOTS:
                 < kSmall_m);
     }
 
+    // The mandible is not bent, as it moves with the head; the tube is where it is tracked.
+    void movesTheJawWithTheHeadAndBendsThePatient()
+    {
+        constexpr double kSmall_m = 1e-12;
+        const NeckField neck{{0.0, -0.03, 0.12}, {0.0, -0.1, 0.17}, kSniffing};
+        const RigidTransform X_UJ = RigidTransform::translation({0.0, -0.01, 0.0});
+        StationMoment moment;
+        moment.tube.emplace().X_FO = RigidTransform::translation({0.5, 0.0, 0.0});
+        moment.tube->validity = Validity::Tracked;
+        const SceneFrame frame = sceneFrame(moment, ChestField{}, {{}, X_UJ, neck});
+        QCOMPARE(frame.bends, std::string{kPatientBody});
+        QCOMPARE(drawnAt(frame, "patient", kPoint), kPoint);
+        QVERIFY((drawnAt(frame, "mandible", kPoint) - neck.X_AU() * (X_UJ * kPoint)).norm()
+                < kSmall_m);
+        QVERIFY((drawnAt(frame, "tube", kPoint) - (kPoint + Vec3{0.5, 0.0, 0.0})).norm()
+                < kSmall_m);
+    }
+
 private:
     static inline const Vec3 kPoint{0.01, -0.02, 0.3};
 

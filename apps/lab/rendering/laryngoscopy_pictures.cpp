@@ -2,6 +2,7 @@
 
 #include "apps/lab/rendering/picture_series.h"
 #include "apps/lab/rendering/render_page.h"
+#include "engine/anatomy/airway/airway_measure.h"
 #include "models/patient/patient_source.h"
 #include "ui/scene/scene_parts.h"
 #include "ui/scene/scope_scene.h"
@@ -65,7 +66,8 @@ private:
 
     [[nodiscard]] SceneFrame frameOf(const LaryngoscopyPose& pose) const
     {
-        SceneFrame frame = sceneFrame({}, m_patient.lungs().field(), m_patient.throat(pose.X_AJ));
+        SceneFrame frame =
+            sceneFrame({}, m_patient.lungs().field(), m_patient.throat(pose.X_AJ, m_order.head));
         frame.airway = m_laryngoscopy.changes();
         frame.blade = pose.field;
         frame.bodies[kScopeBody] = pose.X_AL;
@@ -160,6 +162,11 @@ Result<QJsonObject> drawLaryngoscopy(Anatomy anatomy, const LaryngoscopyOrder& o
     if (const auto shown = canShowAll(*laryngoscopy, order.events); !shown)
         return tl::unexpected(shown.error());
     laryngoscopy->changeAirway(order.events);
+    laryngoscopy->layHead(order.head);
+    const HeadPosition head = laryngoscopy->headPosition();
+    const AirwayAxes axes = laryngoscopy->axes();
+    const Length toCarina =
+        teethToCarina(bent((*patient)->landmarks(), (*patient)->neck(order.head)));
     ScopeSeries series{**patient, std::move(*laryngoscopy), order};
     return series.draw().map([&](const QJsonArray& pictures) {
         return QJsonObject{
@@ -171,6 +178,11 @@ Result<QJsonObject> drawLaryngoscopy(Anatomy anatomy, const LaryngoscopyOrder& o
             {render_laryngoscopy_key::kBlade, asText(bladeOf(order.blade).name)},
             {render_laryngoscopy_key::kFrom,
              order.isDirect ? QStringLiteral("direct") : QStringLiteral("video")},
+            {render_laryngoscopy_key::kNeckFlexion, inDegrees(head.flexion)},
+            {render_laryngoscopy_key::kHeadExtension, inDegrees(head.extension)},
+            {render_laryngoscopy_key::kMouthToSight, inDegrees(axes.mouthToSight)},
+            {render_laryngoscopy_key::kSightToLarynx, inDegrees(axes.sightToLarynx)},
+            {render_laryngoscopy_key::kTeethToCarina, inMillimetres(toCarina)},
             {render_laryngoscopy_key::kEvents, describe(order.events)},
             {render_laryngoscopy_key::kPictures, pictures}};
     });

@@ -16,6 +16,7 @@ struct LaryngoscopyOrder {
     bool isDirect = false; ///< past the blade, not by the camera on it
     Length lift = kUsualLift;
     AirwayEvents events{};
+    HeadPosition head{};
     QSize size{640, 480}; ///< of each, pixels
     QDir folder;          ///< made if need be
 };

@@ -176,8 +176,9 @@ SceneFrame frameOf(const PatientModel& patient, const ChestPose& pose, const Pic
     const auto X_AJ = [&](const PictureOrder::Jaw& jaw) {
         return movedJaw(patient.landmarks().p_A_incisors, jaw.opening, jaw.forward);
     };
-    return sceneFrame(moment, patient.lungs().field(),
-                      patient.throat(order.jaw ? std::optional{X_AJ(*order.jaw)} : std::nullopt));
+    return sceneFrame(
+        moment, patient.lungs().field(),
+        patient.throat(order.jaw ? std::optional{X_AJ(*order.jaw)} : std::nullopt, order.head));
 }
 
 /// Draws each of them from each side into the folder.
@@ -232,6 +233,8 @@ Result<QJsonObject> drawPictures(Subject subject, const PictureOrder& order)
             {render_pictures_key::kAnatomy, inWords((*patient)->name())},
             {render_pictures_key::kWidth, order.size.width()},
             {render_pictures_key::kHeight, order.size.height()},
+            {render_pictures_key::kNeckFlexion, inDegrees(order.head.flexion)},
+            {render_pictures_key::kHeadExtension, inDegrees(order.head.extension)},
             {render_pictures_key::kPictures, pictures}};
         if (order.jaw) {
             drawn[render_pictures_key::kJawOpening] = inDegrees(order.jaw->opening);

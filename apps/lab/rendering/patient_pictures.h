@@ -3,6 +3,7 @@
 #include "apps/lab/command/patient_options.h"
 #include "engine/core/result.h"
 #include "engine/core/units.h"
+#include "engine/geometry/deformation/neck_field.h"
 
 #include <QDir>
 #include <QJsonObject>
@@ -26,6 +27,7 @@ struct PictureOrder {
         Length forward{};
     };
     std::optional<Jaw> jaw{};
+    HeadPosition head{};
 };
 
 /// Draws a patient as the programs do, in full detail, at the end of expiration and of inspiration

@@ -70,6 +70,18 @@ Result<std::optional<PictureOrder::Jaw>> jawOption(const Words& words)
     return PictureOrder::Jaw{degrees(*opening_deg), millimetres(*forward_mm)};
 }
 
+/// How head and neck are drawn: what is allowed is what withinReach leaves as it is.
+Result<HeadPosition> headOption(const Words& words)
+{
+    const auto flexion_deg = words.number(render_option::kNeckFlexion, -25.0, 35.0, 0.0);
+    if (!flexion_deg)
+        return tl::unexpected(flexion_deg.error());
+    const auto extension_deg = words.number(render_option::kHeadExtension, -10.0, 30.0, 0.0);
+    if (!extension_deg)
+        return tl::unexpected(extension_deg.error());
+    return HeadPosition{degrees(*flexion_deg), degrees(*extension_deg)};
+}
+
 Result<QJsonObject> drawnPictures(const Words& words)
 {
     PictureOrder order;
@@ -90,6 +102,10 @@ Result<QJsonObject> drawnPictures(const Words& words)
     if (!jaw)
         return tl::unexpected(jaw.error());
     order.jaw = *jaw;
+    const auto head = headOption(words);
+    if (!head)
+        return tl::unexpected(head.error());
+    order.head = *head;
     return subjectOption(words).and_then(
         [&order](Subject subject) { return drawPictures(std::move(subject), order); });
 }
@@ -161,6 +177,10 @@ Result<QJsonObject> drawnLaryngoscopy(const Words& words)
     if (!events)
         return tl::unexpected(events.error());
     order.events = *events;
+    const auto head = headOption(words);
+    if (!head)
+        return tl::unexpected(head.error());
+    order.head = *head;
     return restingOption(words).and_then(
         [&order](Anatomy anatomy) { return drawLaryngoscopy(std::move(anatomy), order); });
 }
@@ -225,7 +245,8 @@ Use renderedPictures()
             .schema = render_pictures_key::kSchema,
             .keys = {render_pictures_key::kAnatomy, render_pictures_key::kWidth,
                      render_pictures_key::kHeight, render_pictures_key::kJawOpening,
-                     render_pictures_key::kJawForward, render_pictures_key::kPictures,
+                     render_pictures_key::kJawForward, render_pictures_key::kNeckFlexion,
+                     render_pictures_key::kHeadExtension, render_pictures_key::kPictures,
                      render_pictures_key::kFile, render_pictures_key::kView,
                      render_pictures_key::kPhase, render_pictures_key::kCondition,
                      render_pictures_key::kSeverity, render_pictures_key::kSide,
@@ -260,14 +281,16 @@ Use renderedLaryngoscopy()
                 "if they are asked for. Writes PNG. Needs a display.",
         .options = {render_option::kOfLaryngoscopy.begin(), render_option::kOfLaryngoscopy.end()},
         .schema = render_laryngoscopy_key::kSchema,
-        .keys = {render_laryngoscopy_key::kAnatomy, render_laryngoscopy_key::kWidth,
-                 render_laryngoscopy_key::kHeight, render_laryngoscopy_key::kBlade,
-                 render_laryngoscopy_key::kFrom, render_laryngoscopy_key::kEvents,
-                 render_laryngoscopy_key::kEventName, render_laryngoscopy_key::kSeverity,
-                 render_laryngoscopy_key::kPictures, render_laryngoscopy_key::kFile,
-                 render_laryngoscopy_key::kStep, render_laryngoscopy_key::kLift,
-                 render_laryngoscopy_key::kOpening, render_laryngoscopy_key::kGrade,
-                 render_laryngoscopy_key::kPixels}};
+        .keys = {render_laryngoscopy_key::kAnatomy,       render_laryngoscopy_key::kWidth,
+                 render_laryngoscopy_key::kHeight,        render_laryngoscopy_key::kBlade,
+                 render_laryngoscopy_key::kFrom,          render_laryngoscopy_key::kNeckFlexion,
+                 render_laryngoscopy_key::kHeadExtension, render_laryngoscopy_key::kMouthToSight,
+                 render_laryngoscopy_key::kSightToLarynx, render_laryngoscopy_key::kTeethToCarina,
+                 render_laryngoscopy_key::kEvents,        render_laryngoscopy_key::kEventName,
+                 render_laryngoscopy_key::kSeverity,      render_laryngoscopy_key::kPictures,
+                 render_laryngoscopy_key::kFile,          render_laryngoscopy_key::kStep,
+                 render_laryngoscopy_key::kLift,          render_laryngoscopy_key::kOpening,
+                 render_laryngoscopy_key::kGrade,         render_laryngoscopy_key::kPixels}};
 }
 
 } // namespace

@@ -45,13 +45,22 @@ inline constexpr Option kLift{"lift-mm", "0..30",
                               "how far the blade is lifted for the last picture; 22 unless given"};
 inline constexpr Option kScopeSize{"size", "WxH", "of each picture, pixels; 640x480 unless given"};
 
+inline constexpr Option kNeckFlexion{"neck-flexion-deg", "-25..35",
+                                     "of the neck to the front; 0 unless given"};
+inline constexpr Option kHeadExtension{
+    "head-extension-deg", "-10..30",
+    "of the head against the neck, to the back; 0 unless given. 35 and 24 is the sniffing "
+    "position"};
+
 inline constexpr std::array kOfGeometry{kCheckGeometry, kSeed};
-inline constexpr std::array kOfPictures{kPictures, kAnatomy, kPatient,    kSize,       kCondition,
-                                        kSeverity, kSide,    kVentilator, kJawOpening, kJawForward};
+inline constexpr std::array kOfPictures{kPictures,   kAnatomy,    kPatient,     kSize,
+                                        kCondition,  kSeverity,   kSide,        kVentilator,
+                                        kJawOpening, kJawForward, kNeckFlexion, kHeadExtension};
 inline constexpr std::array kOfErrorMap{kErrorMap, kAnatomy,   kPatient,
                                         kSize,     kLandmarks, kTouchError};
 inline constexpr std::array kOfLaryngoscopy{
-    kLaryngoscopy, kAnatomy, kPatient, kBlade, kFrom, kLift, kEvent, kEventSeverity, kScopeSize};
+    kLaryngoscopy, kAnatomy,       kPatient,   kBlade,       kFrom,         kLift,
+    kEvent,        kEventSeverity, kScopeSize, kNeckFlexion, kHeadExtension};
 } // namespace render_option
 
 namespace render_geometry_key
@@ -81,6 +90,8 @@ inline constexpr Key kWidth{"width", "of each picture, pixels"};
 inline constexpr Key kHeight{"height", "of each picture, pixels"};
 inline constexpr Key kJawOpening{"jaw_deg", "where the jaw was asked for"};
 inline constexpr Key kJawForward{"jaw_forward_mm", "where the jaw was asked for"};
+inline constexpr Key kNeckFlexion{"neck_flexion_deg", "as drawn"};
+inline constexpr Key kHeadExtension{"head_extension_deg", "as drawn"};
 inline constexpr Key kPictures{"pictures", "one object per picture:"};
 inline constexpr Key kFile{"file", "its name in DIR", 1};
 inline constexpr Key kView{"view", "front, side or trainee", 1};
@@ -125,6 +136,14 @@ inline constexpr Key kWidth{"width", "of each picture, pixels"};
 inline constexpr Key kHeight{"height", "of each picture, pixels"};
 inline constexpr Key kBlade{"blade", "its name"};
 inline constexpr Key kFrom{"from", "video or direct"};
+inline constexpr Key kNeckFlexion{"neck_flexion_deg", "as drawn"};
+inline constexpr Key kHeadExtension{"head_extension_deg", "as drawn"};
+inline constexpr Key kMouthToSight{
+    "mouth_to_sight_deg",
+    "between the axis of the mouth, along the hard palate, and the line from incisors to glottis"};
+inline constexpr Key kSightToLarynx{"sight_to_larynx_deg",
+                                    "between that line and the axis of the larynx"};
+inline constexpr Key kTeethToCarina{"teeth_to_carina_mm", "along the way of a tube"};
 inline constexpr Key kEvents{"events", "one object per event that was asked for:"};
 inline constexpr Key kEventName{"event", "its name", 1};
 inline constexpr Key kSeverity{"severity", "0 to 1", 1};

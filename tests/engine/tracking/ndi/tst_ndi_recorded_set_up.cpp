@@ -79,7 +79,7 @@ std::optional<NdiToolDefinition> definitionIn(const std::vector<std::string>& co
 /// Handles are given in this order: the wireless tool has the first.
 NdiClientSettings settingsFor(const std::vector<std::string>& commands, int wired, int rate)
 {
-    NdiClientSettings settings{.poses = NdiPoseReply::Tx, .rates = {rate}};
+    NdiClientSettings settings{.tools = {}, .poses = NdiPoseReply::Tx, .rates = {rate}};
     if (auto definition = definitionIn(commands))
         settings.tools.push_back({"wireless", std::move(definition)});
     for (int i = 1; i <= wired; ++i)

@@ -21,6 +21,7 @@ template <class Dimension> struct Quantity {
 
 using Length = Quantity<struct LengthDimension>;         ///< metres
 using Angle = Quantity<struct AngleDimension>;           ///< radians
+using Force = Quantity<struct ForceDimension>;           ///< newtons
 using Volume = Quantity<struct VolumeDimension>;         ///< cubic metres
 using Frequency = Quantity<struct FrequencyDimension>;   ///< per second
 using Pressure = Quantity<struct PressureDimension>;     ///< gauge pressure: pascals above ambient
@@ -37,6 +38,9 @@ constexpr double inMillimetres(Length l) { return l.si * 1e3; }
 constexpr Angle radians(double rad) { return {rad}; }
 constexpr Angle degrees(double deg) { return {deg * (std::numbers::pi / 180.0)}; }
 constexpr double inDegrees(Angle a) { return a.si * (180.0 / std::numbers::pi); }
+
+constexpr Force newtons(double n) { return {n}; }
+constexpr double inNewtons(Force f) { return f.si; }
 
 constexpr Volume cubicMetres(double m3) { return {m3}; }
 constexpr Volume litres(double l) { return {l * 1e-3}; }

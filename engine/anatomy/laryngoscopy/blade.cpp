@@ -39,6 +39,12 @@ std::optional<BladeKind> bladeFromName(std::string_view name)
     return found == kBladeKinds.end() ? std::nullopt : std::optional{*found};
 }
 
+Length belowUnderside(const BladeForm& form, const Vec3& p_L)
+{
+    const double face = formula::bladeFace(form.rise, form.sag, -p_L.z() / form.reach).value;
+    return metres(face - kBladeHalfThickness - p_L.y());
+}
+
 RigidTransform cameraOnBlade(const Blade& blade)
 {
     const double share = 1.0 - blade.cameraToTip.si / blade.form.reach;

@@ -115,14 +115,6 @@ RigidTransform bladeAt(const BladeForm& form, const Vec3& p_A_tip, Angle ahead)
     return {Quat{R_AL}, p_A_tip - R_AL * middleOfBlade(form, 1.0)};
 }
 
-/// How far the underside of a blade is from a place, towards the handle positive.
-double clearanceOf(const BladeForm& form, const RigidTransform& X_AL, const Vec3& p_A)
-{
-    const Vec3 p_L = X_AL.inverse() * p_A;
-    return formula::bladeFace(form.rise, form.sag, -p_L.z() / form.reach).value
-           - kBladeHalfThickness - p_L.y();
-}
-
 /// The same, turned about its tip so that it passes the teeth: the clearance grows with the angle.
 RigidTransform pastTeeth(const BladeForm& form, const Vec3& p_A_tip, const Vec3& p_A_incisors)
 {
@@ -132,7 +124,8 @@ RigidTransform pastTeeth(const BladeForm& form, const Vec3& p_A_tip, const Vec3&
     for (int i = 0; i < kHalvings; ++i) {
         const double middle = std::midpoint(least, most);
         const RigidTransform X_AL = bladeAt(form, p_A_tip, radians(middle));
-        (clearanceOf(form, X_AL, p_A_incisors) < kTeethClearance.si ? least : most) = middle;
+        const Length clearance = belowUnderside(form, X_AL.inverse() * p_A_incisors);
+        (clearance < kTeethClearance ? least : most) = middle;
     }
     return bladeAt(form, p_A_tip, radians(most));
 }
@@ -157,12 +150,6 @@ Centreline wayToEpiglottis(const UpperAirway& moved)
         return (p_A - moved.p_A_epiglottisTip).squaredNorm();
     });
     return {moved.path_A.begin(), nearest + 1};
-}
-
-/// To the front and to the feet alike.
-Vec3 liftDirection(const UpperAirway& airway)
-{
-    return (airway.forward_A() - airway.up_A).normalized();
 }
 
 /// Where the tip is before the lift that takes it to the floor of the vallecula, or deeper behind
@@ -290,6 +277,20 @@ double distanceToWay(const Centreline& way, const Vec3& p_A)
 } // namespace
 
 const char* stepName(LaryngoscopyStep step) { return namedStep(step).name; }
+
+double liftShare(LaryngoscopyStep step) { return namedStep(step).figures.lift; }
+
+Vec3 liftDirection(const UpperAirway& airway)
+{
+    return (airway.forward_A() - airway.up_A).normalized();
+}
+
+std::array<Vec3, 4> restingWay(const UpperAirway& moved, const Blade& blade)
+{
+    const auto placeIn = [&](LaryngoscopyStep step) { return tipIn(step, moved, blade, {}); };
+    return {placeIn(LaryngoscopyStep::Teeth), placeIn(LaryngoscopyStep::Uvula),
+            placeIn(LaryngoscopyStep::Epiglottis), placeIn(LaryngoscopyStep::Full)};
+}
 
 BladeField bladeInTissue(const UpperAirway& moved, const Blade& blade, const RigidTransform& X_AL)
 {

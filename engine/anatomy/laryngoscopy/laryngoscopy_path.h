@@ -23,6 +23,12 @@ inline constexpr std::array kLaryngoscopySteps{LaryngoscopyStep::Teeth, Laryngos
 /// The name of a step in files and JSON: "full_view".
 [[nodiscard]] const char* stepName(LaryngoscopyStep step);
 
+/// The share of the whole lift in a step: 0 up to LaryngoscopyStep::Epiglottis, 0.7 and 1.
+[[nodiscard]] double liftShare(LaryngoscopyStep step);
+
+/// To the front and to the feet alike, in A; unit.
+[[nodiscard]] Vec3 liftDirection(const UpperAirway& airway);
+
 /// Blade and jaw of one patient at a moment.
 struct LaryngoscopyPose {
     RigidTransform X_AL;
@@ -62,6 +68,11 @@ struct LaryngoscopyPose {
 /// position.
 inline constexpr Length kUsualLift = millimetres(22.0);
 inline constexpr Length kTeethClearance = millimetres(5.0);
+
+/// The places, in A, by which the tip of a blade goes in while nothing is lifted: at the teeth,
+/// over the tongue, at its base, and in the vallecula or behind the epiglottis.
+/// @param moved the places after they have followed the jaw
+[[nodiscard]] std::array<Vec3, 4> restingWay(const UpperAirway& moved, const Blade& blade);
 
 /// The tissue in front of a blade at a pose, wherever it is: the tongue is pushed away, and the
 /// larynx is tilted with its epiglottis as far as the blade's tip has taken the vallecula forward,

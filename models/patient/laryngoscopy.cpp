@@ -99,6 +99,43 @@ LaryngoscopyPose Laryngoscopy::pose(LaryngoscopyStep step, Length lift) const
                             m_patient->neck(m_position));
 }
 
+LaryngoscopyPose Laryngoscopy::leveredPose(LaryngoscopyStep step, Angle angle) const
+{
+    LaryngoscopyPose pose = this->pose(step, {});
+    const double share = liftShare(step);
+    if (share == 0.0)
+        return pose;
+    pose.X_AL = levered(m_blade.form, pose.X_AL, m_airway.p_A_incisors, share * angle);
+    pose.field = tissueAt(pose.X_AL, m_patient->throat(pose.X_AJ));
+    return pose;
+}
+
+BladeEffort Laryngoscopy::effortAt(const RigidTransform& X_AL, const FollowingThroat& throat,
+                                   LeveringWatch& watch) const
+{
+    return watch.take(followed(m_changed, throat), m_blade, X_AL);
+}
+
+BladeEffort Laryngoscopy::effortIn(LaryngoscopyStep step, Length lift) const
+{
+    LeveringWatch watch;
+    const LaryngoscopyPose at = pose(step, lift);
+    return effortAt(at.X_AL, m_patient->throat(at.X_AJ), watch);
+}
+
+/// From where nothing was turned.
+BladeEffort Laryngoscopy::effortLevered(LaryngoscopyStep step, Angle angle) const
+{
+    constexpr int kSteps = 200;
+    LeveringWatch watch;
+    BladeEffort effort;
+    for (int i = 0; i <= kSteps; ++i) {
+        const LaryngoscopyPose at = leveredPose(step, double(i) / kSteps * angle);
+        effort = effortAt(at.X_AL, m_patient->throat(at.X_AJ), watch);
+    }
+    return effort;
+}
+
 /// What the mandible is moved by when the mouth shuts is the inverse of how it is held.
 LaryngoscopyScript Laryngoscopy::script() const
 {

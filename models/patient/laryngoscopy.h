@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/anatomy/events/airway_changes.h"
+#include "engine/anatomy/laryngoscopy/blade_levering.h"
 #include "engine/anatomy/laryngoscopy/glottic_view.h"
 #include "engine/anatomy/laryngoscopy/laryngoscopy_path.h"
 #include "engine/registration/calibration/blade_calibration.h"
@@ -61,6 +62,15 @@ public:
     }
     /// Blade, jaw and tissue in one step; see laryngoscopyPose.
     [[nodiscard]] LaryngoscopyPose pose(LaryngoscopyStep step, Length lift) const;
+    /// The same of who levers instead of lifting: up to the epiglottis as usual, then not lifted
+    /// and tipped back (levered) by the angle as others lift, 0.7 of it and the whole.
+    [[nodiscard]] LaryngoscopyPose leveredPose(LaryngoscopyStep step, Angle angle) const;
+    /// What a blade at a pose touches, after those that the watch has seen before.
+    [[nodiscard]] BladeEffort effortAt(const RigidTransform& X_AL, const FollowingThroat& throat,
+                                       LeveringWatch& watch) const;
+    /// The same where a pose of one of these ways has come about: by a lift, or by levering.
+    [[nodiscard]] BladeEffort effortIn(LaryngoscopyStep step, Length lift) const;
+    [[nodiscard]] BladeEffort effortLevered(LaryngoscopyStep step, Angle angle) const;
     /// The whole of it, for a simulated tracker.
     [[nodiscard]] LaryngoscopyScript script() const;
     /// The tissue that is pushed by the blade at another pose, as a tracker has it.

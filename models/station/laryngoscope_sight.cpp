@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace carina
 {
@@ -47,6 +48,12 @@ public:
             .arg(std::lround(100.0 * view.opening));
     }
 
+    static QString of(const BladeEffort& effort)
+    {
+        return tr("%1 · %2").arg(tongue(effort), epiglottis(effort.contact)) + QLatin1Char{'\n'}
+               + teeth(effort);
+    }
+
     static QString ungraded(const LaryngoscopeSight& sight)
     {
         if (!sight.isOfWorker)
@@ -60,6 +67,46 @@ public:
     }
 
 private:
+    static QString shownForce(Force force)
+    {
+        if (force >= kMostForce)
+            return tr("over %1 N").arg(std::lround(inNewtons(kMostForce)));
+        return tr("about %1 N").arg(std::lround(inNewtons(force)));
+    }
+
+    static QString tongue(const BladeEffort& effort)
+    {
+        const QString force = shownForce(effort.contact.tongue);
+        switch (effort.handling) {
+        case BladeHandling::Neither:
+            break;
+        case BladeHandling::Lifting:
+            return tr("Lifting · tongue %1").arg(force);
+        case BladeHandling::Levering:
+            return tr("Levering · tongue %1").arg(force);
+        }
+        return tr("Not lifting · tongue %1").arg(force);
+    }
+
+    static QString epiglottis(const BladeContact& contact)
+    {
+        if (contact.epiglottis > Force{})
+            return tr("epiglottis %1").arg(shownForce(contact.epiglottis));
+        return contact.isOnEpiglottis ? tr("epiglottis touched") : tr("epiglottis not touched");
+    }
+
+    static QString teeth(const BladeEffort& effort)
+    {
+        const std::optional<Length>& clearance = effort.contact.teethClearance;
+        if (effort.teeth > Force{})
+            return tr("▲ Teeth pressed: %1 (estimate)").arg(shownForce(effort.teeth));
+        if (effort.isOnTeeth)
+            return tr("▲ Teeth touched");
+        if (!clearance)
+            return tr("Teeth free");
+        return tr("Teeth free (%1 mm)").arg(std::lround(inMillimetres(*clearance)));
+    }
+
     /// "Macintosh 3" of "macintosh-3".
     static QString shownName(std::string_view name)
     {
@@ -101,6 +148,25 @@ std::optional<Blade> StationLaryngoscope::knownBladeOf(const PersonPose& laryngo
 
 LaryngoscopeSight StationLaryngoscope::at(const StationMoment& moment,
                                           const FollowingThroat& throat)
+{
+    LaryngoscopeSight sight = sightAt(moment, throat);
+    if (sight.state == LaryngoscopeState::Live)
+        sight.effort = effortOf(sight, laryngoscopeOf(moment)->object);
+    else
+        m_handled = {};
+    return sight;
+}
+
+/// @pre it is Live, of this object
+BladeEffort StationLaryngoscope::effortOf(const LaryngoscopeSight& sight, ObjectId object)
+{
+    if (m_handled.object != object || m_handled.form != sight.blade.form)
+        m_handled = {.object = object, .form = sight.blade.form};
+    return (**m_laryngoscopy).effortAt(sight.X_AL, sight.throat, m_handled.watch);
+}
+
+LaryngoscopeSight StationLaryngoscope::sightAt(const StationMoment& moment,
+                                               const FollowingThroat& throat)
 {
     const PersonPose* tool = laryngoscopeOf(moment);
     if (tool == nullptr)
@@ -171,6 +237,8 @@ QString laryngoscopeText(LaryngoscopeState state) { return LaryngoscopeWords::of
 
 QString glotticViewText(const GlotticView& view) { return LaryngoscopeWords::of(view); }
 
+QString bladeEffortText(const BladeEffort& effort) { return LaryngoscopeWords::of(effort); }
+
 QString laryngoscopeText(const LaryngoscopeSight& sight, const std::optional<GlotticView>& seen)
 {
     if (sight.state != LaryngoscopeState::Live)
@@ -180,6 +248,8 @@ QString laryngoscopeText(const LaryngoscopeSight& sight, const std::optional<Glo
         lines.append(LaryngoscopeWords::ungraded(sight));
     else if (seen)
         lines.append(glotticViewText(*seen));
+    if (sight.isGraded())
+        lines.append(bladeEffortText(sight.effort));
     if (!sight.isBladeKnown)
         lines.append(LaryngoscopeWords::assumed(sight.blade));
     return lines.join(QLatin1Char{'\n'});

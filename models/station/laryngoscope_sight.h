@@ -28,6 +28,7 @@ struct LaryngoscopeSight {
     RigidTransform X_AL{};
     FollowingThroat throat{};
     BladeField tissue{};
+    BladeEffort effort{}; ///< for Live only
     Blade blade{};
     bool isBladeKnown = false; ///< touched, or told by its name; else the usual one is taken
     bool isOfWorker = false;   ///< of who is at work, or the own one while nobody is
@@ -61,6 +62,7 @@ public:
     {
         m_patient = &patient;
         m_laryngoscopy.reset();
+        m_handled = {};
     }
     /// The blade of this program's laryngoscope, as it was touched; std::nullopt: as its name says.
     void takeOwnBlade(const std::optional<Blade>& blade) { m_ownBlade = blade; }
@@ -86,6 +88,9 @@ private:
     [[nodiscard]] std::optional<Blade> knownBladeOf(const PersonPose& laryngoscope) const;
     [[nodiscard]] Laryngoscopy* changedAt(const StationMoment& moment);
     [[nodiscard]] double inspirationAt(const StationMoment& moment);
+    [[nodiscard]] LaryngoscopeSight sightAt(const StationMoment& moment,
+                                            const FollowingThroat& throat);
+    [[nodiscard]] BladeEffort effortOf(const LaryngoscopeSight& sight, ObjectId object);
 
     /// Where in a breath the cords were.
     struct Cords {
@@ -93,8 +98,16 @@ private:
         double inspiration = kInspirationAsMade;
     };
 
+    /// The poses of one laryngoscope with one blade.
+    struct Handled {
+        ObjectId object{};
+        BladeForm form{};
+        LeveringWatch watch{};
+    };
+
     const PatientModel* m_patient;
     Cords m_cords;
+    Handled m_handled;
     std::optional<Blade> m_ownBlade;
     std::optional<Result<Laryngoscopy>> m_laryngoscopy;
 };
@@ -109,8 +122,13 @@ inline constexpr Duration kCordsGo = std::chrono::milliseconds{150};
 /// "Grade 2a · 43 % of the glottis".
 [[nodiscard]] QString glotticViewText(const GlotticView& view);
 
-/// What stands beneath the picture: why there is none; or its grade, if it was measured, or why it
-/// has none, and in a second line which blade is assumed, where none is known.
+/// What the blade does to tongue, epiglottis and teeth, in two lines: "Lifting · tongue about 38 N
+/// · epiglottis not touched", and "Teeth free (4 mm)" or "▲ Teeth pressed: about 12 N (estimate)".
+[[nodiscard]] QString bladeEffortText(const BladeEffort& effort);
+
+/// What stands beneath the picture: why there is none; or its grade, if it was measured, and what
+/// the blade does, or why it has none, and in a last line which blade is assumed, where none is
+/// known.
 [[nodiscard]] QString laryngoscopeText(const LaryngoscopeSight& sight,
                                        const std::optional<GlotticView>& seen);
 

@@ -347,8 +347,10 @@ private Q_SLOTS:
         toms.node.sees(kFirst, lifted.X_AL, kNow);
         const LaryngoscopeSight graded = toms.at(kNow, lifted.X_AJ);
         QVERIFY(graded.isGraded());
-        QCOMPARE(laryngoscopeText(graded, view), glotticViewText(view));
-        QVERIFY(laryngoscopeText(graded, std::nullopt).isEmpty());
+        const QString effort = bladeEffortText(graded.effort);
+        QCOMPARE(laryngoscopeText(graded, view),
+                 glotticViewText(view) + QLatin1Char{'\n'} + effort);
+        QCOMPARE(laryngoscopeText(graded, std::nullopt), effort);
         Station hers{"macintosh-3", kTess}; // he has none
         hers.node.sees(kFirst, lifted.X_AL, kNow);
         const LaryngoscopeSight shown = hers.at(kNow, lifted.X_AJ);
@@ -387,10 +389,60 @@ private Q_SLOTS:
         station.node.sees(kFirst, lifted.X_AL, kNow);
         const LaryngoscopeSight sight = station.at(kNow, lifted.X_AJ);
         QVERIFY(!sight.isBladeKnown);
-        QCOMPARE(laryngoscopeText(sight, std::nullopt),
-                 QStringLiteral("Blade taken as Macintosh 3"));
+        const QString told =
+            bladeEffortText(sight.effort) + QStringLiteral("\nBlade taken as Macintosh 3");
+        QCOMPARE(laryngoscopeText(sight, std::nullopt), told);
         QCOMPARE(laryngoscopeText(sight, GlotticView{}),
-                 QStringLiteral("Grade 4 · 0 % of the glottis\nBlade taken as Macintosh 3"));
+                 QStringLiteral("Grade 4 · 0 % of the glottis\n") + told);
+    }
+
+    void saysWhatTheBladeDoes()
+    {
+        BladeEffort effort{.contact = {.teethClearance = millimetres(4.2), .tongue = newtons(37.8)},
+                           .handling = BladeHandling::Lifting};
+        QCOMPARE(bladeEffortText(effort),
+                 QStringLiteral("Lifting · tongue about 38 N · epiglottis not touched\n"
+                                "Teeth free (4 mm)"));
+        effort.handling = BladeHandling::Levering;
+        effort.isOnTeeth = true;
+        effort.teeth = newtons(12.3);
+        QCOMPARE(bladeEffortText(effort),
+                 QStringLiteral("Levering · tongue about 38 N · epiglottis not touched\n"
+                                "▲ Teeth pressed: about 12 N (estimate)"));
+        effort.teeth = kMostForce;
+        effort.contact.epiglottis = newtons(37.8);
+        QCOMPARE(bladeEffortText(effort),
+                 QStringLiteral("Levering · tongue about 38 N · epiglottis about 38 N\n"
+                                "▲ Teeth pressed: over 100 N (estimate)"));
+        QCOMPARE(bladeEffortText({}),
+                 QStringLiteral("Not lifting · tongue about 0 N · epiglottis not touched\n"
+                                "Teeth free"));
+    }
+
+    /// Which teeth a blade has touched is forgotten while it is out of view.
+    void watchesHowABladeIsHandled()
+    {
+        Station station;
+        const auto laryngoscopy =
+            Laryngoscopy::of(patient(), bladeOf(BladeKind::Macintosh3)).value();
+        const auto tippedBack = [&](double deg) {
+            return laryngoscopy.leveredPose(LaryngoscopyStep::Full, degrees(deg));
+        };
+        SessionTime t = kNow;
+        for (int deg = 0; deg <= 20; ++deg, t += 20ms) {
+            const LaryngoscopyPose pose = tippedBack(deg);
+            station.node.sees(kFirst, pose.X_AL, t);
+            const LaryngoscopeSight sight = station.at(t, pose.X_AJ);
+            QCOMPARE(sight.state, LaryngoscopeState::Live);
+            if (deg == 0)
+                QVERIFY(!sight.effort.isOnTeeth);
+            if (deg == 20)
+                QVERIFY(sight.effort.handling == BladeHandling::Levering);
+        }
+        station.at(t + 5s); // lost
+        const LaryngoscopyPose pose = tippedBack(20.0);
+        station.node.sees(kFirst, pose.X_AL, t + 10s);
+        QVERIFY(station.at(t + 10s, pose.X_AJ).effort.handling == BladeHandling::Lifting);
     }
 
     void saysGradeAndPercentage()

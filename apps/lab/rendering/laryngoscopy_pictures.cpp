@@ -55,7 +55,16 @@ private:
 
     [[nodiscard]] LaryngoscopyPose poseOf(std::size_t i) const
     {
-        return m_laryngoscopy.pose(kLaryngoscopySteps.at(i), m_order.lift);
+        const LaryngoscopyStep step = kLaryngoscopySteps.at(i);
+        return m_order.levering ? m_laryngoscopy.leveredPose(step, *m_order.levering)
+                                : m_laryngoscopy.pose(step, m_order.lift);
+    }
+
+    [[nodiscard]] BladeEffort effortOf(std::size_t i) const
+    {
+        const LaryngoscopyStep step = kLaryngoscopySteps.at(i);
+        return m_order.levering ? m_laryngoscopy.effortLevered(step, *m_order.levering)
+                                : m_laryngoscopy.effortIn(step, m_order.lift);
     }
 
     [[nodiscard]] EyePicture eyeOf(const LaryngoscopyPose& pose) const
@@ -89,7 +98,9 @@ private:
             return fail(Errc::FileUnwritable, path.toStdString() + " cannot be written.");
         const GlotticView seen =
             measuredView(ids, m_scene, eyeOf(pose), m_laryngoscopy.glottisAt(pose));
-        m_pictures.append(describe(file, step, pose, seen));
+        QJsonObject described = describe(file, step, pose, seen);
+        addEffort(described, effortOf(i));
+        m_pictures.append(described);
         return {};
     }
 
@@ -107,6 +118,19 @@ private:
                 {render_laryngoscopy_key::kOpening, 100.0 * seen.opening},
                 {render_laryngoscopy_key::kGrade, QString::fromLatin1(gradeName(seen.grade))},
                 {render_laryngoscopy_key::kPixels, pixels}};
+    }
+
+    static void addEffort(QJsonObject& picture, const BladeEffort& effort)
+    {
+        const std::optional<Length>& clearance = effort.contact.teethClearance;
+        picture[render_laryngoscopy_key::kTongueForce] = inNewtons(effort.contact.tongue);
+        picture[render_laryngoscopy_key::kEpiglottisForce] = inNewtons(effort.contact.epiglottis);
+        picture[render_laryngoscopy_key::kIncisorForce] = inNewtons(effort.teeth);
+        picture[render_laryngoscopy_key::kIncisorClearance] =
+            clearance ? QJsonValue{inMillimetres(*clearance)} : QJsonValue{};
+        picture[render_laryngoscopy_key::kLeveringShare] = 100.0 * effort.leveringShare;
+        picture[render_laryngoscopy_key::kHandling] =
+            QString::fromLatin1(handlingName(effort.handling));
     }
 
     [[nodiscard]] QString eyeName() const

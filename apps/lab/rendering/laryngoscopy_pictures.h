@@ -7,6 +7,8 @@
 #include <QJsonObject>
 #include <QSize>
 
+#include <optional>
+
 namespace carina::lab
 {
 
@@ -15,6 +17,7 @@ struct LaryngoscopyOrder {
     BladeKind blade = BladeKind::Macintosh3;
     bool isDirect = false; ///< past the blade, not by the camera on it
     Length lift = kUsualLift;
+    std::optional<Angle> levering{}; ///< instead of the lift
     AirwayEvents events{};
     HeadPosition head{};
     QSize size{640, 480}; ///< of each, pixels

@@ -173,6 +173,14 @@ Result<QJsonObject> drawnLaryngoscopy(const Words& words)
     if (!lift_mm)
         return tl::unexpected(lift_mm.error());
     order.lift = millimetres(*lift_mm);
+    if (words.has(render_option::kLevering)) {
+        if (words.has(render_option::kLift))
+            return words.refuse(QStringLiteral("takes --lift-mm or --levering-deg, not both."));
+        const auto levering_deg = words.number(render_option::kLevering, 0.0, 30.0, 0.0);
+        if (!levering_deg)
+            return tl::unexpected(levering_deg.error());
+        order.levering = degrees(*levering_deg);
+    }
     const auto events = eventsOption(words);
     if (!events)
         return tl::unexpected(events.error());
@@ -277,20 +285,37 @@ Use renderedLaryngoscopy()
         .text = "Draws what a laryngoscope shows of a patient (the adult unless another is "
                 "asked for) on the way in: the teeth, the uvula, the epiglottis, then the "
                 "larynx with the blade lifted not wholly and wholly. Measures in each picture "
-                "what is seen of the glottis. Events make the airway difficult, several at once "
+                "what is seen of the glottis, and estimates the forces of the blade. Events make "
+                "the airway difficult, several at once "
                 "if they are asked for. Writes PNG. Needs a display.",
         .options = {render_option::kOfLaryngoscopy.begin(), render_option::kOfLaryngoscopy.end()},
         .schema = render_laryngoscopy_key::kSchema,
-        .keys = {render_laryngoscopy_key::kAnatomy,       render_laryngoscopy_key::kWidth,
-                 render_laryngoscopy_key::kHeight,        render_laryngoscopy_key::kBlade,
-                 render_laryngoscopy_key::kFrom,          render_laryngoscopy_key::kNeckFlexion,
-                 render_laryngoscopy_key::kHeadExtension, render_laryngoscopy_key::kMouthToSight,
-                 render_laryngoscopy_key::kSightToLarynx, render_laryngoscopy_key::kTeethToCarina,
-                 render_laryngoscopy_key::kEvents,        render_laryngoscopy_key::kEventName,
-                 render_laryngoscopy_key::kSeverity,      render_laryngoscopy_key::kPictures,
-                 render_laryngoscopy_key::kFile,          render_laryngoscopy_key::kStep,
-                 render_laryngoscopy_key::kLift,          render_laryngoscopy_key::kOpening,
-                 render_laryngoscopy_key::kGrade,         render_laryngoscopy_key::kPixels}};
+        .keys = {render_laryngoscopy_key::kAnatomy,
+                 render_laryngoscopy_key::kWidth,
+                 render_laryngoscopy_key::kHeight,
+                 render_laryngoscopy_key::kBlade,
+                 render_laryngoscopy_key::kFrom,
+                 render_laryngoscopy_key::kNeckFlexion,
+                 render_laryngoscopy_key::kHeadExtension,
+                 render_laryngoscopy_key::kMouthToSight,
+                 render_laryngoscopy_key::kSightToLarynx,
+                 render_laryngoscopy_key::kTeethToCarina,
+                 render_laryngoscopy_key::kEvents,
+                 render_laryngoscopy_key::kEventName,
+                 render_laryngoscopy_key::kSeverity,
+                 render_laryngoscopy_key::kPictures,
+                 render_laryngoscopy_key::kFile,
+                 render_laryngoscopy_key::kStep,
+                 render_laryngoscopy_key::kLift,
+                 render_laryngoscopy_key::kOpening,
+                 render_laryngoscopy_key::kGrade,
+                 render_laryngoscopy_key::kTongueForce,
+                 render_laryngoscopy_key::kEpiglottisForce,
+                 render_laryngoscopy_key::kIncisorForce,
+                 render_laryngoscopy_key::kIncisorClearance,
+                 render_laryngoscopy_key::kLeveringShare,
+                 render_laryngoscopy_key::kHandling,
+                 render_laryngoscopy_key::kPixels}};
 }
 
 } // namespace

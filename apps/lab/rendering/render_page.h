@@ -43,6 +43,9 @@ inline constexpr Option kFrom{"from", "EYE",
                               "given); direct: the eye of who looks past the blade"};
 inline constexpr Option kLift{"lift-mm", "0..30",
                               "how far the blade is lifted for the last picture; 22 unless given"};
+inline constexpr Option kLevering{"levering-deg", "0..30",
+                                  "the blade is not lifted, but its handle tipped back so far for "
+                                  "the last picture: about its tip to the teeth, then about them"};
 inline constexpr Option kScopeSize{"size", "WxH", "of each picture, pixels; 640x480 unless given"};
 
 inline constexpr Option kNeckFlexion{"neck-flexion-deg", "-25..35",
@@ -59,8 +62,8 @@ inline constexpr std::array kOfPictures{kPictures,   kAnatomy,    kPatient,     
 inline constexpr std::array kOfErrorMap{kErrorMap, kAnatomy,   kPatient,
                                         kSize,     kLandmarks, kTouchError};
 inline constexpr std::array kOfLaryngoscopy{
-    kLaryngoscopy, kAnatomy,       kPatient,   kBlade,       kFrom,         kLift,
-    kEvent,        kEventSeverity, kScopeSize, kNeckFlexion, kHeadExtension};
+    kLaryngoscopy, kAnatomy, kPatient,       kBlade,     kFrom,        kLift,
+    kLevering,     kEvent,   kEventSeverity, kScopeSize, kNeckFlexion, kHeadExtension};
 } // namespace render_option
 
 namespace render_geometry_key
@@ -157,6 +160,18 @@ inline constexpr Key kOpening{"pogo_percent",
                               "to the interarytenoid notch",
                               1};
 inline constexpr Key kGrade{"cormack_lehane", "grade: 1, 2a, 2b, 3 or 4", 1};
+inline constexpr Key kTongueForce{"tongue_force_N", "estimate (docs/laryngoscopy.md)", 1};
+inline constexpr Key kEpiglottisForce{"epiglottis_force_N", "estimate; of a straight blade", 1};
+inline constexpr Key kIncisorForce{"incisor_force_N", "estimate; on the upper incisors", 1};
+inline constexpr Key kIncisorClearance{"incisor_clearance_mm",
+                                       "from the blade to the edge of the upper incisors, less "
+                                       "than 0 inside it; null where no part of the blade is there",
+                                       1};
+inline constexpr Key kLeveringShare{"levering_percent",
+                                    "of the way of the tip since the blade lay on the teeth, what "
+                                    "turning about them has done",
+                                    1};
+inline constexpr Key kHandling{"handling", "neither, lifting or levering", 1};
 inline constexpr Key kPixels{
     "visible_pixels",
     "of each structure that is seen: teeth, jaw, tongue, hard_palate, soft_palate, pharynx, "

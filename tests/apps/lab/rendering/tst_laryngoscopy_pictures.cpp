@@ -7,6 +7,8 @@
 #include <QJsonObject>
 #include <QTemporaryDir>
 
+#include <cmath>
+
 namespace carina::laryngoscopy_pictures_test
 {
 namespace
@@ -52,6 +54,8 @@ private Q_SLOTS:
     void showsStructuresInTheirOrder();
     void seesTheGlottisOnlyWhenItIsLifted();
     void seesLessWithoutALift();
+    void estimatesTheForcesOfALift();
+    void pressesTheTeethByLevering();
     void showsEventsThatAreAskedFor();
     void shutsTheCordsInASpasm();
     void worsensTheViewByEvents_data();
@@ -132,6 +136,32 @@ void TestLaryngoscopyPictures::seesLessWithoutALift()
     QCOMPARE(low.size(), 5);
     QCOMPARE(low[4][QStringLiteral("pogo_percent")].toDouble(), 0.0);
     QVERIFY2(grade(low[4]) >= QStringLiteral("2b"), qPrintable(grade(low[4])));
+}
+
+// About 40 N (Hastings et al. 1996) where the glottis is seen, and none on the teeth.
+void TestLaryngoscopyPictures::estimatesTheForcesOfALift()
+{
+    const QJsonValue lifted = m_pictures[4];
+    QVERIFY(std::abs(lifted[QStringLiteral("tongue_force_N")].toDouble() - 40.0) < 6.0);
+    QCOMPARE(lifted[QStringLiteral("incisor_force_N")].toDouble(), 0.0);
+    QVERIFY(lifted[QStringLiteral("incisor_clearance_mm")].toDouble() > 4.9);
+    QCOMPARE(lifted[QStringLiteral("levering_percent")].toDouble(), 0.0);
+    QCOMPARE(lifted[QStringLiteral("handling")].toString(), QStringLiteral("lifting"));
+}
+
+void TestLaryngoscopyPictures::pressesTheTeethByLevering()
+{
+    const QJsonArray pictures =
+        drawn(m_folder.filePath(QStringLiteral("levered")),
+              {QStringLiteral("--levering-deg"), QStringLiteral("20")})[QStringLiteral("pictures")]
+            .toArray();
+    QCOMPARE(pictures.size(), 5);
+    QCOMPARE(pictures[2][QStringLiteral("incisor_force_N")].toDouble(), 0.0);
+    const QJsonValue levered = pictures[4];
+    QVERIFY(levered[QStringLiteral("incisor_force_N")].toDouble() > 10.0);
+    QVERIFY(std::abs(levered[QStringLiteral("incisor_clearance_mm")].toDouble()) < 0.01);
+    QVERIFY(levered[QStringLiteral("levering_percent")].toDouble() > 95.0);
+    QCOMPARE(levered[QStringLiteral("handling")].toString(), QStringLiteral("levering"));
 }
 
 void TestLaryngoscopyPictures::showsEventsThatAreAskedFor()

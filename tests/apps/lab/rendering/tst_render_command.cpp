@@ -173,6 +173,8 @@ void TestRenderCommand::refusesWhatItDoesNotKnow_data()
     row("a blade there is not", "--laryngoscopy . --blade spoon", "macintosh-3");
     row("an eye there is not", "--laryngoscopy . --from above", "video, direct");
     row("too high a lift", "--laryngoscopy . --lift-mm 31", "--lift-mm");
+    row("too much levering", "--laryngoscopy . --levering-deg 31", "--levering-deg");
+    row("a lift and levering", "--laryngoscopy . --lift-mm 9 --levering-deg 9", "not both");
     row("an event there is not", "--laryngoscopy . --event cough",
         "tongue_oedema, pharyngeal_swelling, epiglottitis, laryngeal_oedema, laryngospasm, "
         "floppy_epiglottis, anterior_larynx, angio_oedema, laryngeal_web, external_pressure, "

@@ -92,6 +92,16 @@ AirwayAxes Laryngoscopy::axes() const
     return airwayAxes(bent(m_changed, neck), neck);
 }
 
+Vec3 Laryngoscopy::p_A_edge() const
+{
+    return m_patient->neck(m_position).placed(m_changed.p_A_edge());
+}
+
+FollowingThroat Laryngoscopy::throatIn(const LaryngoscopyPose& pose) const
+{
+    return m_patient->throat(pose.X_AJ, m_position);
+}
+
 LaryngoscopyPose Laryngoscopy::pose(LaryngoscopyStep step, Length lift) const
 {
     const LaryngoscopyScript all = script();
@@ -105,8 +115,8 @@ LaryngoscopyPose Laryngoscopy::leveredPose(LaryngoscopyStep step, Angle angle) c
     const double share = liftShare(step);
     if (share == 0.0)
         return pose;
-    pose.X_AL = levered(m_blade.form, pose.X_AL, m_airway.p_A_incisors, share * angle);
-    pose.field = tissueAt(pose.X_AL, m_patient->throat(pose.X_AJ));
+    pose.X_AL = levered(m_blade.form, pose.X_AL, p_A_edge(), share * angle);
+    pose.field = tissueAt(pose.X_AL, throatIn(pose));
     return pose;
 }
 
@@ -120,7 +130,7 @@ BladeEffort Laryngoscopy::effortIn(LaryngoscopyStep step, Length lift) const
 {
     LeveringWatch watch;
     const LaryngoscopyPose at = pose(step, lift);
-    return effortAt(at.X_AL, m_patient->throat(at.X_AJ), watch);
+    return effortAt(at.X_AL, throatIn(at), watch);
 }
 
 /// From where nothing was turned.
@@ -131,7 +141,7 @@ BladeEffort Laryngoscopy::effortLevered(LaryngoscopyStep step, Angle angle) cons
     BladeEffort effort;
     for (int i = 0; i <= kSteps; ++i) {
         const LaryngoscopyPose at = leveredPose(step, double(i) / kSteps * angle);
-        effort = effortAt(at.X_AL, m_patient->throat(at.X_AJ), watch);
+        effort = effortAt(at.X_AL, throatIn(at), watch);
     }
     return effort;
 }
@@ -165,7 +175,7 @@ GlotticLine Laryngoscopy::glottisAt(const FollowingThroat& throat, const BladeFi
 
 GlotticLine Laryngoscopy::glottisAt(const LaryngoscopyPose& pose) const
 {
-    return glottisAt(m_patient->throat(pose.X_AJ, m_position), pose.field);
+    return glottisAt(throatIn(pose), pose.field);
 }
 
 RigidTransform Laryngoscopy::eyeAt(const LaryngoscopyPose& pose, ScopeEye eye) const
@@ -173,8 +183,7 @@ RigidTransform Laryngoscopy::eyeAt(const LaryngoscopyPose& pose, ScopeEye eye) c
     if (eye == ScopeEye::Video)
         return pose.X_AL * cameraOnBlade(m_blade);
     const GlotticLine glottis = glottisAt(pose);
-    return eyePastBlade(m_blade, pose.X_AL,
-                        m_patient->neck(m_position).placed(m_changed.p_A_edge()),
+    return eyePastBlade(m_blade, pose.X_AL, p_A_edge(),
                         0.5 * (glottis.p_A_commissure + glottis.p_A_notch));
 }
 

@@ -89,6 +89,9 @@ public:
 
 private:
     Laryngoscopy() = default;
+    /// The upper incisors' edge as events and the neck have moved it.
+    [[nodiscard]] Vec3 p_A_edge() const;
+    [[nodiscard]] FollowingThroat throatIn(const LaryngoscopyPose& pose) const;
 
     const PatientModel* m_patient = nullptr;
     Blade m_blade;

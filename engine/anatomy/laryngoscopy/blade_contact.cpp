@@ -22,7 +22,7 @@ std::optional<Length> clearanceOfTeeth(const UpperAirway& moved, const BladeForm
     const Vec3 half_A = moved.size() * kHalfIncisors.si * Vec3::UnitX();
     std::optional<Length> least;
     for (int i = -kEdgePoints; i <= kEdgePoints; ++i) {
-        const Vec3 p_L = X_LA * Vec3{moved.p_A_incisors + double(i) / kEdgePoints * half_A};
+        const Vec3 p_L = X_LA * Vec3{moved.p_A_edge() + double(i) / kEdgePoints * half_A};
         const double along = -p_L.z() / form.reach;
         if (std::abs(p_L.x()) > 0.5 * form.width || along < 0.0 || along > 1.0)
             continue;

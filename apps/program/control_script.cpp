@@ -113,7 +113,9 @@ int pauseIn(const QByteArray& line)
 ControlScript::ControlScript(Window window, const QString& file)
     : m_window{std::move(window)}, m_file{file}
 {
-    m_file.open(QIODevice::ReadWrite); // what cannot be read has no lines
+    // What cannot be read, or not again, has no lines.
+    if (!m_file.open(QIODevice::ReadWrite) || m_file.isSequential())
+        return;
     m_timer.callOnTimeout([this] { goOn(); });
     m_timer.start(kScriptInterval_ms);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/geometry/deformation/neck_field.h"
 #include "engine/lungs/mechanics/lung_pair.h"
 #include "engine/net/node/session_node.h"
 #include "engine/session/respiration/respiration_follower.h"

@@ -40,12 +40,12 @@ inline constexpr Angle kMostExtension = degrees(30.0);
 ///
 ///     x = c + R(a S(h)) (p - c)
 ///
-/// by a share S of the angle a: 0 on the side of the trunk, 1 on the side of the head, whose frame U
-/// so is at the rigid X_AU; in between S is the smooth step of a height h in the neck. That of
-/// flexion grows along the neck, which leans forward by 20 degrees. That of extension has the form
-/// of a roof whose ridge is behind the joints of the head: in front its level surfaces lead down
-/// between larynx and chin, behind from the base of the skull to the nape. So the larynx stays with
-/// the neck, and what lies between it and the jaw is drawn out.
+/// by a share S of the angle a: 0 on the side of the trunk, 1 on the side of the head, which so
+/// moves rigidly, its frame U to X_AU; in between S is the smooth step of a height h in the neck.
+/// That of flexion grows along the neck, which leans forward by 20 degrees. That of extension has
+/// the form of a roof with its ridge above the joints of the head: in front its level surfaces lead
+/// down between larynx and chin, behind from the base of the skull to the nape. So the larynx stays
+/// with the neck, and what lies between it and the jaw is drawn out.
 ///
 /// With m = grad h . (e_x x (p - c)) the determinant of the deformation gradient of each is exactly
 ///

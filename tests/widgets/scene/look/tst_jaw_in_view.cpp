@@ -107,8 +107,7 @@ void TestJawInView::followsAHeadThatBeginsToMove()
     QFETCH(std::string, bends);
     const Vec3 p_A_incisors{0.0, -0.3, 0.0};
     const NeckField neck{{0.0, 0.0, -0.2}, p_A_incisors, {degrees(30.0), {}}};
-    const ScenePart tooth =
-        spherePart(1, MaterialGroup::Bone, p_A_incisors, kRadius, "patient");
+    const ScenePart tooth = spherePart(1, MaterialGroup::Bone, p_A_incisors, kRadius, "patient");
     SceneFrame shown = frontFrame();
     shown.bodies["patient"] = {};
     shown.bends = bends;

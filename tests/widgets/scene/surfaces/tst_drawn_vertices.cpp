@@ -25,7 +25,7 @@ constexpr double kPushedNormalTolerance = 2e-4; ///< where tissue is pressed thi
 constexpr double kChangedTolerance_m = 4e-7;    ///< one deformation more
 constexpr double kChangedNormalTolerance = 5e-4;
 constexpr double kBentTolerance_m = 1e-6; ///< sines of a graphics card are good to some 1e-6
-constexpr double kBentNormalTolerance = 2e-3;
+constexpr double kBentNormalTolerance = 5e-3;
 constexpr double kVolumeTolerance_ml = 0.1;
 
 TriangleMesh lung(double x, std::uint32_t rings)
@@ -290,7 +290,10 @@ void TestDrawnVertices::drawsABentNeckAsTheReference()
     constexpr float kMoved_m = 0.005F;
     QFETCH(ChestRegion, region);
     const LungPair lungs = LungPair::of(patient()).value();
-    const FollowingThroat following{throat(), openJaw(), bentNeck()};
+    // Opened by little: the jaw's shares are not where this neck has its head.
+    const RigidTransform X_UJ{rotationFromVector(degrees(5.0).si * Vec3::UnitX()),
+                              {0.001, -0.004, 0.003}};
+    const FollowingThroat following{throat(), X_UJ, bentNeck()};
     const BladeField blade = bladeInLungs();
     const AirwayField airway = changesInLungs();
     const auto tissue = airwayTissueOf(region);

@@ -109,7 +109,7 @@ void TestJawInView::followsAHeadThatBeginsToMove()
     const NeckField neck{{0.0, 0.0, -0.2}, p_A_incisors, {degrees(30.0), {}}};
     const ScenePart tooth = spherePart(1, MaterialGroup::Bone, p_A_incisors, kRadius, "patient");
     SceneFrame shown = frontFrame();
-    shown.bodies["patient"] = {};
+    shown.bodies["patient"] = PlacedBody{};
     shown.bends = bends;
     double seen = -1.0;
     const auto view = shownView({tooth}, [&](int, LocalTime) { return shown; });

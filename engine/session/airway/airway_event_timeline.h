@@ -1,52 +1,36 @@
 #pragma once
 
 #include "engine/anatomy/events/airway_event.h"
-#include "engine/core/session_time.h"
-
-#include <array>
-#include <vector>
+#include "engine/session/airway/ramp_timeline.h"
 
 namespace carina
 {
 
-/// What was decided about the events of one patient's airway over the session, also while that is
-/// paused. Before the first change the airway is clear.
-///
-/// Changes may be added in any order; of two at the same time the last one added holds. At any time
-/// all are the same whatever the order was. A look-up takes O(log n), a change O(1) when it is the
-/// newest and O(n) otherwise.
+/// What was decided about the events of one patient's airway over the session. Before the first
+/// change the airway is clear; how severities change, and how fast they are found, is that of
+/// RampTimeline.
 class AirwayEventTimeline
 {
 public:
-    /// Each severity goes evenly over the time from what it is at `from` to that of these events; a
-    /// later change ends that where it has come to.
     /// @pre areProper(events), and over is not negative
     void set(SessionTime from, const AirwayEvents& events, Duration over);
-    /// Removes the changes before a time but the one in force then.
-    /// @pre none is added any more that is earlier
-    void forgetBefore(SessionTime t);
+    /// As RampTimeline.
+    void forgetBefore(SessionTime t) { m_severities.forgetBefore(t); }
 
     /// The events at t, without those of severity 0.
-    [[nodiscard]] AirwayEvents at(SessionTime t) const;
+    [[nodiscard]] AirwayEvents at(SessionTime t) const { return eventsOf(m_severities.at(t)); }
     /// Where the change in force at t leads to, likewise.
-    [[nodiscard]] AirwayEvents decidedAt(SessionTime t) const;
+    [[nodiscard]] AirwayEvents decidedAt(SessionTime t) const
+    {
+        return eventsOf(m_severities.decidedAt(t));
+    }
 
 private:
-    /// By kind.
-    using Severities = std::array<double, kAirwayEventKinds>;
-    struct Change {
-        SessionTime from{};
-        Duration over{};
-        Severities aim{};
-        Severities begin{}; ///< at `from`
-    };
+    using Severities = RampTimeline<kAirwayEventKinds>;
 
-    [[nodiscard]] static Severities severitiesOf(const AirwayEvents& events);
-    [[nodiscard]] static AirwayEvents eventsOf(const Severities& severities);
-    [[nodiscard]] static Severities severitiesAt(const Change& change, SessionTime t);
-    [[nodiscard]] std::vector<Change>::const_iterator after(SessionTime t) const;
+    [[nodiscard]] static AirwayEvents eventsOf(const Severities::Numbers& severities);
 
-    std::vector<Change> m_changes; ///< in ascending order of time
+    Severities m_severities; ///< by kind
 };
 
 } // namespace carina

@@ -37,7 +37,7 @@ bool takesEffectLater(const FactBody& body)
                    fact::TidalVolumeSet, fact::InspiratoryFractionSet, fact::PatientBuildSet,
                    fact::LungConditionsSet, fact::VentilatorSet, fact::TubePlaced,
                    fact::BodyPositionSet, fact::BreathingStopped, fact::BagSqueezed,
-                   fact::ManikinBreathed, fact::AirwayEventsSet>(body);
+                   fact::ManikinBreathed, fact::AirwayEventsSet, fact::HeadPositionSet>(body);
 }
 
 /// The id of the entry that is the same, else the next free one; 0 where none is left.

@@ -290,12 +290,19 @@ struct SessionState::Applier {
         forStations([&](Station& station) {
             station.respiration.addCheckpoint({body.at, body.state});
             station.airwayEvents.forgetBefore(station.respiration.keptFrom());
+            station.headPosition.forgetBefore(station.respiration.keptFrom());
         });
     }
     void operator()(const fact::AirwayEventsSet& body) const
     {
         forStations([&](Station& station) {
             station.airwayEvents.set(around.effect, body.events, body.over);
+        });
+    }
+    void operator()(const fact::HeadPositionSet& body) const
+    {
+        forStations([&](Station& station) {
+            station.headPosition.set(around.effect, body.position, body.over);
         });
     }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/session/airway/airway_event_timeline.h"
+#include "engine/session/airway/head_position_timeline.h"
 #include "engine/session/facts/facts.h"
 #include "engine/session/parameter_timeline.h"
 #include "engine/session/respiration/respiration_timeline.h"
@@ -96,7 +97,8 @@ struct Station {
     std::string anatomyName;
     RespirationTimeline respiration;
     AirwayEventTimeline airwayEvents;
-    ParticipantId worker = kNobody; ///< who took up the work last, and may have gone
+    HeadPositionTimeline headPosition; ///< as decided, beyond what events let it move, too
+    ParticipantId worker = kNobody;    ///< who took up the work last, and may have gone
     std::optional<ShownLesson> lesson{};
     /// The last one that broke off, of an author who is away or came back since and has not gone
     /// again; until something else is shown, or another patient is laid.

@@ -22,7 +22,8 @@ bool changesPatient(const FactBody& body)
     return isAnyOf<fact::AnatomyChosen, fact::BreathingRateSet, fact::TidalVolumeSet,
                    fact::InspiratoryFractionSet, fact::PatientBuildSet, fact::LungConditionsSet,
                    fact::VentilatorSet, fact::TubePlaced, fact::BodyPositionSet,
-                   fact::BreathingStopped, fact::BagSqueezed, fact::AirwayEventsSet>(body);
+                   fact::BreathingStopped, fact::BagSqueezed, fact::AirwayEventsSet,
+                   fact::HeadPositionSet>(body);
 }
 
 bool isOfNoStation(const FactBody& body)

@@ -178,7 +178,8 @@ std::vector<std::string> factBodies()
                                {AirwayEventKind::Laryngospasm, 1.0},
                                {AirwayEventKind::LaryngealWeb, 0.25},
                                {AirwayEventKind::Trismus, 0.75}},
-                              std::chrono::seconds{30}}};
+                              std::chrono::seconds{30}},
+        fact::HeadPositionSet{kSniffing, std::chrono::seconds{30}}};
     static_assert(std::size(bodies) == std::variant_size_v<FactBody>, "one of each kind");
     std::vector<std::string> all;
     const auto add = [&all](const FactBody& body) {

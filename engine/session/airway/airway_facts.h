@@ -2,6 +2,7 @@
 
 #include "engine/anatomy/events/airway_event.h"
 #include "engine/core/session_time.h"
+#include "engine/geometry/deformation/neck_field.h"
 
 namespace carina::fact
 {
@@ -13,6 +14,15 @@ struct AirwayEventsSet {
     Duration over{};
 
     friend bool operator==(const AirwayEventsSet&, const AirwayEventsSet&) = default;
+};
+
+/// How head and neck of patient and manikin are to lie. Each angle goes evenly over a time from
+/// what it is to what is said here; the patient follows as far as events let it (withinMotion).
+struct HeadPositionSet {
+    HeadPosition position;
+    Duration over{};
+
+    friend bool operator==(const HeadPositionSet&, const HeadPositionSet&) = default;
 };
 
 } // namespace carina::fact

@@ -6,12 +6,15 @@
 namespace carina
 {
 
-/// The longest time over which the events of an airway may change.
+/// The longest time over which the events of an airway, and how the head lies, may change.
 inline constexpr Duration kLongestAirwayChange = std::chrono::minutes{10};
 
 /// Whether the values of a fact about the airway are possible for any patient.
 /// @returns OutOfRange for a severity or time outside its range, and for events that are not in the
 ///          order of their kinds, each once; NotFinite.
 [[nodiscard]] Result<void> checkAirway(const fact::AirwayEventsSet& fact);
+/// @returns OutOfRange for an angle that is not drawn (withinReach), or a time outside its range;
+///          NotFinite.
+[[nodiscard]] Result<void> checkAirway(const fact::HeadPositionSet& fact);
 
 } // namespace carina

@@ -35,8 +35,8 @@ public:
             place = m_changes.insert(place, Change{});
         *place = {from, over, aim, {}};
         for (; place != m_changes.end(); ++place)
-            place->begin = place == m_changes.begin() ? Numbers{}
-                                                      : numbersAt(*std::prev(place), place->from);
+            place->begin =
+                place == m_changes.begin() ? Numbers{} : numbersAt(*std::prev(place), place->from);
     }
     /// Removes the changes before a time but the one in force then.
     /// @pre none is added any more that is earlier

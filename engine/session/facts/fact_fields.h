@@ -128,6 +128,11 @@ inline constexpr std::tuple kFields<fact::AirwayEventsSet>{&fact::AirwayEventsSe
                                                            &fact::AirwayEventsSet::over};
 template <>
 inline constexpr std::tuple kFields<AirwayEvent>{&AirwayEvent::kind, &AirwayEvent::severity};
+template <>
+inline constexpr std::tuple kFields<fact::HeadPositionSet>{&fact::HeadPositionSet::position,
+                                                           &fact::HeadPositionSet::over};
+template <>
+inline constexpr std::tuple kFields<HeadPosition>{&HeadPosition::flexion, &HeadPosition::extension};
 
 template <> inline constexpr std::tuple kFields<fact::TubePlaced>{&fact::TubePlaced::innerDiameter};
 template <>

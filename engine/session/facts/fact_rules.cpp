@@ -133,6 +133,7 @@ struct BodyCheck {
     Result<void> operator()(const fact::LessonShown& f) const { return checkLesson(f.lesson); }
     Result<void> operator()(const fact::LessonEnded&) const { return {}; }
     Result<void> operator()(const fact::AirwayEventsSet& f) const { return checkAirway(f); }
+    Result<void> operator()(const fact::HeadPositionSet& f) const { return checkAirway(f); }
     template <class Fact> Result<void> operator()(const Fact& f) const
     {
         return checkRespiration(f);

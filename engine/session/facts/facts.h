@@ -159,7 +159,7 @@ using FactBody = std::variant<
     fact::RoleCodeChanged, fact::TokenReplaced, fact::StrategyChosen, fact::RegistrationStated,
     fact::StationRenamed, fact::StationClosed, fact::ParticipantMoved, fact::WorkTaken,
     fact::PlaceChosen, fact::BreathingStopped, fact::BagSqueezed, fact::LessonShown,
-    fact::LessonEnded, fact::ParticipantFellSilent, fact::AirwayEventsSet>;
+    fact::LessonEnded, fact::ParticipantFellSilent, fact::AirwayEventsSet, fact::HeadPositionSet>;
 
 /// Whether programs propose such facts automatically, so that no person waits for the result.
 [[nodiscard]] inline bool isByItself(const FactBody& body)

@@ -95,6 +95,7 @@ void TestSessionPermissions::permitsByRole_data()
     row("makes the cords shut", "yynnnn", [](auto) {
         return fact::AirwayEventsSet{{{AirwayEventKind::Laryngospasm, 1.0}}, {}};
     });
+    row("lays the head", "yynnnn", [](auto) { return fact::HeadPositionSet{kSniffing, {}}; });
     row("shows something", "yynnnn", [](auto) { return fact::LessonShown{}; });
     row("shares a view to show", "yynnnn", [](auto id) {
         return fact::ObjectShared{{}, id, ObjectKind::View, "view"};

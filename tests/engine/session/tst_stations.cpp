@@ -384,6 +384,7 @@ void TestStations::changeTogetherInThePatientOnly_data()
     row("apnoea", fact::BreathingStopped{}, "fine");
     row("bag", fact::BagSqueezed{}, "fine");
     row("airway", fact::AirwayEventsSet{}, "fine");
+    row("head", fact::HeadPositionSet{}, "fine");
     row("anatomy", fact::AnatomyChosen{"aa", "A"}, "fine");
     row("phase", fact::PhaseChanged{SessionPhase::Running}, "fine"); // of no station
     row("breath", fact::ManikinBreathed{kNow}, "station unknown");

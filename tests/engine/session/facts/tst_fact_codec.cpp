@@ -113,6 +113,11 @@ std::vector<Golden> goldenFacts()
              {{AirwayEventKind::TongueOedema, 0.5}, {AirwayEventKind::Laryngospasm, 1.0}},
              Duration{0x0304}},
          "26 02 00 000000000000e03f 04 000000000000f03f 0403000000000000"},
+        {"head in neutral position", fact::HeadPositionSet{},
+         "27 0000000000000000 0000000000000000 0000000000000000"},
+        {"head position set",
+         fact::HeadPositionSet{{radians(0.5), radians(-0.125)}, Duration{0x0304}},
+         "27 000000000000e03f 000000000000c0bf 0403000000000000"},
         {"pointer shared",
          fact::ObjectShared{ObjectId{1}, ParticipantId{2}, ObjectKind::Pointer, ""},
          "06 0100 0200 0a 00"},
@@ -173,7 +178,7 @@ void TestFactCodec::refusesBadBytes_data()
         QTest::newRow(name) << hex.replace(' ', "") << QString::fromUtf8(detail);
     };
     row("kind 0", "00", "kind of fact 0");
-    row("kind 39", "27", "kind of fact 39");
+    row("kind 40", "28", "kind of fact 40");
     row("kind 255", "ff", "kind of fact 255");
     row("phase 4", "02 04", "fact of kind 2: enumerator");
     row("role 3", "04 0100 03 00", "fact of kind 4: enumerator");
@@ -183,6 +188,10 @@ void TestFactCodec::refusesBadBytes_data()
     row("airway event 16", "26 01 10 0000000000000000 0000000000000000",
         "fact of kind 38: enumerator");
     row("seventeen airway events", "26 11", "fact of kind 38: number of airway events");
+    row("neck flexed without end", "27 000000000000f07f 0000000000000000 0000000000000000",
+        "fact of kind 39: finite number");
+    row("head not a number", "27 0000000000000000 000000000000f87f 0000000000000000",
+        "fact of kind 39: finite number");
     row("wanted twice", "0c 0100 02", "fact of kind 12: flag");
     row("infinite rate", "08 000000000000f07f", "fact of kind 8: finite number");
     row("negative infinite volume", "09 000000000000f0ff", "fact of kind 9: finite number");

@@ -50,9 +50,10 @@ const auto& presets()
         AirwayPreset{"obese",
                      QT_TRANSLATE_NOOP("Airway", "Obese"),
                      {{TongueOedema, 0.1}, {NeckObesity, 0.8}}},
-        AirwayPreset{"trauma_collar",
-                     QT_TRANSLATE_NOOP("Airway", "Trauma with collar"),
-                     {{TongueOedema, 0.3}, {PharyngealSwelling, 0.3}, {Trismus, 0.7}}},
+        AirwayPreset{
+            "trauma_collar",
+            QT_TRANSLATE_NOOP("Airway", "Trauma with collar"),
+            {{TongueOedema, 0.3}, {PharyngealSwelling, 0.3}, {Trismus, 0.7}, {StiffNeck, 0.9}}},
         AirwayPreset{"goitre",
                      QT_TRANSLATE_NOOP("Airway", "Large goitre"),
                      {{TrachealDeviation, 0.4}, {Goitre, 0.9}}},

@@ -47,6 +47,8 @@ QString eventText(AirwayEventKind kind)
         return airwayWords(QT_TRANSLATE_NOOP("Airway", "Prominent incisors"));
     case AirwayEventKind::Trismus:
         return airwayWords(QT_TRANSLATE_NOOP("Airway", "Trismus"));
+    case AirwayEventKind::StiffNeck:
+        return airwayWords(QT_TRANSLATE_NOOP("Airway", "Stiff neck"));
     }
     return {};
 }
@@ -107,6 +109,10 @@ QString eventEffect(AirwayEventKind kind)
         return airwayWords(
             QT_TRANSLATE_NOOP("Airway", "The mouth is drawn open less, at 100 % by 10 mm at most; "
                                         "a manikin's own jaw is not held"));
+    case AirwayEventKind::StiffNeck:
+        return airwayWords(QT_TRANSLATE_NOOP(
+            "Airway", "Head and neck are drawn to move less from the neutral position, at 100 % "
+                      "not at all, as in a rigid collar; a manikin's own neck is not held"));
     }
     return {};
 }

@@ -177,7 +177,8 @@ std::vector<std::string> factBodies()
         fact::AirwayEventsSet{{{AirwayEventKind::TongueOedema, 0.5},
                                {AirwayEventKind::Laryngospasm, 1.0},
                                {AirwayEventKind::LaryngealWeb, 0.25},
-                               {AirwayEventKind::Trismus, 0.75}},
+                               {AirwayEventKind::Trismus, 0.75},
+                               {AirwayEventKind::StiffNeck, 0.5}},
                               std::chrono::seconds{30}},
         fact::HeadPositionSet{kSniffing, std::chrono::seconds{30}}};
     static_assert(std::size(bodies) == std::variant_size_v<FactBody>, "one of each kind");

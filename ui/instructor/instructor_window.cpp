@@ -190,7 +190,8 @@ void InstructorWindow::offerPanels()
     offer(m_ui->conditionDock, "showCondition", tr("Conditio&n"), QStringLiteral("Ctrl+D"),
           tr("Conditions of the lungs, position and ventilator"));
     offer(m_ui->airwayDock, "showAirway", tr("Airwa&y"), QStringLiteral("Ctrl+Y"),
-          tr("What makes the airway difficult, from swelling to trismus, and how severe each is"));
+          tr("What makes the airway difficult, from swelling to a stiff neck, how severe "
+             "each is, and how the head lies"));
     offer(m_ui->actionsDock, "showActions", tr("&Move"), QStringLiteral("Ctrl+M"),
           tr("Turn, move or scale the patient, or organs lifted out of it, and see who has them"));
     offer(m_ui->partsDock, "showParts", tr("Par&ts"), QStringLiteral("Ctrl+T"),

@@ -3,6 +3,7 @@
 #include "apps/lab/rendering/picture_series.h"
 #include "apps/lab/rendering/render_page.h"
 #include "engine/anatomy/airway/airway_measure.h"
+#include "engine/anatomy/events/neck_motion.h"
 #include "models/patient/patient_source.h"
 #include "ui/scene/scene_parts.h"
 #include "ui/scene/scope_scene.h"
@@ -75,8 +76,8 @@ private:
 
     [[nodiscard]] SceneFrame frameOf(const LaryngoscopyPose& pose) const
     {
-        SceneFrame frame =
-            sceneFrame({}, m_patient.lungs().field(), m_patient.throat(pose.X_AJ, m_order.head));
+        SceneFrame frame = sceneFrame({}, m_patient.lungs().field(),
+                                      m_patient.throat(pose.X_AJ, m_laryngoscopy.headPosition()));
         frame.airway = m_laryngoscopy.changes();
         frame.blade = pose.field;
         frame.bodies[kScopeBody] = pose.X_AL;
@@ -186,11 +187,10 @@ Result<QJsonObject> drawLaryngoscopy(Anatomy anatomy, const LaryngoscopyOrder& o
     if (const auto shown = canShowAll(*laryngoscopy, order.events); !shown)
         return tl::unexpected(shown.error());
     laryngoscopy->changeAirway(order.events);
-    laryngoscopy->layHead(order.head);
+    laryngoscopy->layHead(withinMotion(order.head, order.events));
     const HeadPosition head = laryngoscopy->headPosition();
     const AirwayAxes axes = laryngoscopy->axes();
-    const Length toCarina =
-        teethToCarina(bent((*patient)->landmarks(), (*patient)->neck(order.head)));
+    const Length toCarina = teethToCarina(bent((*patient)->landmarks(), (*patient)->neck(head)));
     ScopeSeries series{**patient, std::move(*laryngoscopy), order};
     return series.draw().map([&](const QJsonArray& pictures) {
         return QJsonObject{

@@ -377,6 +377,7 @@ bool canShow(const UpperAirway& airway, AirwayEventKind kind)
     case AirwayEventKind::PharyngealSwelling:
     case AirwayEventKind::NeckObesity:
     case AirwayEventKind::Trismus:
+    case AirwayEventKind::StiffNeck:
         return hasWay;
     case AirwayEventKind::ProminentIncisors:
         return hasWay && airway.hasIncisors;

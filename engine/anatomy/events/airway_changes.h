@@ -44,7 +44,8 @@ inline constexpr double kInspirationAsMade = 0.75;
 /// of
 ///   the neck goes outward;
 /// - ProminentIncisors: the upper front teeth stand out, with gums and lip;
-/// - Trismus: nothing of this; it limits the jaw (mostMouthOpening).
+/// - Trismus: nothing of this; it limits the jaw (mostMouthOpening);
+/// - StiffNeck: nothing of this; it limits head and neck (withinMotion).
 ///
 /// An event that canShow() denies changes nothing.
 /// @pre areProper(events), and inspiration within 0 to 1

@@ -26,8 +26,9 @@ enum class AirwayEventKind : std::uint8_t {
     NeckObesity,        ///< pharynx narrower, tongue base larger, neck thicker
     ProminentIncisors,  ///< the upper ones stand out to the front, and lower
     Trismus,            ///< the mouth opens less
+    StiffNeck,          ///< head and neck move less
 };
-inline constexpr int kAirwayEventKinds = 16;
+inline constexpr int kAirwayEventKinds = 17;
 
 /// One of them, and how severe it is.
 struct AirwayEvent {

@@ -57,6 +57,7 @@ private Q_SLOTS:
     void estimatesTheForcesOfALift();
     void pressesTheTeethByLevering();
     void showsEventsThatAreAskedFor();
+    void extendsAStiffNeckNoFartherThanItGoes();
     void shutsTheCordsInASpasm();
     void worsensTheViewByEvents_data();
     void worsensTheViewByEvents();
@@ -176,6 +177,16 @@ void TestLaryngoscopyPictures::showsEventsThatAreAskedFor()
     QCOMPARE(events[0][QStringLiteral("severity")].toDouble(), 0.5);
     QCOMPARE(events[1][QStringLiteral("event")].toString(), QStringLiteral("laryngospasm"));
     QCOMPARE(events[1][QStringLiteral("severity")].toDouble(), 0.25);
+}
+
+// Half of 30 degrees.
+void TestLaryngoscopyPictures::extendsAStiffNeckNoFartherThanItGoes()
+{
+    const QJsonObject object =
+        drawn(m_folder.filePath(QStringLiteral("stiff")),
+              {QStringLiteral("--event"), QStringLiteral("stiff_neck=0.5"),
+               QStringLiteral("--head-extension-deg"), QStringLiteral("25")});
+    QVERIFY(std::abs(object[QStringLiteral("head_extension_deg")].toDouble() - 15.0) < 1e-6);
 }
 
 // How far apart they are is measured by TestAirwayChanges; here they are still seen, and otherwise.

@@ -261,7 +261,8 @@ void TestAirwayEvents::areCheckedByTheHost_data()
          {Goitre, 1.0},
          {NeckObesity, 1.0},
          {ProminentIncisors, 1.0},
-         {Trismus, 1.0}},
+         {Trismus, 1.0},
+         {StiffNeck, 1.0}},
         minutes{10}, "fine");
     row("worse than the worst", {{TongueOedema, 1.0 + 1e-9}}, {}, "out of range");
     row("negative", {{TongueOedema, -1e-9}}, {}, "out of range");

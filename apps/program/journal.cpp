@@ -113,6 +113,13 @@ QJsonObject severitiesOf(const AirwayEvents& events)
     return severities;
 }
 
+/// As it is drawn.
+QJsonObject anglesOf(const HeadPosition& position)
+{
+    return {{QStringLiteral("neck_flexion_deg"), inDegrees(position.flexion)},
+            {QStringLiteral("head_extension_deg"), inDegrees(position.extension)}};
+}
+
 /// Who has what can be lifted out at a station.
 QJsonObject holders(const SessionState& state, StationId station)
 {
@@ -184,6 +191,7 @@ void Journal::writeLine()
         {QStringLiteral("frames"), std::exchange(*m_frames, QJsonArray{})}};
     line[QStringLiteral("registrations")] = registrations(*state);
     line[QStringLiteral("airway_events")] = severitiesOf(m_scene.moment().airwayEvents);
+    line[QStringLiteral("head_position")] = anglesOf(m_scene.moment().headPosition);
     line[QStringLiteral("holders")] = holders(*state, m_station);
     if (m_notice)
         line[QStringLiteral("notice")] = m_notice();

@@ -40,10 +40,12 @@ double progressAt(double phase)
 
 } // namespace
 
-LaryngoscopyPose scriptedLaryngoscopy(const LaryngoscopyScript& script, SessionTime t)
+LaryngoscopyPose scriptedLaryngoscopy(const LaryngoscopyScript& script, SessionTime t,
+                                      const NeckField& neck)
 {
     return laryngoscopyPose(script.airway, script.throat, script.blade,
-                            progressAt(shareOfPeriod(t, script.period)), script.lift, script.held);
+                            progressAt(shareOfPeriod(t, script.period)), script.lift, script.held,
+                            neck);
 }
 
 } // namespace carina

@@ -19,8 +19,9 @@ struct LaryngoscopyScript {
 /// Blade and jaw at a time of a laryngoscopy that repeats: from the teeth over the tongue into the
 /// vallecula and lifted within the first 36 % of the period, held so up to 74 %, and out the same
 /// way. Continuous in time, and at rest in each step. A pure function of time.
-[[nodiscard]] LaryngoscopyPose scriptedLaryngoscopy(const LaryngoscopyScript& script,
-                                                    SessionTime t);
+/// @param neck with which the airway lies; the pose of the jaw is in the frame of the head
+[[nodiscard]] LaryngoscopyPose scriptedLaryngoscopy(const LaryngoscopyScript& script, SessionTime t,
+                                                    const NeckField& neck = {});
 
 /// By how much of a period a scripted tube (ScriptedHands) comes later than it does by itself. It
 /// is brought in from 10 % to 50 % by itself: so from 34 % to 74 %, where the blade's lift ends,

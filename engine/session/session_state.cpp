@@ -1,5 +1,6 @@
 #include "engine/session/session_state.h"
 
+#include "engine/anatomy/events/neck_motion.h"
 #include "engine/core/expects.h"
 
 #include <algorithm>
@@ -13,6 +14,11 @@ namespace
 constexpr ParticipantId kHostOfSession{0};
 
 } // namespace
+
+HeadPosition headPositionAt(const Station& station, SessionTime t)
+{
+    return withinMotion(station.headPosition.at(t), station.airwayEvents.at(t));
+}
 
 /// What each kind of fact does to the state; `around` is the fact that the body came in.
 struct SessionState::Applier {

@@ -105,6 +105,10 @@ struct Station {
     std::optional<BrokenOffLesson> brokenOff{};
 };
 
+/// How head and neck of a station's patient lie at a time: as decided, and as far as the events of
+/// then let them.
+[[nodiscard]] HeadPosition headPositionAt(const Station& station, SessionTime t);
+
 /// Everything that follows from the facts so far, the same at every node. A value: it is copied to
 /// the threads that draw.
 ///

@@ -83,18 +83,45 @@ TrueToolPose withMarkers(TrueToolPose hands, ToolRole marked, const RigidTransfo
     };
 }
 
-/// The hands, which bring the tube in later, and a laryngoscope, which moves the jaw.
-TrueToolPose withLaryngoscopy(TrueToolPose hands, LaryngoscopyScript script,
+/// How the neck of the simulated manikin lies now.
+using NeckNow = std::function<NeckField()>;
+
+NeckNow neckOf(const AirwayLandmarks& airway, SimulatedHead head)
+{
+    if (!head)
+        return [] { return NeckField{}; };
+    return [p_A_glottis = airway.p_A_glottis, p_A_incisors = airway.p_A_incisors,
+            head = std::move(head)] {
+        return NeckField{p_A_glottis, p_A_incisors, head()};
+    };
+}
+
+/// The hands at a manikin whose jaw is where its head is.
+TrueToolPose withNeck(TrueToolPose hands, NeckNow neck, const RigidTransform& X_TA)
+{
+    return [hands = std::move(hands), neck = std::move(neck), X_TA,
+            X_AT = X_TA.inverse()](ToolRole tool, SessionTime t) {
+        auto X_TO = hands(tool, t);
+        if (const NeckField now = X_TO && tool == ToolRole::Jaw ? neck() : NeckField{};
+            now.isBent())
+            X_TO = X_TA * now.X_AU() * X_AT * *X_TO;
+        return X_TO;
+    };
+}
+
+/// The hands, which bring the tube in later, and a laryngoscope, which moves the jaw in the frame
+/// of the head.
+TrueToolPose withLaryngoscopy(TrueToolPose hands, LaryngoscopyScript script, NeckNow neck,
                               const RigidTransform& X_TA, const RigidTransform& X_AJ_closed)
 {
     const Duration later = fromSeconds(kTubeAfterBlade * toSeconds(script.period));
-    return [=, hands = std::move(hands), script = std::move(script)](
-               ToolRole tool, SessionTime t) -> std::optional<RigidTransform> {
+    return [=, hands = std::move(hands), script = std::move(script),
+            neck = std::move(neck)](ToolRole tool, SessionTime t) -> std::optional<RigidTransform> {
         switch (tool) {
         case ToolRole::Laryngoscope:
-            return X_TA * scriptedLaryngoscopy(script, t).X_AL;
+            return X_TA * scriptedLaryngoscopy(script, t, neck()).X_AL;
         case ToolRole::Jaw:
-            return X_TA * scriptedLaryngoscopy(script, t).X_AJ * X_AJ_closed;
+            return X_TA * scriptedLaryngoscopy(script, t, neck()).X_AJ * X_AJ_closed;
         case ToolRole::Tube:
         case ToolRole::Hand:
             return hands(tool, t - later);
@@ -108,12 +135,11 @@ TrueToolPose withLaryngoscopy(TrueToolPose hands, LaryngoscopyScript script,
 
 RigidTransform simulatedBodyProbe() { return RigidTransform::translation({-0.12, -0.06, 0.05}); }
 
-Result<SimulatedStation> simulatedStation(const AirwayLandmarks& airway, const TubeShape& tube,
-                                          ReadSessionClock clock,
-                                          const std::optional<StationRegistration>& registration,
-                                          Frequency manikinBreathes, SimulatedPerson person,
-                                          SimulatedTrackerSettings device,
-                                          const std::optional<LaryngoscopyScript>& laryngoscopy)
+Result<SimulatedStation>
+simulatedStation(const AirwayLandmarks& airway, const TubeShape& tube, ReadSessionClock clock,
+                 const std::optional<StationRegistration>& registration, Frequency manikinBreathes,
+                 SimulatedPerson person, SimulatedTrackerSettings device,
+                 const std::optional<LaryngoscopyScript>& laryngoscopy, SimulatedHead head)
 {
     const RigidTransform X_TA = patientBeforeTracker(airway.p_A_incisors);
     const HandScript script{.X_TA = X_TA,
@@ -126,9 +152,11 @@ Result<SimulatedStation> simulatedStation(const AirwayLandmarks& airway, const T
         return tl::unexpected(hands.error());
     const StationRegistration exactly{.X_AT = X_TA.inverse(), .X_JA = hands->closedJaw().inverse()};
     device.handProbe = static_cast<bool>(person);
+    const NeckNow neck = neckOf(airway, std::move(head));
     TrueToolPose done = *hands;
     if (device.laryngoscope && laryngoscopy)
-        done = withLaryngoscopy(std::move(done), *laryngoscopy, X_TA, hands->closedJaw());
+        done = withLaryngoscopy(std::move(done), *laryngoscopy, neck, X_TA, hands->closedJaw());
+    done = withNeck(std::move(done), neck, X_TA);
     TrueToolPose truth =
         withManikin(of(std::move(person), std::move(done), script), X_TA, manikinBreathes);
     const SimulatedTools marked = simulatedTools(tube);

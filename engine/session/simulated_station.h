@@ -2,6 +2,7 @@
 
 #include "engine/anatomy/anatomy.h"
 #include "engine/anatomy/shapes/tube.h"
+#include "engine/geometry/deformation/neck_field.h"
 #include "engine/session/scripted_laryngoscopy.h"
 #include "engine/session/station_tracking.h"
 #include "engine/tracking/simulated/simulated_tracker.h"
@@ -27,6 +28,9 @@ struct SimulatedStation {
 /// several do not coincide; all are in the tracker's view. Called on the tracker's thread.
 using SimulatedPerson = std::function<unsigned()>;
 
+/// How head and neck of the simulated manikin lie now. Called on the tracker's thread.
+using SimulatedHead = std::function<HeadPosition()>;
+
 /// @param registration of the manikin; without one the error-free registration is used. If it has
 ///        X_BA, the manikin wears a body probe, whose true pose is simulatedBodyProbe(); if it has
 ///        X_NE or X_NL, the markers of tube or laryngoscope are where those of simulatedTools() are
@@ -36,13 +40,14 @@ using SimulatedPerson = std::function<unsigned()>;
 ///        laryngoscope
 /// @param laryngoscopy what is done with a laryngoscope; without it, as in a patient whose larynx
 ///        is not known, a laryngoscope is never seen
+/// @param head neutral without it. The jaw goes with the head, and a laryngoscope into the mouth as
+///        it lies; the tube goes the way of the neutral position
 /// @returns the errors of ScriptedHands::make for this airway.
-[[nodiscard]] Result<SimulatedStation>
-simulatedStation(const AirwayLandmarks& airway, const TubeShape& tube, ReadSessionClock clock,
-                 const std::optional<StationRegistration>& registration = {},
-                 Frequency manikinBreathes = {}, SimulatedPerson person = {},
-                 SimulatedTrackerSettings device = {},
-                 const std::optional<LaryngoscopyScript>& laryngoscopy = {});
+[[nodiscard]] Result<SimulatedStation> simulatedStation(
+    const AirwayLandmarks& airway, const TubeShape& tube, ReadSessionClock clock,
+    const std::optional<StationRegistration>& registration = {}, Frequency manikinBreathes = {},
+    SimulatedPerson person = {}, SimulatedTrackerSettings device = {},
+    const std::optional<LaryngoscopyScript>& laryngoscopy = {}, SimulatedHead head = {});
 
 inline constexpr Length kManikinRise = millimetres(12.0);
 

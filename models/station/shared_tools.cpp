@@ -43,6 +43,16 @@ unsigned simulatedPerson(const SessionNode& node)
     return self.value == 0 ? kPersonOfHost : self.value - 1U;
 }
 
+/// How head and neck of the patient at this program's station lie now.
+HeadPosition simulatedHead(const SessionNode& node)
+{
+    const auto state = node.state();
+    const auto station = state->stations().find(ownStation(node));
+    const auto now = node.now();
+    return station == state->stations().end() || !now ? HeadPosition{}
+                                                      : headPositionAt(station->second, *now);
+}
+
 /// What a simulated tracker with a laryngoscope does with it; nothing without, and where the
 /// patient's larynx is not known.
 std::optional<LaryngoscopyScript> laryngoscopyOf(const PatientModel& patient,
@@ -247,7 +257,7 @@ Result<void> SharedTools::simulate(Laid& laid) const
     auto simulated = simulatedStation(
         laid.patient->landmarks(), laid.patient->tube(), clock(), registrationIn(laid.place),
         m_hardware.manikinBreathes, [node = &m_node] { return simulatedPerson(*node); }, device,
-        laryngoscopyOf(*laid.patient, device));
+        laryngoscopyOf(*laid.patient, device), [node = &m_node] { return simulatedHead(*node); });
     if (!simulated)
         return tl::unexpected(simulated.error());
     laid.truth = [truth = simulated->truth,

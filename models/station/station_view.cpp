@@ -36,6 +36,7 @@ StationMoment StationView::at(SessionTime t, std::size_t level) const
         moment.inspiration = run.fold().inspiration();
         moment.position = station->second.respiration.settingsAt(t).position;
         moment.airwayEvents = station->second.airwayEvents.at(t);
+        moment.headPosition = headPositionAt(station->second, t);
         moment.exaggeration = m_exaggeration;
         const ChestPose drawn = drawnPose(m_lungs, moment.breathing, level);
         moment.notDrawn = notDrawn(m_lungs, moment.breathing, drawn, level);

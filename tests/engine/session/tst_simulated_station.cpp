@@ -92,12 +92,14 @@ struct WithLaryngoscope {
                                          patient.landmarks.p_A_incisors},
                               .held = heldJaw(patient.contentHash)};
 
-    [[nodiscard]] SimulatedStation made(const std::optional<StationRegistration>& place = {}) const
+    [[nodiscard]] SimulatedStation made(const std::optional<StationRegistration>& place = {},
+                                        const SimulatedHead& head = {}) const
     {
         SimulatedTrackerSettings device;
         device.laryngoscope = true;
         const auto noClock = [] { return std::optional<SessionTime>{}; };
-        return simulatedStation(patient.landmarks, tube, noClock, place, {}, {}, device, script)
+        return simulatedStation(patient.landmarks, tube, noClock, place, {}, {}, device, script,
+                                head)
             .value();
     }
 };
@@ -236,6 +238,34 @@ private Q_SLOTS:
             QVERIFY(blade.lift.si >= 0.7 * station.script.lift.si);
         }
         QVERIFY(times > kLeastTimes);
+    }
+
+    /// The jaw as it is in the head, and the blade where it is in a mouth that lies so.
+    void worksInAHeadAsItLies()
+    {
+        constexpr double kExact = 1e-9;
+        const WithLaryngoscope station;
+        const SimulatedStation neutral = station.made();
+        const SimulatedStation sniffing = station.made({}, [] { return kSniffing; });
+        const NeckField neck{station.patient.landmarks.p_A_glottis,
+                             station.patient.landmarks.p_A_incisors, kSniffing};
+        const RigidTransform X_AT = neutral.X_TA.inverse();
+        for (const SessionTime t : {SessionTime{1s}, SessionTime{5s}, SessionTime{8s}}) {
+            const auto poseIn = [&](const SimulatedStation& made, ToolRole tool) {
+                return X_AT * made.truth(tool, t).value();
+            };
+            QVERIFY((poseIn(sniffing, ToolRole::Jaw).matrix()
+                     - (neck.X_AU() * poseIn(neutral, ToolRole::Jaw)).matrix())
+                        .norm()
+                    < kExact);
+            const RigidTransform X_AL = scriptedLaryngoscopy(station.script, t, neck).X_AL;
+            QVERIFY((poseIn(sniffing, ToolRole::Laryngoscope).matrix() - X_AL.matrix()).norm()
+                    < kExact);
+            QCOMPARE((poseIn(sniffing, ToolRole::Head).matrix()
+                      - poseIn(neutral, ToolRole::Head).matrix())
+                         .norm(),
+                     0.0);
+        }
     }
 
     void hasNoLaryngoscopeUnlessAskedFor()

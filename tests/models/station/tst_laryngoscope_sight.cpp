@@ -229,6 +229,28 @@ private Q_SLOTS:
         QVERIFY((glottisNow().p_A_notch - healthy.p_A_notch).norm() < kFloat_m); // it has gone
     }
 
+    /// Tissue and glottis are of the throat of the moment, whatever was seen before.
+    void worksInAHeadAsItLies()
+    {
+        Station station;
+        Laryngoscopy laid = Laryngoscopy::of(patient(), bladeOf(kUsualBlade)).value();
+        laid.layHead(kSniffing);
+        const LaryngoscopyPose lifted = laid.pose(LaryngoscopyStep::Full, kUsualLift);
+        station.node.sees(kFirst, lifted.X_AL, kNow);
+        const StationMoment moment = station.view.at(kNow, 0);
+        const LaryngoscopeSight neutral =
+            station.laryngoscope.at(moment, patient().throat(lifted.X_AJ));
+        const GlotticLine before = station.laryngoscope.glottisAt(neutral.throat, neutral.tissue);
+        const FollowingThroat throat = patient().throat(lifted.X_AJ, kSniffing);
+        const LaryngoscopeSight sight = station.laryngoscope.at(moment, throat);
+        QCOMPARE(sight.state, LaryngoscopeState::Live);
+        const GlotticLine seen = station.laryngoscope.glottisAt(sight.throat, sight.tissue);
+        const GlotticLine expected = laid.glottisAt(lifted);
+        QVERIFY((seen.p_A_notch - expected.p_A_notch).norm() < kSeen_m);
+        QVERIFY((seen.p_A_commissure - expected.p_A_commissure).norm() < kSeen_m);
+        QVERIFY((before.p_A_notch - expected.p_A_notch).norm() > 10.0 * kSeen_m);
+    }
+
     /// Wider with the patient's inspiration than with expiration, by what was seen in people.
     void partsTheCordsWithEachBreath()
     {

@@ -68,6 +68,7 @@ private Q_SLOTS:
     void nobodysTubeIsThePatientsWhileNobodyIsAtWork();
     void breathesAtTheTimeOfLight();
     void hasTheAirwayOfTheTimeOfLight();
+    void hasTheHeadAsItLiesAtTheTimeOfLight();
     void exaggeratesOnlyWhereAsked();
     void showsRestBeforeTheClockIsSet();
     void showsThePatientAsActionsHaveItAtTheTimeOfLight();
@@ -157,6 +158,28 @@ void TestStationView::hasTheAirwayOfTheTimeOfLight()
     QVERIFY(view.at(effect + std::chrono::seconds{5}, 0).airwayEvents == half);
     const AirwayEvents all{{AirwayEventKind::TongueOedema, 0.5}};
     QVERIFY(view.at(effect + std::chrono::seconds{20}, 0).airwayEvents == all);
+}
+
+/// Half of the way to the sniffing position after half of 10 s; a neck that is half as stiff as can
+/// be is flexed by half of 35 degrees at most.
+void TestStationView::hasTheHeadAsItLiesAtTheTimeOfLight()
+{
+    constexpr double kRounding = 1e-12; // radians
+    FakeSessionNode node;
+    const LungPair pair = lungs();
+    const StationView view{node, FakeSessionNode::kStation, pair};
+    QVERIFY(view.at(kNow, 0).headPosition == HeadPosition{});
+    node.decide(fact::HeadPositionSet{kSniffing, std::chrono::seconds{10}});
+    const SessionTime effect = kNow + kShortestLead;
+    QVERIFY(view.at(effect, 0).headPosition == HeadPosition{});
+    const HeadPosition half = view.at(effect + std::chrono::seconds{5}, 0).headPosition;
+    QVERIFY(std::abs(half.flexion.si - 0.5 * kSniffing.flexion.si) < kRounding);
+    QVERIFY(std::abs(half.extension.si - 0.5 * kSniffing.extension.si) < kRounding);
+    QVERIFY(view.at(effect + std::chrono::seconds{10}, 0).headPosition == kSniffing);
+    node.decide(fact::AirwayEventsSet{{{AirwayEventKind::StiffNeck, 0.5}}, {}});
+    const HeadPosition stiff = view.at(effect + std::chrono::seconds{10}, 0).headPosition;
+    QVERIFY(std::abs(stiff.flexion.si - 0.5 * kMostFlexion.si) < kRounding);
+    QVERIFY(std::abs(stiff.extension.si - 0.5 * kMostExtension.si) < kRounding);
 }
 
 void TestStationView::showsWhatAnInstructorShowsToThisParticipant()

@@ -23,6 +23,8 @@ struct HeadPosition {
 inline constexpr HeadPosition kSniffing{degrees(35.0), degrees(24.2)};
 /// The head extended without a pillow, by 20.4 +- 5.1 degrees (Takenaka et al).
 inline constexpr HeadPosition kHeadExtended{{}, degrees(20.4)};
+/// The neck flexed as in the sniffing position, and the head not extended against it: of ours.
+inline constexpr HeadPosition kNeckFlexed{degrees(35.0), {}};
 
 /// The positions that are drawn.
 inline constexpr Angle kLeastFlexion = degrees(-25.0);

@@ -48,6 +48,7 @@ ConsoleSession::ConsoleSession(HostedSession hosted, const program::ChosenPatien
       m_actions{m_object},
       m_respiration{m_session, m_stations.shown()},
       m_airway{m_session, m_stations.shown()},
+      m_head{m_session, m_stations.shown()},
       m_trace{m_session, m_stations.shown()},
       m_attention{m_session},
       m_checkpoints{*m_hosted.node},
@@ -56,8 +57,8 @@ ConsoleSession::ConsoleSession(HostedSession hosted, const program::ChosenPatien
           return OfferGiver::Shown{m_shown.view(), m_shown.drawn()};
       }},
       m_kept{folder},
-      m_window{{m_session, m_breathing, m_respiration, m_airway, m_trace, m_participants, m_conduct,
-                m_people, m_network, m_actions, m_stations, m_lesson, m_shown.patient(),
+      m_window{{m_session, m_breathing, m_respiration, m_airway, m_head, m_trace, m_participants,
+                m_conduct, m_people, m_network, m_actions, m_stations, m_lesson, m_shown.patient(),
                 m_attention},
                m_kept,
                m_shown.view(),
@@ -73,6 +74,7 @@ ConsoleSession::ConsoleSession(HostedSession hosted, const program::ChosenPatien
         m_breathing.setForAll(all);
         m_respiration.setForAll(all);
         m_airway.setForAll(all);
+        m_head.setForAll(all);
     });
 }
 
@@ -164,6 +166,7 @@ void ConsoleSession::setStation(StationId station)
     m_people.setStation(station);
     m_respiration.setStation(station);
     m_airway.setStation(station);
+    m_head.setStation(station);
     m_trace.setStation(station);
     m_shown.setStation(station);
     if (m_journal)

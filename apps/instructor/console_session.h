@@ -80,6 +80,7 @@ private:
     ObjectActionModel m_actions;
     RespirationModel m_respiration;
     AirwayEventModel m_airway;
+    HeadPositionModel m_head;
     BreathTrace m_trace;
     AttentionModel m_attention;
     CheckpointKeeper m_checkpoints;

@@ -44,6 +44,7 @@ InstructorWindow::InstructorWindow(const ConsoleModels& models, KeptConsole& kep
     m_models.breathing.setHistory(m_history);
     m_models.respiration.setHistory(m_history);
     m_models.airway.setHistory(m_history);
+    m_models.head.setHistory(m_history);
     m_models.actions.setHistory(m_history);
     m_models.lesson.setHistory(m_history);
     m_models.conduct.setHistory(m_history);
@@ -88,7 +89,7 @@ void InstructorWindow::fillPanels(const ProgramTracker& tracker)
     m_ui->breathing->setModel(m_models.breathing);
     m_ui->condition->setModel(m_models.respiration);
     m_models.airway.setPatient(m_models.patient);
-    m_ui->airway->setModel(m_models.airway);
+    m_ui->airway->setModels(m_models.airway, m_models.head);
     m_ui->waveforms->setTrace(m_models.trace);
     m_ui->laryngoscope->setStation(stationScene());
     m_ui->participants->setModel(m_models.participants, m_models.conduct, m_models.stations,
@@ -442,6 +443,8 @@ void InstructorWindow::refreshStatus()
     told += tr("● Condition: %1").arg(m_models.respiration.inForceText());
     if (!m_models.airway.isClear())
         told += tr("● Airway: %1").arg(m_models.airway.inForceText());
+    if (!m_models.head.isNeutral())
+        told += tr("● Head position: %1").arg(m_models.head.inForceText());
     told += m_models.people.workText();
     told += tr("Patient: %1").arg(QString::fromStdString(scene.patient().name()));
     told += trackedText();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "models/airway/airway_event_model.h"
+#include "models/airway/head_position_model.h"
 #include "models/attention/attention_model.h"
 #include "models/console/kept_console.h"
 #include "models/lesson/lesson_model.h"
@@ -47,6 +48,7 @@ struct ConsoleModels {
     BreathingModel& breathing;
     RespirationModel& respiration;
     AirwayEventModel& airway;
+    HeadPositionModel& head;
     BreathTrace& trace;
     ParticipantsModel& participants;
     ConductModel& conduct;

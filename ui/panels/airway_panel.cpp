@@ -3,6 +3,7 @@
 #include "models/airway/airway_presets.h"
 #include "models/airway/airway_words.h"
 #include "models/text/shown_as_is.h"
+#include "ui/panels/head_position_row.h"
 #include "ui/refusal_line.h"
 #include "widgets/checked_spin_box.h"
 #include "widgets/plain_label.h"
@@ -25,7 +26,7 @@ namespace
 constexpr int kSeverityStep_percent = 10;
 constexpr int kMostPercent = 100;
 constexpr int kChangeStep_s = 5;
-constexpr int kEventGap = 4; ///< pixels
+constexpr int kEventGap = 2; ///< pixels, so that a window of 800 holds all rows
 constexpr int kPresetLetters = 16;
 constexpr int kLeastSlider = 60; ///< pixels
 
@@ -88,6 +89,7 @@ AirwayPanel::AirwayPanel(QWidget* parent)
       m_controls{new QWidget},
       m_presets{new QComboBox},
       m_over{new CheckedSpinBox},
+      m_head{new HeadPositionRow},
       m_clear{new QPushButton{tr("&Clear airway")}},
       m_refused{new RefusalLine},
       m_travelling{new PlainLabel}
@@ -105,15 +107,13 @@ void AirwayPanel::layOut()
     controls->setContentsMargins({});
     controls->setSpacing(kEventGap);
     addPresets(*controls);
-    addTime(*controls);
+    addTimeAndClear(*controls);
+    controls->addWidget(m_head);
     auto* rows = new QGridLayout;
     rows->setVerticalSpacing(kEventGap);
     controls->addLayout(rows);
     for (std::size_t place = 0; place < m_rows.size(); ++place)
         m_rows[place] = addRow(*rows, static_cast<AirwayEventKind>(place));
-    m_clear->setObjectName(QStringLiteral("clearAirway"));
-    m_clear->setToolTip(tr("All events of the airway go, over the time of a change (Alt+C)"));
-    controls->addWidget(m_clear);
     m_travelling->setObjectName(QStringLiteral("airwayTravelling"));
     m_travelling->setWordWrap(true);
     m_travelling->setAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -150,22 +150,26 @@ void AirwayPanel::addPresets(QBoxLayout& column)
     column.addLayout(row);
 }
 
-void AirwayPanel::addTime(QBoxLayout& column)
+void AirwayPanel::addTimeAndClear(QBoxLayout& column)
 {
     m_over->setObjectName(QStringLiteral("airwayOver"));
     m_over->setAccessibleName(tr("Time over which the airway changes, seconds"));
     m_over->setToolTip(tr("How long a change takes, from the next one on: at once, or up to 600 "
-                          "seconds in which the severity goes evenly to the new one"));
+                          "seconds in which severities and the head go evenly to what is new"));
     m_over->setRange(0, int(toSeconds(kLongestAirwayChange)));
     m_over->setSingleStep(kChangeStep_s);
     m_over->setSpecialValueText(tr("at once"));
     m_over->setSuffix(tr(" s"));
     m_over->setAlignment(Qt::AlignRight);
+    m_clear->setObjectName(QStringLiteral("clearAirway"));
+    m_clear->setToolTip(tr("All events of the airway go, over the time of a change (Alt+C); the "
+                           "head lies as before"));
     auto* label = new PlainLabel{tr("Time &of a change")};
     label->setBuddy(m_over);
     auto* row = new QHBoxLayout;
     row->addWidget(label, 1);
     row->addWidget(m_over);
+    row->addWidget(m_clear);
     column.addLayout(row);
 }
 
@@ -208,16 +212,21 @@ AirwayPanel::Row AirwayPanel::addRow(QGridLayout& rows, AirwayEventKind kind)
     return row;
 }
 
-void AirwayPanel::setModel(AirwayEventModel& model)
+void AirwayPanel::setModels(AirwayEventModel& events, HeadPositionModel& head)
 {
-    m_model = &model;
+    m_model = &events;
+    m_headModel = &head;
+    m_head->setModel(head);
     connect(m_presets, &QComboBox::activated, this, &AirwayPanel::choosePreset);
-    connect(m_over, &QSpinBox::valueChanged, this,
-            [this](int seconds) { m_model->setChangeTime(std::chrono::seconds{seconds}); });
+    connect(m_over, &QSpinBox::valueChanged, this, [this](int seconds) {
+        m_model->setChangeTime(std::chrono::seconds{seconds});
+        m_headModel->setChangeTime(std::chrono::seconds{seconds});
+    });
     for (std::size_t place = 0; place < m_rows.size(); ++place)
         connectRow(static_cast<AirwayEventKind>(place));
-    connect(m_clear, &QPushButton::clicked, &model, &AirwayEventModel::clear);
-    connect(&model, &AirwayEventModel::changed, this, &AirwayPanel::refresh);
+    connect(m_clear, &QPushButton::clicked, &events, &AirwayEventModel::clear);
+    connect(&events, &AirwayEventModel::changed, this, &AirwayPanel::refresh);
+    connect(&head, &HeadPositionModel::changed, this, &AirwayPanel::refresh);
     refresh();
 }
 
@@ -249,7 +258,9 @@ void AirwayPanel::refresh()
         refreshRow(static_cast<AirwayEventKind>(place));
     offerWhatCanBeSet();
     m_clear->setEnabled(!m_model->isClear());
-    m_travelling->setText(m_model->travellingText());
+    QStringList travelling{m_model->travellingText(), m_headModel->travellingText()};
+    travelling.removeAll(QString{});
+    m_travelling->setText(travelling.join(QStringLiteral(" · ")));
 }
 
 void AirwayPanel::refreshPreset()

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "models/airway/airway_event_model.h"
+#include "models/airway/head_position_model.h"
 
 #include <QWidget>
 
@@ -17,11 +18,13 @@ namespace carina
 {
 
 class CheckedSpinBox;
+class HeadPositionRow;
 class RefusalLine;
 
-/// Shows and sets the events that make the patient's airway difficult: of each kind its severity in
-/// per cent, for all of them the time over which a change comes, a choice of presets, which says
-/// "Custom" where the severities are those of none, and a button that ends them. A control shows
+/// Shows and sets the events that make the patient's airway difficult, and how the head lies: of
+/// each kind of event its severity in per cent, for all of them and the head the time over which a
+/// change comes, a choice of presets, which says "Custom" where the severities are those of none,
+/// and a button that ends the events. A control shows
 /// the value that is set or, while a change is pending, the requested one; beside it stands the
 /// severity that is to be seen, as long as that is another. An event that the patient does not show
 /// says why, and cannot be set unless it is to be ended, or is for other patients too. For a person
@@ -33,8 +36,8 @@ class AirwayPanel : public QWidget
 public:
     explicit AirwayPanel(QWidget* parent = nullptr);
 
-    /// @pre the model outlives the panel.
-    void setModel(AirwayEventModel& model);
+    /// @pre both models outlive the panel.
+    void setModels(AirwayEventModel& events, HeadPositionModel& head);
 
 private:
     struct Row {
@@ -46,7 +49,7 @@ private:
 
     void layOut();
     void addPresets(QBoxLayout& column);
-    void addTime(QBoxLayout& column);
+    void addTimeAndClear(QBoxLayout& column);
     [[nodiscard]] Row addRow(QGridLayout& rows, AirwayEventKind kind);
     void connectRow(AirwayEventKind kind);
     void choosePreset(int place);
@@ -56,11 +59,13 @@ private:
     void offerWhatCanBeSet();
 
     AirwayEventModel* m_model = nullptr;
+    HeadPositionModel* m_headModel = nullptr;
     QLabel* m_obstacle;
     QLabel* m_notShown; ///< why the patient shows no event at all
     QWidget* m_controls;
     QComboBox* m_presets; ///< each with its name as data
     CheckedSpinBox* m_over;
+    HeadPositionRow* m_head;
     std::array<Row, kAirwayEventKinds> m_rows{}; ///< by kind
     QPushButton* m_clear;
     RefusalLine* m_refused;

@@ -33,6 +33,7 @@ struct ConsoleDesk {
     BreathingModel breathing{session, FakeSessionNode::kStation};
     RespirationModel respiration{session, FakeSessionNode::kStation};
     AirwayEventModel airway{session, FakeSessionNode::kStation};
+    HeadPositionModel head{session, FakeSessionNode::kStation};
     BreathTrace trace{session, FakeSessionNode::kStation};
     ParticipantsModel participants{session};
     ConductModel conduct{session};
@@ -48,8 +49,9 @@ struct ConsoleDesk {
     std::optional<TrackerSight> sight;
     PoseRecording recording{[this] { return node.now(); }};
     OfferSwitch offer{[this] { return OfferGiver::Shown{view, *drawn}; }};
-    InstructorWindow window{{session, breathing, respiration, airway, trace, participants, conduct,
-                             people, network, actions, stations, lesson, patient, attention},
+    InstructorWindow window{{session, breathing, respiration, airway, head, trace, participants,
+                             conduct, people, network, actions, stations, lesson, patient,
+                             attention},
                             keeper,
                             view,
                             {.sight = [this] { return sight; },

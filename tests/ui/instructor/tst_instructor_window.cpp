@@ -198,6 +198,8 @@ constexpr std::array kDeeds{
          [](Shown& shown) {
              return numbered(qRound(100.0 * shown.airway.severity(AirwayEventKind::Laryngospasm)));
          }},
+    Deed{"the head is laid", [](Shown& shown) { shown.head.setPosition(kSniffing); },
+         [](Shown& shown) { return numbered(qRound(inDegrees(shown.head.position().flexion))); }},
     Deed{"the patient is turned",
          [](Shown& shown) {
              shown.object.choose(kPatient);

@@ -35,6 +35,10 @@ private Q_SLOTS:
     void clearsTheAirwayByItsButton();
     void setsAPresetAsOneChange();
     void saysCustomWhereItIsNoPreset();
+    void laysTheHeadByKeyboardOverTheTimeOfAChange();
+    void tellsHowTheHeadLies();
+    void saysOtherWhereTheHeadLiesInNoUsualWay();
+    void leadsFromTheTimeOverTheHeadToTheEventsByTab();
     void tellsWhatTravels();
     void keepsWhatIsBeingTyped();
     void refusesATypedSeverityWithItsRange();
@@ -57,12 +61,13 @@ struct Desk {
     FakeSessionNode node;
     SessionModel session{node};
     AirwayEventModel model{session, FakeSessionNode::kStation};
+    HeadPositionModel head{session, FakeSessionNode::kStation};
     AirwayPanel panel;
     std::optional<SessionPatient> patient;
 
     explicit Desk(ParticipantId self = FakeSessionNode::kInstructor) : node{self}
     {
-        panel.setModel(model);
+        panel.setModels(model, head);
         panel.show();
         QApplication::setActiveWindow(&panel); // the display has no window manager
     }
@@ -229,6 +234,74 @@ void TestAirwayPanel::saysCustomWhereItIsNoPreset()
     QCOMPARE(presets.currentText(), QStringLiteral("Clear"));
 }
 
+// The letter chooses it. 35 degrees over 10 s: 7 after two of them.
+void TestAirwayPanel::laysTheHeadByKeyboardOverTheTimeOfAChange()
+{
+    Desk desk;
+    auto& positions = desk.find<QComboBox>("headPosition");
+    QCOMPARE(positions.currentText(), QStringLiteral("Neutral"));
+    QCOMPARE(desk.text("headPositionNow"), QStringLiteral("neck 0°\nhead 0°"));
+    desk.enter("airwayOver", QStringLiteral("10"));
+    positions.setFocus();
+    QTest::keyClicks(&positions, QStringLiteral("f"));
+    QCOMPARE(positions.currentText(), QStringLiteral("Flexed"));
+    QCOMPARE(desk.text("airwayTravelling"),
+             QStringLiteral("Head position → Flexed: neck 35° flexed, head 0°"));
+    desk.settle();
+    desk.settle(std::chrono::seconds{2});
+    QCOMPARE(positions.currentText(), QStringLiteral("Flexed"));
+    QCOMPARE(desk.text("headPositionNow"), QStringLiteral("neck 7° flexed\nhead 0°"));
+    QVERIFY(desk.decided().empty());
+    desk.head.undo();
+    desk.settle();
+    QCOMPARE(positions.currentText(), QStringLiteral("Neutral"));
+    QCOMPARE(desk.text("headPositionNow"), QStringLiteral("neck 0°\nhead 0°"));
+}
+
+/// Of 35 and 30 degrees a stiff neck of 40 % leaves 21 and 18; clearing the airway leaves the head
+/// as it was laid.
+void TestAirwayPanel::tellsHowTheHeadLies()
+{
+    Desk desk;
+    desk.node.decide(fact::HeadPositionSet{kSniffing, {}});
+    desk.settle();
+    const auto& positions = desk.find<QComboBox>("headPosition");
+    QCOMPARE(positions.currentText(), QStringLiteral("Sniffing"));
+    QCOMPARE(positions.accessibleDescription(),
+             QStringLiteral("Sniffing: neck 35° flexed, head 24° extended"));
+    QCOMPARE(desk.text("headPositionNow"), QStringLiteral("neck 35° flexed\nhead 24° extended"));
+    desk.enter("stiff_neck", QStringLiteral("40"));
+    desk.settle();
+    QCOMPARE(positions.currentText(), QStringLiteral("Sniffing"));
+    QCOMPARE(desk.text("headPositionNow"), QStringLiteral("neck 21° flexed\nhead 18° extended"));
+    desk.find<QPushButton>("clearAirway").click();
+    desk.settle();
+    QCOMPARE(desk.text("headPositionNow"), QStringLiteral("neck 35° flexed\nhead 24° extended"));
+}
+
+void TestAirwayPanel::saysOtherWhereTheHeadLiesInNoUsualWay()
+{
+    Desk desk;
+    desk.node.decide(fact::HeadPositionSet{{degrees(-20.0), degrees(5.0)}, {}});
+    desk.settle();
+    const auto& positions = desk.find<QComboBox>("headPosition");
+    QCOMPARE(positions.currentIndex(), -1);
+    QCOMPARE(positions.placeholderText(), QStringLiteral("Other"));
+    QCOMPARE(desk.text("headPositionNow"), QStringLiteral("neck 20° extended\nhead 5° extended"));
+}
+
+void TestAirwayPanel::leadsFromTheTimeOverTheHeadToTheEventsByTab()
+{
+    Desk desk;
+    desk.node.decide(fact::AirwayEventsSet{{{Laryngospasm, 1.0}}, {}}); // there is one to clear
+    desk.settle();
+    desk.box("airwayOver").setFocus();
+    for (const char* name : {"airwayOver", "clearAirway", "headPosition", "tongue_oedema"}) {
+        QCOMPARE(QApplication::focusWidget()->objectName(), QLatin1String{name});
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+    }
+}
+
 void TestAirwayPanel::tellsWhatTravels()
 {
     Desk desk;
@@ -268,8 +341,8 @@ void TestAirwayPanel::changesNothingForAnObserver()
     Desk desk{FakeSessionNode::kObserver};
     QCOMPARE(desk.text("airwayObstacle"),
              QStringLiteral("Only an instructor changes the patient."));
-    for (const char* name :
-         {"airwayPreset", "airwayOver", "tongue_oedema", "tongue_oedemaSlider", "clearAirway"})
+    for (const char* name : {"airwayPreset", "airwayOver", "headPosition", "tongue_oedema",
+                             "tongue_oedemaSlider", "clearAirway"})
         QVERIFY2(!desk.find<QWidget>(name).isEnabled(), name);
     desk.node.decide(fact::AirwayEventsSet{{{Laryngospasm, 1.0}}, {}});
     desk.settle();
@@ -352,6 +425,13 @@ void TestAirwayPanel::namesAndExplainsEveryControl()
     const auto& presets = desk.find<QComboBox>("airwayPreset");
     QVERIFY(!presets.accessibleName().isEmpty() && !presets.toolTip().isEmpty());
     QVERIFY(!desk.find<QPushButton>("clearAirway").toolTip().isEmpty());
+    const auto& positions = desk.find<QComboBox>("headPosition");
+    QVERIFY(!positions.accessibleName().isEmpty());
+    QVERIFY(positions.toolTip().contains(QStringLiteral("by hand")));
+    for (int place = 0; place < positions.count(); ++place)
+        QVERIFY(positions.itemData(place, Qt::ToolTipRole)
+                    .toString()
+                    .startsWith(positions.itemText(place) + QStringLiteral(": ")));
 }
 
 void TestAirwayPanel::fitsIntoItsColumn()
@@ -360,6 +440,8 @@ void TestAirwayPanel::fitsIntoItsColumn()
     desk.enter("airwayOver", QStringLiteral("600"));
     desk.enter("pharyngeal_swelling", QStringLiteral("100"));
     desk.enter("external_pressure", QStringLiteral("100"));
+    desk.settle();
+    desk.head.setPosition(kSniffing);
     desk.settle();
     desk.settle(std::chrono::minutes{1});
     QVERIFY(!desk.text("pharyngeal_swellingNow").isEmpty());

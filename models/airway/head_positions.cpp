@@ -10,7 +10,7 @@ namespace carina
 namespace
 {
 
-constexpr std::array kUsual{
+constexpr std::array kUsualPositions{
     UsualHeadPosition{"neutral", QT_TRANSLATE_NOOP("Airway", "Neutral"), {}},
     UsualHeadPosition{"sniffing", QT_TRANSLATE_NOOP("Airway", "Sniffing"), kSniffing},
     UsualHeadPosition{"extended", QT_TRANSLATE_NOOP("Airway", "Extended"), kHeadExtended},
@@ -39,13 +39,13 @@ public:
 
 template <class Is> const UsualHeadPosition* firstUsual(const Is& is)
 {
-    const auto* found = std::ranges::find_if(kUsual, is);
-    return found == kUsual.end() ? nullptr : found;
+    const auto* found = std::ranges::find_if(kUsualPositions, is);
+    return found == kUsualPositions.end() ? nullptr : found;
 }
 
 } // namespace
 
-std::span<const UsualHeadPosition> usualHeadPositions() { return kUsual; }
+std::span<const UsualHeadPosition> usualHeadPositions() { return kUsualPositions; }
 
 const UsualHeadPosition* headPositionNamed(std::string_view name)
 {

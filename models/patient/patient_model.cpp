@@ -82,8 +82,7 @@ Result<PatientModel> PatientModel::of(Anatomy anatomy, Length innerDiameter)
 }
 
 FollowingThroat PatientModel::throat(const std::optional<RigidTransform>& X_AJ,
-                                     const HeadPosition& position,
-                                     const AirwayEvents& events) const
+                                     const HeadPosition& position, const AirwayEvents& events) const
 {
     const Vec3 wayToGlottis = m_landmarks.p_A_glottis - m_landmarks.p_A_incisors;
     const auto most = mostMouthOpening(events, wayToGlottis.norm() / kReferenceWay.si);

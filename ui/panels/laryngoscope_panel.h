@@ -14,7 +14,8 @@ namespace carina
 
 /// What the camera on a station's laryngoscope shows, in a picture of 4:3, and beneath it grade and
 /// percentage of glottic opening, and what the blade does to tongue, epiglottis and teeth; or why
-/// there is nothing to be seen, and what to do. The picture, which has a graphics engine of its own, is made once the panel is in front of others.
+/// there is nothing to be seen, and what to do. The picture, which has a graphics engine of its
+/// own, is made once the panel is in front of others.
 class LaryngoscopePanel : public QWidget
 {
     Q_OBJECT

@@ -48,8 +48,8 @@ struct Blade {
 [[nodiscard]] std::optional<BladeKind> bladeFromName(std::string_view name);
 
 /// How far a place is from the underside of a blade, along y of L: above 0 where the place is on
-/// the side of palate and upper teeth, less than 0 where it would be inside the blade or beyond. Of a
-/// place before the heel or beyond the tip, from the face as it would go straight on.
+/// the side of palate and upper teeth, less than 0 where it would be inside the blade or beyond. Of
+/// a place before the heel or beyond the tip, from the face as it would go straight on.
 [[nodiscard]] Length belowUnderside(const BladeForm& form, const Vec3& p_L);
 
 /// Vertical field of view of a video laryngoscope with a picture of 4:3: the usual 80 degrees along

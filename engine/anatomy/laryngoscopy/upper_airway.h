@@ -44,7 +44,7 @@ struct UpperAirway {
     bool hasIncisors = false;              ///< whether teeth are where the incisors' edge is
     Vec3 d_A_incisors = Vec3::Zero();      ///< by which events have moved this edge
     std::optional<Length> mostOpening;     ///< of the mouth at the incisors, where events limit it
-    double drawnOut = 1.0; ///< the way from incisors to glottis, by a bent neck
+    double drawnOut = 1.0;                 ///< the way from incisors to glottis, by a bent neck
 
     /// To the front, perpendicular to up_A; unit.
     [[nodiscard]] Vec3 forward_A() const;

@@ -49,10 +49,7 @@ struct Held {
     {
         return {blade, X_AL * RigidTransform::translation(d_L), moved};
     }
-    [[nodiscard]] Held alongHandle(double mm) const
-    {
-        return shifted(1e-3 * mm * Vec3::UnitY());
-    }
+    [[nodiscard]] Held alongHandle(double mm) const { return shifted(1e-3 * mm * Vec3::UnitY()); }
     [[nodiscard]] Held leveredBy(double deg) const
     {
         return {blade, levered(blade.form, X_AL, moved.p_A_incisors, degrees(deg)), moved};
@@ -62,8 +59,7 @@ struct Held {
 Held heldIn(LaryngoscopyStep step, Length lift, const Blade& blade = macintosh())
 {
     const Person& person = adult();
-    const LaryngoscopyPose pose =
-        laryngoscopyPose(person.airway, person.throat, blade, step, lift);
+    const LaryngoscopyPose pose = laryngoscopyPose(person.airway, person.throat, blade, step, lift);
     return {blade, pose.X_AL, followed(person.airway, {person.throat, pose.X_AJ})};
 }
 

@@ -6,7 +6,7 @@ namespace carina
 {
 
 /// Threads that keep time, those of sessions and trackers (but for cameras, whose pictures cost as
-/// much as drawing), have three times the share of a processor that those have which draw and make
+/// much as drawing), have ten times the share of a processor that those have which draw and make
 /// surfaces: where there is not enough for all, pictures come later rather than poses. Without
 /// privileges a thread can lower its priority and not raise it, and hands it on to those that it
 /// starts. So a program lowers its own at the beginning, and one thread keeps the first priority to

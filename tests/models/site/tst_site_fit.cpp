@@ -1,3 +1,4 @@
+#include "engine/registration/error/registration_error.h"
 #include "tests/models/registration/made_site.h"
 #include "tests/models/registration/registration_site.h"
 #include "tests/support/test_class.h"

@@ -90,7 +90,7 @@ BladeEffort LeveringWatch::take(const UpperAirway& moved, const Blade& blade,
     effort.isOnTeeth = m_X_AL.has_value();
     TipWays ways;
     if (m_X_AL) {
-        ways = waysSince(*m_X_AL, X_AL, blade.form, moved.p_A_incisors);
+        ways = waysSince(*m_X_AL, X_AL, blade.form, moved.p_A_edge());
         const Force answer = springForce(moved.size() * kTongueStiffness, ways.turned);
         effort.leveringShare = ways.share();
         effort.teeth = std::max(touching(clearance) * std::min(answer, effort.contact.tongue),

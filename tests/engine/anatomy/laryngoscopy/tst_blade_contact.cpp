@@ -178,6 +178,24 @@ private Q_SLOTS:
         QVERIFY(inNewtons(effort.teeth) > 0.7 * inNewtons(effort.contact.tongue));
     }
 
+    /// The same edge, once as it was made and once as events have moved it there.
+    void leversOnTheTeethWhereEventsHaveThem()
+    {
+        const Vec3 d_A{0.0, -6e-3, -4e-3};
+        LeveringWatch watch;
+        LeveringWatch watchOfMoved;
+        for (int deg = 0; deg <= 20; ++deg) {
+            const Held made = placed().leveredBy(deg);
+            Held moved = made;
+            moved.moved.p_A_incisors -= d_A;
+            moved.moved.d_A_incisors = d_A;
+            const BladeEffort effort = taken(watch, made);
+            const BladeEffort same = taken(watchOfMoved, moved);
+            QCOMPARE(same.isOnTeeth, effort.isOnTeeth);
+            QVERIFY(std::abs(same.leveringShare - effort.leveringShare) < 1e-9);
+        }
+    }
+
     void pressesTheTeethMoreTheFartherItIsTurned()
     {
         LeveringWatch watch;

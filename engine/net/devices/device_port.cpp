@@ -58,8 +58,10 @@ public:
             m_port.setBaudRate(*action.rate);
         if (action.sendBreak && m_port.setBreakEnabled(true))
             m_break.start(kBreak_ms);
-        if (!action.bytes.empty())
-            m_port.write(action.bytes.data(), qint64(action.bytes.size()));
+        if (action.bytes.empty())
+            return;
+        m_port.write(action.bytes.data(), qint64(action.bytes.size()));
+        m_port.flush(); // at once, and not when the event loop finds that it can be written to
     }
     [[nodiscard]] QByteArray readAll() override { return m_port.readAll(); }
 
@@ -110,8 +112,10 @@ public:
     [[nodiscard]] bool holdsRate(int) override { return true; }
     void act(const NdiPortAction& action) override
     {
-        if (!action.bytes.empty())
-            m_socket.write(action.bytes.data(), qint64(action.bytes.size()));
+        if (action.bytes.empty())
+            return;
+        m_socket.write(action.bytes.data(), qint64(action.bytes.size()));
+        m_socket.flush(); // as above
     }
     [[nodiscard]] QByteArray readAll() override { return m_socket.readAll(); }
 

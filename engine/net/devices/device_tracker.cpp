@@ -126,6 +126,8 @@ private:
             return;
         const LocalTime now = monotonicNow();
         exchange(now);
+        if (m_isClosed)
+            return; // writing found that it is gone
         if (m_client->isLost())
             return reopenLater(m_client->trouble());
         for (const DeviceSight& sight : m_client->takeSights())

@@ -13,7 +13,6 @@
 #include <atomic>
 #include <ctime>
 #include <pthread.h>
-#include <sched.h>
 #include <thread>
 
 namespace carina::lab

@@ -7,7 +7,6 @@
 #include "apps/lab/attack/shown_objects.h"
 #include "engine/anatomy/patient/patient_name.h"
 #include "engine/core/monotonic_clock.h"
-#include "engine/core/prompt_thread.h"
 #include "engine/net/entry/psk_identity.h"
 
 #include <QCoreApplication>
@@ -69,8 +68,6 @@ public:
     {
         if (const auto in = comeIn(); !in)
             return tl::unexpected(in.error());
-        // The attackers, which work in this thread, stand for other computers, as guests do.
-        makeWayForPromptThreads();
         std::vector<AttackFigures> all;
         for (const AttackKind* kind : m_settings.kinds) {
             m_settings.begins(*kind);

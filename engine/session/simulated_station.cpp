@@ -1,11 +1,14 @@
 #include "engine/session/simulated_station.h"
 
+#include "engine/anatomy/airway/airway_measure.h"
 #include "engine/geometry/rotation.h"
 #include "engine/session/simulated_tools.h"
 #include "engine/tracking/simulated/scripted_hands.h"
 
 #include <array>
 #include <cmath>
+#include <memory>
+#include <mutex>
 #include <numbers>
 
 namespace carina
@@ -96,6 +99,64 @@ NeckNow neckOf(const AirwayLandmarks& airway, SimulatedHead head)
     };
 }
 
+HandScript scriptOf(const AirwayLandmarks& airway, const TubeShape& tube,
+                    const RigidTransform& X_TA)
+{
+    return {.X_TA = X_TA,
+            .path_A = airway.path_A,
+            .p_A_incisors = airway.p_A_incisors,
+            .p_E_centre = tube.p_E_centre,
+            .restAboveCarina = tube.tipAboveCarina};
+}
+
+/// The hands that bring a tube into an airway as it lies. Those of the latest position are kept;
+/// in one in which they cannot be made, those before go on. For several threads.
+class HandsInAirway
+{
+public:
+    HandsInAirway(const AirwayLandmarks& airway, TubeShape tube, const RigidTransform& X_TA,
+                  const ScriptedHands& neutral)
+        : m_airway{airway},
+          m_tube{std::move(tube)},
+          m_X_TA{X_TA},
+          m_hands{std::make_shared<const ScriptedHands>(neutral)}
+    {
+        m_tube.pieces.clear(); // nothing is drawn of it
+    }
+
+    [[nodiscard]] std::shared_ptr<const ScriptedHands> in(const NeckField& neck)
+    {
+        const std::scoped_lock lock{m_mutex};
+        if (neck.position() == m_position)
+            return m_hands;
+        m_position = neck.position();
+        if (auto made = ScriptedHands::make(scriptOf(bent(m_airway, neck), bent(m_tube, neck),
+                                                     m_X_TA)))
+            m_hands = std::make_shared<const ScriptedHands>(*std::move(made));
+        return m_hands;
+    }
+
+private:
+    std::mutex m_mutex;
+    AirwayLandmarks m_airway;
+    TubeShape m_tube;
+    RigidTransform m_X_TA;
+    HeadPosition m_position; ///< that they were last wanted in
+    std::shared_ptr<const ScriptedHands> m_hands; ///< also of who calls them meanwhile
+};
+
+/// The hands, of which tube and what holds it go the way of the airway as it lies.
+/// @param inAirway shared by the copies of what is returned
+TrueToolPose withBentWay(const ScriptedHands& hands, std::shared_ptr<HandsInAirway> inAirway,
+                         NeckNow neck)
+{
+    return [hands, inAirway = std::move(inAirway),
+            neck = std::move(neck)](ToolRole tool, SessionTime t) {
+        const bool isOfTube = tool == ToolRole::Tube || tool == ToolRole::Hand;
+        return isOfTube ? (*inAirway->in(neck()))(tool, t) : hands(tool, t);
+    };
+}
+
 /// The hands at a manikin whose jaw is where its head is.
 TrueToolPose withNeck(TrueToolPose hands, NeckNow neck, const RigidTransform& X_TA)
 {
@@ -142,18 +203,15 @@ simulatedStation(const AirwayLandmarks& airway, const TubeShape& tube, ReadSessi
                  const std::optional<LaryngoscopyScript>& laryngoscopy, SimulatedHead head)
 {
     const RigidTransform X_TA = patientBeforeTracker(airway.p_A_incisors);
-    const HandScript script{.X_TA = X_TA,
-                            .path_A = airway.path_A,
-                            .p_A_incisors = airway.p_A_incisors,
-                            .p_E_centre = tube.p_E_centre,
-                            .restAboveCarina = tube.tipAboveCarina};
+    const HandScript script = scriptOf(airway, tube, X_TA);
     auto hands = ScriptedHands::make(script);
     if (!hands)
         return tl::unexpected(hands.error());
     const StationRegistration exactly{.X_AT = X_TA.inverse(), .X_JA = hands->closedJaw().inverse()};
     device.handProbe = static_cast<bool>(person);
     const NeckNow neck = neckOf(airway, std::move(head));
-    TrueToolPose done = *hands;
+    TrueToolPose done =
+        withBentWay(*hands, std::make_shared<HandsInAirway>(airway, tube, X_TA, *hands), neck);
     if (device.laryngoscope && laryngoscopy)
         done = withLaryngoscopy(std::move(done), *laryngoscopy, neck, X_TA, hands->closedJaw());
     done = withNeck(std::move(done), neck, X_TA);

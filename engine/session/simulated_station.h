@@ -40,8 +40,9 @@ using SimulatedHead = std::function<HeadPosition()>;
 ///        laryngoscope
 /// @param laryngoscopy what is done with a laryngoscope; without it, as in a patient whose larynx
 ///        is not known, a laryngoscope is never seen
-/// @param head neutral without it. The jaw goes with the head, and a laryngoscope into the mouth as
-///        it lies; the tube goes the way of the neutral position
+/// @param head neutral without it. The jaw goes with the head, a laryngoscope into the mouth as it
+///        lies, and the tube the way of the airway there, with its form where it fits the airway
+///        (bent); the tip rests as far above the carina as in neutral position
 /// @returns the errors of ScriptedHands::make for this airway.
 [[nodiscard]] Result<SimulatedStation> simulatedStation(
     const AirwayLandmarks& airway, const TubeShape& tube, ReadSessionClock clock,

@@ -100,6 +100,15 @@ RigidTransform connectorPose(const LinePlace& start)
     return {Quat{R_AE}, start.point};
 }
 
+TriangleMesh takenTo(TriangleMesh mesh, const RigidTransform& X)
+{
+    for (Vec3f& p : mesh.positions)
+        p = (X * p.cast<double>()).cast<float>();
+    for (Vec3f& n : mesh.normals)
+        n = (X.rotation() * n.cast<double>()).cast<float>();
+    return mesh;
+}
+
 } // namespace
 
 Length outerDiameterOf(Length innerDiameter)
@@ -159,7 +168,24 @@ TubeShape tubeAlong(const TubeShape& tube, std::span<const Vec3> p_E_centre, Len
             .p_E_tip = p_E_tip,
             .tipAboveCarina = tube.tipAboveCarina,
             .outerDiameter = outerDiameter,
-            .pieces = piecesOf(line, 0.5 * outerDiameter.si)};
+            .pieces = piecesOf(line, 0.5 * outerDiameter.si),
+            .fitsAirway = false};
+}
+
+TubeShape bent(TubeShape tube, const NeckField& neck)
+{
+    if (!tube.fitsAirway || !neck.isBent())
+        return tube;
+    const RigidTransform X_AE = tube.X_AE;
+    tube.X_AE = neck.X_AU() * X_AE;
+    const RigidTransform X_EA = tube.X_AE.inverse();
+    const auto moved = [&](const Vec3& p_E) { return Vec3{X_EA * neck.placed(X_AE * p_E)}; };
+    for (Vec3& p_E : tube.p_E_centre)
+        p_E = moved(p_E);
+    tube.p_E_tip = moved(tube.p_E_tip);
+    for (TubePiece& piece : tube.pieces)
+        piece.mesh = takenTo(deformed(takenTo(std::move(piece.mesh), X_AE), neck), X_EA);
+    return tube;
 }
 
 } // namespace carina

@@ -2,6 +2,7 @@
 
 #include "engine/core/result.h"
 #include "engine/core/units.h"
+#include "engine/geometry/deformation/neck_field.h"
 #include "engine/geometry/mesh/triangle_mesh.h"
 #include "engine/geometry/rigid_transform.h"
 
@@ -30,6 +31,7 @@ struct TubeShape {
     Length tipAboveCarina; ///< along the path, at the final depth
     Length outerDiameter;
     std::vector<TubePiece> pieces;
+    bool fitsAirway = true; ///< it is shaped like the airway; else it is as it was touched
 };
 
 /// Outer diameter of a tube for its inner one, from a manufacturer's list (6.0 mm: 8.2, 6.5: 8.9,
@@ -52,5 +54,12 @@ struct TubeShape {
 /// @pre at least two points, no two neighbours equal; the outer diameter is above 0.
 [[nodiscard]] TubeShape tubeAlong(const TubeShape& tube, std::span<const Vec3> p_E_centre,
                                   Length outerDiameter);
+
+/// A tube that fits an airway in neutral position, as it fits that airway where the neck has taken
+/// it: each place p_E to X_E'A N(X_AE p_E), N being the motion of the neck. Its connector, in front
+/// of the teeth, goes with the head. It becomes longer or shorter as the way from the teeth does,
+/// by a few millimetres, where a real tube would stick out more or less. A tube that was touched is
+/// rigid, and stays as it is.
+[[nodiscard]] TubeShape bent(TubeShape tube, const NeckField& neck);
 
 } // namespace carina

@@ -1,3 +1,4 @@
+#include "engine/anatomy/airway/airway_measure.h"
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "engine/geometry/mesh/surface_tree.h"
 #include "engine/session/simulated_station.h"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <memory>
 
 namespace carina::simulated_station_test
 {
@@ -266,6 +268,92 @@ private Q_SLOTS:
                          .norm(),
                      0.0);
         }
+    }
+
+    void bringsTheTubeIntoAHeadAsItLies_data()
+    {
+        QTest::addColumn<double>("flexion_deg");
+        QTest::addColumn<double>("extension_deg");
+        QTest::newRow("sniffing") << inDegrees(kSniffing.flexion) << inDegrees(kSniffing.extension);
+        QTest::newRow("extended") << 0.0 << inDegrees(kHeadExtended.extension);
+        QTest::newRow("flexed") << inDegrees(kNeckFlexed.flexion) << 0.0;
+        QTest::newRow("everything to the back")
+            << inDegrees(kLeastFlexion) << inDegrees(kMostExtension);
+        QTest::newRow("everything to the front")
+            << inDegrees(kMostFlexion) << inDegrees(kLeastExtension);
+    }
+
+    /// In place it lies along the middle of the airway as the neck has taken it, tip and connector
+    /// where the neck has taken theirs, and on the way there nothing jumps.
+    void bringsTheTubeIntoAHeadAsItLies()
+    {
+        QFETCH(const double, flexion_deg);
+        QFETCH(const double, extension_deg);
+        constexpr double kAlong_m = 1e-3;
+        constexpr double kMostMove_m = 5e-3; // in a sixtieth of a second: 30 cm/s
+        const HeadPosition position{degrees(flexion_deg), degrees(extension_deg)};
+        const WithLaryngoscope station;
+        const SimulatedStation made = station.made({}, [position] { return position; });
+        const AirwayLandmarks& neutral = station.patient.landmarks;
+        const NeckField neck{neutral.p_A_glottis, neutral.p_A_incisors, position};
+        const AirwayLandmarks airway = bent(neutral, neck);
+        const TubeShape tube = bent(station.tube, neck);
+        const auto at = [&](Duration t) {
+            return made.X_TA.inverse() * made.truth(ToolRole::Tube, SessionTime{t}).value();
+        };
+        const RigidTransform inPlace = at(17s); // 12 s, and as much later as the blade needs
+        for (const Vec3& p_E : tube.p_E_centre)
+            QVERIFY(distanceFrom(airway.path_A, inPlace * p_E).si < kAlong_m);
+        const Vec3 p_A_tip = station.tube.X_AE * station.tube.p_E_tip;
+        QVERIFY((inPlace * tube.p_E_tip - neck.placed(p_A_tip)).norm() < kAlong_m);
+        const Vec3 p_A_connector = neck.placed(station.tube.X_AE.translation());
+        QVERIFY((inPlace.translation() - p_A_connector).norm() < kAlong_m);
+        for (Duration t = 0s; t < kPeriod; t += kStep / 6)
+            QVERIFY((at(t) * tube.p_E_tip - at(t + kStep / 6) * tube.p_E_tip).norm()
+                    < kMostMove_m);
+    }
+
+    /// Back to neutral, too.
+    void followsAHeadThatIsLaidAnew()
+    {
+        constexpr double kExact = 1e-9;
+        const WithLaryngoscope station;
+        const auto position = std::make_shared<HeadPosition>();
+        const SimulatedStation made = station.made({}, [position] { return *position; });
+        const SimulatedStation still = station.made();
+        const auto apart = [&](ToolRole tool) {
+            return (made.truth(tool, SessionTime{17s})->matrix()
+                    - still.truth(tool, SessionTime{17s})->matrix())
+                .norm();
+        };
+        QVERIFY(apart(ToolRole::Tube) < kExact);
+        *position = kSniffing;
+        QVERIFY(apart(ToolRole::Tube) > 0.1);
+        QVERIFY(apart(ToolRole::Hand) > 0.1);
+        QVERIFY(apart(ToolRole::Stylus) < kExact);
+        *position = {};
+        QVERIFY(apart(ToolRole::Tube) < kExact);
+        QVERIFY(apart(ToolRole::Hand) < kExact);
+    }
+
+    /// A tube as it is sold is rigid; its tip comes to where that of a fitting one does.
+    void bendsNoTubeThatWasTouched()
+    {
+        const WithLaryngoscope station;
+        const TubeRest sold = simulatedTools(station.tube).tube;
+        const TubeShape tube = tubeAlong(station.tube, centrelineOfTube(sold), sold.outerDiameter);
+        const AirwayLandmarks& airway = station.patient.landmarks;
+        const NeckField neck{airway.p_A_glottis, airway.p_A_incisors, kSniffing};
+        const TubeShape same = bent(tube, neck);
+        QCOMPARE(same.p_E_tip, tube.p_E_tip);
+        QVERIFY(same.p_E_centre == tube.p_E_centre);
+        const auto made = simulatedStation(
+            airway, tube, [] { return std::optional<SessionTime>{}; }, {}, {}, {}, {}, {},
+            [] { return kSniffing; });
+        QVERIFY(made.has_value());
+        const RigidTransform X_TE = made->truth(ToolRole::Tube, SessionTime{12s}).value();
+        const Vec3 p_A_tip = made->X_TA.inverse() * (X_TE * tube.p_E_tip);
+        QVERIFY((p_A_tip - neck.placed(station.tube.X_AE * station.tube.p_E_tip)).norm() < 2e-3);
     }
 
     void hasNoLaryngoscopeUnlessAskedFor()

@@ -1,5 +1,6 @@
 #include "models/openigtlink/station_offer.h"
 
+#include "engine/anatomy/airway/airway_measure.h"
 #include "engine/tracking/igtl/igtl_pose.h"
 
 #include <array>
@@ -71,9 +72,10 @@ std::vector<IgtlOffer::Tool> toolsIn(const StationMoment& moment)
     return tools;
 }
 
-std::shared_ptr<const IgtlPoints> landmarksOf(const PatientModel& patient)
+std::shared_ptr<const IgtlPoints> landmarksOf(const PatientModel& patient,
+                                              const HeadPosition& position)
 {
-    const AirwayLandmarks& airway = patient.landmarks();
+    const AirwayLandmarks airway = bent(patient.landmarks(), patient.neck(position));
     return std::make_shared<const IgtlPoints>(IgtlPoints{{fiducial("Incisors", airway.p_A_incisors),
                                                           fiducial("Glottis", airway.p_A_glottis),
                                                           fiducial("Carina", airway.p_A_carina)}});
@@ -110,9 +112,10 @@ std::shared_ptr<const IgtlOffer> StationOffer::at(const PatientModel& patient,
                                                   const StationMoment& moment, Duration since1970)
 {
     const bool isAnother = !m_landmarks || m_patient != patient.contentHash();
-    if (isAnother) {
+    if (isAnother || m_position != moment.headPosition) {
         m_patient = patient.contentHash();
-        m_landmarks = landmarksOf(patient);
+        m_position = moment.headPosition;
+        m_landmarks = landmarksOf(patient, m_position);
     }
     if (isAnother || since1970 - m_lungsMade >= IgtlSubscriber::kSurfaceInterval) {
         m_lungs = lungsOf(patient, moment.pose, igtlStamp(since1970));

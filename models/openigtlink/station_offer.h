@@ -16,7 +16,8 @@ namespace carina
 /// - the tools "Tube" and "Jaw" of who is at work, and of everyone who is there "Head", "Hand",
 ///   "Stylus" and "Blade" (the laryngoscope), each with a blank and the person's name; names end
 ///   after 20 characters;
-/// - the landmarks of the airway, as fiducials of the group "Landmark";
+/// - the landmarks of the airway where head and neck have taken them, as fiducials of the group
+///   "Landmark";
 /// - the surface of the lungs as it is drawn, in its coarsest level of detail, at most ten times a
 ///   second.
 class StationOffer
@@ -33,6 +34,7 @@ public:
 
 private:
     std::string m_patient; ///< content hash of the one that the following are of
+    HeadPosition m_position; ///< in which the landmarks are
     std::shared_ptr<const IgtlPoints> m_landmarks;
     std::shared_ptr<const IgtlOffer::Surface> m_lungs;
     Duration m_lungsMade{}; ///< since 1970

@@ -83,6 +83,35 @@ private Q_SLOTS:
         QVERIFY(std::abs(points[1].p[2] - 1e3 * p_A.z()) < 1e-3);
     }
 
+    /// Three places of the same patient turned about the hinges of head and neck; the carina stays.
+    void offersThemWhereHeadAndNeckHaveTakenThem()
+    {
+        constexpr double kSmall_mm = 1e-3;
+        StationOffer station;
+        StationMoment moment;
+        const auto at = [&](std::size_t point, Duration later) {
+            const auto offer = station.at(*m_patient, moment, kSince1970 + later);
+            const auto& p = offer->landmarks->points.at(point).p;
+            return Vec3{p[0], p[1], p[2]};
+        };
+        const auto inR = [](const Vec3& p_A) { return Vec3{1e3 * (axesOfSlicer() * p_A)}; };
+        const Vec3 p_R_neutral = at(0, milliseconds{0});
+        moment.headPosition = kSniffing;
+        const NeckField neck = m_patient->neck(kSniffing);
+        const AirwayLandmarks& airway = m_patient->landmarks();
+        const Vec3 p_A_incisors = neck.X_AU() * airway.p_A_incisors; // they go with the head
+        QVERIFY((at(0, milliseconds{20}) - inR(p_A_incisors)).norm() < kSmall_mm);
+        QVERIFY((at(0, milliseconds{20}) - p_R_neutral).norm() > 10.0);
+        QVERIFY((at(1, milliseconds{20}) - inR(neck.placed(airway.p_A_glottis))).norm()
+                < kSmall_mm);
+        QVERIFY((at(2, milliseconds{20}) - inR(airway.p_A_carina)).norm() < kSmall_mm);
+        const auto laid = station.at(*m_patient, moment, kSince1970 + milliseconds{40});
+        QVERIFY(station.at(*m_patient, moment, kSince1970 + milliseconds{60})->landmarks
+                == laid->landmarks); // made once
+        moment.headPosition = {};
+        QVERIFY((at(0, milliseconds{80}) - p_R_neutral).norm() < kSmall_mm);
+    }
+
     void offersLungsOfTheVolumeThatIsDrawn()
     {
         StationOffer station;

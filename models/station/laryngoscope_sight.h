@@ -98,10 +98,11 @@ private:
         double inspiration = kInspirationAsMade;
     };
 
-    /// The poses of one laryngoscope with one blade.
+    /// The poses of one laryngoscope with one blade, in a head that lies still.
     struct Handled {
         ObjectId object{};
         BladeForm form{};
+        HeadPosition head{};
         LeveringWatch watch{};
     };
 

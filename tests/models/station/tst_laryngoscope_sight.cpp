@@ -251,6 +251,36 @@ private Q_SLOTS:
         QVERIFY((before.p_A_notch - expected.p_A_notch).norm() > 10.0 * kSeen_m);
     }
 
+    /// The blade goes with a head that is turned by one degree while it levers: its way about the
+    /// teeth begins there.
+    void beginsToWatchTheTeethAnewWhereTheHeadIsLaidAnew()
+    {
+        constexpr int kTipped_deg = 20;
+        Station station;
+        Laryngoscopy scope = Laryngoscopy::of(patient(), bladeOf(kUsualBlade)).value();
+        SessionTime t = kNow;
+        const auto effortAt = [&](double tipped_deg, const HeadPosition& head) {
+            scope.layHead(head);
+            const LaryngoscopyPose pose =
+                scope.leveredPose(LaryngoscopyStep::Full, degrees(tipped_deg));
+            t += 20ms;
+            station.node.sees(kFirst, pose.X_AL, t);
+            return station.laryngoscope
+                .at(station.view.at(t, 0), patient().throat(pose.X_AJ, head))
+                .effort;
+        };
+        BladeEffort levered;
+        for (int tipped_deg = 0; tipped_deg <= kTipped_deg; ++tipped_deg)
+            levered = effortAt(tipped_deg, {});
+        QCOMPARE(levered.handling, BladeHandling::Levering);
+        QVERIFY(levered.leveringShare > kLeversFrom);
+        const HeadPosition laidAnew{{}, degrees(1.0)};
+        const BladeEffort begun = effortAt(kTipped_deg, laidAnew);
+        QCOMPARE(begun.leveringShare, 0.0);
+        QVERIFY(begun.handling != BladeHandling::Levering);
+        QVERIFY(effortAt(kTipped_deg + 5, laidAnew).leveringShare > kLeversFrom);
+    }
+
     /// Wider with the patient's inspiration than with expiration, by what was seen in people.
     void partsTheCordsWithEachBreath()
     {

@@ -38,7 +38,7 @@ LoggedFrame logged(const DrawnFrame& drawn, const StationMoment& moment)
     return entry;
 }
 
-/// Whether the tube lies where it was preformed to lie.
+/// Whether the tube lies where it was preformed to lie, in the airway as that lies.
 bool isInPlace(const LoggedFrame& frame, const TubeShape& tube)
 {
     return frame.X_AE
@@ -81,7 +81,9 @@ void Measurement::logFrame(const DrawnFrame& drawn, const StationMoment& moment)
     m_poses.push_back(moment.pose);
     if (m_overlay && drawn.frame.eyes && !drawn.frame.eyes->empty() && moment.head)
         m_overlay->add(moment.head->X_FO, moment.time + (drawn.swapped + kHalfRefresh - drawn.lit));
-    if (!isInPlace(m_frames.back(), m_scene.patient().tube())) {
+    const PatientModel& patient = m_scene.patient();
+    const NeckField neck = patient.neck(moment.headPosition);
+    if (!isInPlace(m_frames.back(), bent(patient.tube(), neck))) {
         m_inPlaceSince.reset();
         return;
     }

@@ -56,6 +56,9 @@ uniform Swelling swellings[16];
 uniform mat4 neckExtension;
 uniform mat4 neckFlexion;
 uniform mat4 headPose; // X_AU
+// From the frame of what is bent to A, and back from where the neck has taken it.
+uniform mat4 intoNeck;
+uniform mat4 outOfNeck;
 #endif
 #ifdef BLADE_PUSHES
 // Columns: across and acrossFrom; out and outFrom; along and alongFrom; rise, sag, halfWidth.
@@ -553,8 +556,12 @@ void main()
     changeAirway(position, normal);
 #endif
 #ifdef NECK_BENDS
+    position = vec3(intoNeck * vec4(position, 1.0));
+    normal = mat3(intoNeck) * normal;
     bend(neckExtension, position, normal);
     bend(neckFlexion, position, normal);
+    position = vec3(outOfNeck * vec4(position, 1.0));
+    normal = mat3(outOfNeck) * normal;
 #endif
 #ifdef JAW_MOVES
     followJaw(position, normal);

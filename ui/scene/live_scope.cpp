@@ -40,6 +40,7 @@ SceneFrame LiveScope::frameOf(int level, LocalTime lit)
     const FollowingThroat throat = throatAt(moment, patient);
     m_sight = m_station.laryngoscope().at(moment, throat);
     SceneFrame frame = sceneFrame(moment, patient.lungs().field(), throat);
+    bendTube(frame, patient);
     frame.airway = m_station.laryngoscope().changesAt(moment);
     frame.eyes.emplace();
     if (!m_sight.isGraded())

@@ -181,6 +181,14 @@ std::vector<ObjectInFrame> objectsIn(const SceneFrame& frame, const StationMomen
     return objects;
 }
 
+void bendTubes(SceneFrame& frame, const StationMoment& moment, const PatientModel& patient)
+{
+    bendTube(frame, patient);
+    for (const PersonPose& person : moment.people)
+        if (person.kind == ObjectKind::Tube && !person.isAtWork)
+            bendTube(frame, patient, bodyOfObject(person.object));
+}
+
 void addPeople(SceneFrame& frame, const StationMoment& moment,
                const std::optional<ParticipantId>& throughEyesOf)
 {

@@ -50,6 +50,9 @@ struct ObjectInFrame {
 [[nodiscard]] std::vector<ObjectInFrame> objectsIn(const SceneFrame& frame,
                                                    const StationMoment& moment);
 
+/// Has the tube that is drawn with the patient and those of others bent as the airway is (bendTube).
+void bendTubes(SceneFrame& frame, const StationMoment& moment, const PatientModel& patient);
+
 /// Adds the bodies of the people to a frame, each at its place (PersonPose::X_AO), but for what is
 /// of the participant whose view it is, at whose eye nothing is turned; what is lost is not drawn.
 /// @param throughEyesOf whose head is the eye of the view and therefore not drawn; by default it is

@@ -114,6 +114,12 @@ std::vector<ScenePart> tubeParts(const PatientModel& patient, const std::string&
     return parts;
 }
 
+void bendTube(SceneFrame& frame, const PatientModel& patient, const std::string& body)
+{
+    if (patient.tube().fitsAirway)
+        frame.bentInPlace[body] = patient.tube().X_AE;
+}
+
 FollowingThroat throatAt(const StationMoment& moment, const PatientModel& patient)
 {
     const bool hasJaw = moment.jaw && moment.jaw->validity != Validity::Lost;

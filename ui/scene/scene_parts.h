@@ -29,6 +29,10 @@ inline constexpr const char* kTubeBody = "tube";
 /// it. The probe is on a manikin whose head lies as that of the patient.
 [[nodiscard]] FollowingThroat throatAt(const StationMoment& moment, const PatientModel& patient);
 
+/// Has a body of tubeParts, or that of the patient's tube, bent by head and neck as the airway is
+/// that the tube lies in; one that was touched keeps its form.
+void bendTube(SceneFrame& frame, const PatientModel& patient, const std::string& body = kTubeBody);
+
 /// The frame of that scene for a station's moment: the patient's chest is deformed by `chest`, neck
 /// and tissue around the jaw by `throat` (by default not at all). A lost body is not drawn. An
 /// action that moves the patient does not move the tools.

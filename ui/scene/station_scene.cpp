@@ -56,6 +56,7 @@ SceneFrame StationScene::frameOf(int level, LocalTime lit)
     m_scene.setLie(lieOf(m_moment.position));
     const FollowingThroat throat = throatAt(m_moment, *m_patient);
     SceneFrame frame = sceneFrame(m_moment, m_patient->lungs().field(), throat);
+    bendTubes(frame, m_moment, *m_patient);
     frame.airway = m_laryngoscope.changesAt(m_moment);
     frame.blade = m_laryngoscope.at(m_moment, throat).tissue;
     addLifted(frame, m_moment, *m_patient);

@@ -108,6 +108,23 @@ private Q_SLOTS:
                 < kSmall_m);
     }
 
+    /// Not one that was touched.
+    void bendsTheTubeAsItsAirwayIs()
+    {
+        const auto patient = patientOf(builtinPatient(BuiltinPatient::TwelveYears).value());
+        QVERIFY(patient.has_value());
+        SceneFrame frame = sceneFrame({}, ChestField{});
+        QVERIFY(frame.bentInPlace.empty());
+        bendTube(frame, **patient);
+        QCOMPARE(frame.bentInPlace.at("tube").translation(),
+                 (*patient)->tube().X_AE.translation());
+        const PatientModel touched =
+            (*patient)->withTube((*patient)->tube().p_E_centre, millimetres(8.0));
+        SceneFrame rigid = sceneFrame({}, ChestField{});
+        bendTube(rigid, touched);
+        QVERIFY(rigid.bentInPlace.empty());
+    }
+
 private:
     static inline const Vec3 kPoint{0.01, -0.02, 0.3};
 

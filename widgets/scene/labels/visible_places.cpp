@@ -273,6 +273,21 @@ int rowsFor(const Frustum& frustum)
 
 bool isOpaque(const ScenePart& part) { return drawLayerOf(part.group) != DrawLayer::Blended; }
 
+/// Where the neck takes a point of a body, in the frame of that body.
+Vec3 bentAt(const std::string& body, const Vec3& p_F, const SceneFrame& frame)
+{
+    const NeckField& neck = frame.throat.neck;
+    if (!neck.isBent())
+        return p_F;
+    if (body == frame.bends)
+        return neck.placed(p_F);
+    const auto inPlace = frame.bentInPlace.find(body);
+    if (inPlace == frame.bentInPlace.end())
+        return p_F;
+    const RigidTransform& X_AF = inPlace->second;
+    return (neck.X_AU() * X_AF).inverse() * neck.placed(X_AF * p_F);
+}
+
 } // namespace
 
 std::optional<SeenPoint> seenPoint(const Vec3& p_A, const SceneSight& sight)
@@ -292,8 +307,7 @@ std::optional<Vec3> drawnAt(const ScenePart& part, const Vec3& p_F, const SceneF
     const auto moved = airwayTissueOf(part.region);
     if (moved && frame.airway.isThere())
         p += airwayPull(frame.airway.frame(), *moved, p).d;
-    if (part.body == frame.bends && frame.throat.neck.isBent())
-        p = frame.throat.neck.placed(p);
+    p = bentAt(part.body, p, frame);
     if (const auto tissue = tissueOf(part.region))
         p += throatPull(frame.throat, *tissue, p).d;
     if (moved && frame.blade.isThere())

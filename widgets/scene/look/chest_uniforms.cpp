@@ -39,6 +39,16 @@ QMatrix4x4 bendUniform(const NeckBend<float>& bend)
     return uniform;
 }
 
+QMatrix4x4 poseUniform(const RigidTransform& X)
+{
+    const Eigen::Matrix3f turn = X.rotation().toRotationMatrix().cast<float>();
+    QMatrix4x4 uniform;
+    for (int axis = 0; axis < 3; ++axis)
+        uniform.setColumn(axis, column(Vec3f{turn.col(axis)}));
+    uniform.setColumn(3, column(Vec3f{X.translation().cast<float>()}, 1.0F));
+    return uniform;
+}
+
 } // namespace
 
 QMatrix4x4 chestUniform(const ChestField& field)
@@ -126,17 +136,17 @@ std::array<NamedUniform, kAirwayUniforms> airwayUniforms(const AirwayField& fiel
     return all;
 }
 
-std::array<NamedUniform, kNeckUniforms> neckUniforms(const NeckField& field)
+std::array<NamedUniform, kNeckUniforms> neckUniforms(const NeckField& field,
+                                                     const std::optional<RigidTransform>& X_AF)
 {
     const NeckFrame<float> frame = inSingle(field.frame());
-    const HeadPose<float> head = inSingle(headPose(field));
-    QMatrix4x4 pose;
-    for (int axis = 0; axis < 3; ++axis)
-        pose.setColumn(axis, column(Vec3f{head.turn.col(axis)}));
-    pose.setColumn(3, column(head.shift, 1.0F));
+    const RigidTransform X_FA_bent =
+        X_AF ? (field.X_AU() * *X_AF).inverse() : RigidTransform{};
     return {NamedUniform{"neckExtension", bendUniform(frame.extension)},
             NamedUniform{"neckFlexion", bendUniform(frame.flexion)},
-            NamedUniform{"headPose", pose}};
+            NamedUniform{"headPose", poseUniform(field.X_AU())},
+            NamedUniform{"intoNeck", poseUniform(X_AF.value_or(RigidTransform{}))},
+            NamedUniform{"outOfNeck", poseUniform(X_FA_bent)}};
 }
 
 bool isJawMoved(const RigidTransform& X_AJ)

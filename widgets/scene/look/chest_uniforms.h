@@ -7,6 +7,7 @@
 #include <QMatrix4x4>
 
 #include <array>
+#include <optional>
 
 namespace carina
 {
@@ -31,9 +32,12 @@ struct NamedUniform {
 };
 inline constexpr std::size_t kAirwayUniforms = 6 + kMostSwellings;
 [[nodiscard]] std::array<NamedUniform, kAirwayUniforms> airwayUniforms(const AirwayField& field);
-/// The same for a neck: both bends, and the pose of the head.
-inline constexpr std::size_t kNeckUniforms = 3;
-[[nodiscard]] std::array<NamedUniform, kNeckUniforms> neckUniforms(const NeckField& field);
+/// The same for a neck: both bends, the pose of the head, and the way from the frame of what is
+/// bent to A and back.
+/// @param X_AF of SceneFrame::bentInPlace; std::nullopt: what is bent is in A, before and after
+inline constexpr std::size_t kNeckUniforms = 5;
+[[nodiscard]] std::array<NamedUniform, kNeckUniforms>
+neckUniforms(const NeckField& field, const std::optional<RigidTransform>& X_AF = {});
 /// Whether the jaw is displaced: jawUniform is not all 0.
 [[nodiscard]] bool isJawMoved(const RigidTransform& X_AJ);
 

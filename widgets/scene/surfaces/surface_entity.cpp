@@ -96,12 +96,17 @@ void SurfaceEntity::setAirway(const AirwayField& airway)
 }
 
 /// Likewise.
-void SurfaceEntity::setNeck(const NeckField& neck)
+void SurfaceEntity::setNeck(const SceneFrame& frame)
 {
+    const auto inPlace = frame.bentInPlace.find(m_key.body);
+    const bool isInPlace = inPlace != frame.bentInPlace.end();
+    const NeckField neck =
+        isInPlace || m_key.body == frame.bends ? frame.throat.neck : NeckField{};
     if (!neck.isBent() && !m_isNeckBent)
         return;
     m_isNeckBent = neck.isBent();
-    const auto uniforms = neckUniforms(neck);
+    const auto uniforms =
+        neckUniforms(neck, isInPlace ? std::optional{inPlace->second} : std::nullopt);
     for (std::size_t i = 0; i < uniforms.size(); ++i)
         m_neck[i]->setValue(uniforms[i].value);
 }
@@ -136,7 +141,7 @@ void SurfaceEntity::apply(const SceneFrame& frame)
     m_chest->setValue(chestUniform(frame.chest.field));
     setMotion(frame.chest);
     setAirway(frame.airway);
-    setNeck(m_key.body == frame.bends ? frame.throat.neck : NeckField{});
+    setNeck(frame);
     m_throat->setValue(throatUniform(frame.throat.field));
     m_jaw->setValue(jawUniform(frame.throat.X_AJ));
     m_blade->setValue(bladeUniform(frame.blade));

@@ -42,7 +42,7 @@ public:
 private:
     void setMotion(const BreathingChest& chest);
     void setAirway(const AirwayField& airway);
-    void setNeck(const NeckField& neck);
+    void setNeck(const SceneFrame& frame);
     void liftShares(const SceneFrame& frame);
     [[nodiscard]] std::vector<SurfacePiece> piecesOf(const SurfaceShare& share) const;
 

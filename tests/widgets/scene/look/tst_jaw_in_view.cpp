@@ -48,6 +48,7 @@ private Q_SLOTS:
     void followsAJawThatBeginsToMove();
     void followsAHeadThatBeginsToMove_data();
     void followsAHeadThatBeginsToMove();
+    void bendsWhatLiesInABody();
 };
 
 void TestJawInView::init()
@@ -127,6 +128,36 @@ void TestJawInView::followsAHeadThatBeginsToMove()
     QVERIFY2(std::abs(seen - row(p_A_drawn)) < kTolerance, qPrintable(QString::number(seen)));
     // And so it is named where it is drawn.
     QVERIFY((drawnAt(tooth, p_A_incisors, shown).value() - p_A_drawn).norm() < 1e-12);
+}
+
+/// As a tube that goes with the head while its tip lies in the trunk, which stays.
+void TestJawInView::bendsWhatLiesInABody()
+{
+    const NeckField neck{{0.0, 0.0, 0.1}, {0.0, -0.3, 0.3}, {degrees(30.0), {}}};
+    const Vec3 p_A_tip{0.0, -0.3, -0.34};
+    QCOMPARE(neck.placed(p_A_tip), p_A_tip);
+    const RigidTransform X_AF = RigidTransform::translation({0.0, -0.05, 0.2});
+    const Vec3 p_F_tip = X_AF.inverse() * p_A_tip;
+    const ScenePart tip = spherePart(1, MaterialGroup::Tool, p_F_tip, kRadius, "tube");
+    SceneFrame shown = frontFrame();
+    shown.bodies["patient"] = PlacedBody{};
+    shown.bodies["tube"] = neck.X_AU() * X_AF;
+    shown.bends = "patient";
+    shown.throat.neck = neck;
+    double seen = -1.0;
+    const auto view = shownView({tip}, [&](int, LocalTime) { return shown; });
+    view->onFrameDrawn([&](const DrawnFrame&) {
+        const auto centre = redCentre(onScreen(*view));
+        seen = centre ? centre->y() : -1.0;
+    });
+    QVERIFY(draws(*view, 10));
+    const Vec3 p_A_rigid = neck.X_AU() * p_A_tip;
+    QVERIFY(std::abs(row(p_A_rigid) - row(p_A_tip)) > 2.0 * kTolerance);
+    QVERIFY2(std::abs(seen - row(p_A_rigid)) < kTolerance, qPrintable(QString::number(seen)));
+    shown.bentInPlace["tube"] = X_AF;
+    QVERIFY(draws(*view, 10));
+    QVERIFY2(std::abs(seen - row(p_A_tip)) < kTolerance, qPrintable(QString::number(seen)));
+    QVERIFY((drawnAt(tip, p_F_tip, shown).value() - p_A_tip).norm() < 1e-12);
 }
 
 CARINA_SCREEN_TEST(TestJawInView)

@@ -133,8 +133,8 @@ void TestJawInView::followsAHeadThatBeginsToMove()
 /// As a tube that goes with the head while its tip lies in the trunk, which stays.
 void TestJawInView::bendsWhatLiesInABody()
 {
-    const NeckField neck{{0.0, 0.0, 0.1}, {0.0, -0.3, 0.3}, {degrees(30.0), {}}};
-    const Vec3 p_A_tip{0.0, -0.3, -0.34};
+    const NeckField neck{{0.0, 0.0, 0.1}, {0.0, -0.2, 0.25}, {degrees(30.0), {}}};
+    const Vec3 p_A_tip{0.0, -0.25, -0.22};
     QCOMPARE(neck.placed(p_A_tip), p_A_tip);
     const RigidTransform X_AF = RigidTransform::translation({0.0, -0.05, 0.2});
     const Vec3 p_F_tip = X_AF.inverse() * p_A_tip;

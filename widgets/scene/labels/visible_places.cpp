@@ -308,7 +308,7 @@ std::optional<Vec3> drawnAt(const ScenePart& part, const Vec3& p_F, const SceneF
     if (moved && frame.airway.isThere())
         p += airwayPull(frame.airway.frame(), *moved, p).d;
     p = bentAt(part.body, p, frame);
-    if (const auto tissue = tissueOf(part.region))
+    if (const auto tissue = tissueOf(part.region); tissue && part.body == frame.bends)
         p += throatPull(frame.throat, *tissue, p).d;
     if (moved && frame.blade.isThere())
         p += bladePull(frame.blade.frame(), *moved, p).d;

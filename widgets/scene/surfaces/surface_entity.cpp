@@ -143,7 +143,9 @@ void SurfaceEntity::apply(const SceneFrame& frame)
     setAirway(frame.airway);
     setNeck(frame);
     m_throat->setValue(throatUniform(frame.throat.field));
-    m_jaw->setValue(jawUniform(frame.throat.X_AJ));
+    // What has the mandible for its body has moved with the jaw.
+    m_jaw->setValue(
+        jawUniform(m_key.body == frame.bends ? frame.throat.X_AJ : RigidTransform{}));
     m_blade->setValue(bladeUniform(frame.blade));
     m_tilt->setValue(tiltUniform(frame.blade));
 }

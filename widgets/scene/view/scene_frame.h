@@ -62,7 +62,8 @@ struct SceneFrame {
     BreathingChest chest;
     AirwayField airway; ///< what events change of the throat's tissue before it follows the jaw
     FollowingThroat throat;
-    std::string bends; ///< the body that the neck of `throat` bends
+    /// The body that the neck of `throat` bends, and whose tissue follows the jaw.
+    std::string bends;
     /// What is bent as it lies in that body, though it has a pose of its own, as a tube: by name,
     /// X_AF of each such body where it lies in neutral position. In another one its form is that
     /// which the neck gives it there, seen from F, which goes with the head. Others keep their

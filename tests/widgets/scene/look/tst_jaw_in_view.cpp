@@ -49,6 +49,7 @@ private Q_SLOTS:
     void followsAHeadThatBeginsToMove_data();
     void followsAHeadThatBeginsToMove();
     void bendsWhatLiesInABody();
+    void movesGumsOfTheJawWithItAlone();
 };
 
 void TestJawInView::init()
@@ -158,6 +159,28 @@ void TestJawInView::bendsWhatLiesInABody()
     QVERIFY(draws(*view, 10));
     QVERIFY2(std::abs(seen - row(p_A_tip)) < kTolerance, qPrintable(QString::number(seen)));
     QVERIFY((drawnAt(tip, p_F_tip, shown).value() - p_A_tip).norm() < 1e-12);
+}
+
+/// Tissue whose body is the mandible goes where that does, and not on from there.
+void TestJawInView::movesGumsOfTheJawWithItAlone()
+{
+    ScenePart gum = spherePart(1, MaterialGroup::SoftTissue, p_A_tongue, kRadius, "mandible");
+    gum.region = ChestRegion::Throat;
+    SceneFrame shown = frontFrame();
+    shown.bends = "patient";
+    shown.throat = {kThroat, RigidTransform::translation({kAside, 0.0, 0.0})};
+    shown.bodies["mandible"] = shown.throat.X_AJ;
+    double seen = -1.0;
+    const auto view = shownView({gum}, [&](int, LocalTime) { return shown; });
+    view->onFrameDrawn([&](const DrawnFrame&) {
+        const auto centre = redCentre(onScreen(*view));
+        seen = centre ? centre->x() : -1.0;
+    });
+    QVERIFY(draws(*view, 10));
+    QVERIFY(test::throatShare(kThroat, p_A_tongue, ThroatTissue::Airway) > 0.3);
+    QVERIFY2(std::abs(seen - column(kAside)) < kTolerance, qPrintable(QString::number(seen)));
+    const Vec3 p_A_drawn = p_A_tongue + Vec3{kAside, 0.0, 0.0};
+    QVERIFY((drawnAt(gum, p_A_tongue, shown).value() - p_A_drawn).norm() < 1e-12);
 }
 
 CARINA_SCREEN_TEST(TestJawInView)

@@ -13,20 +13,6 @@ namespace carina
 namespace
 {
 
-/// Lower teeth, gums and lips move with the mandible; names are those of anatomy sets.
-bool movesWithMandible(const AnatomyPart& part)
-{
-    if (part.role == PartRole::Mandible)
-        return true;
-    const auto holds = [&part](const char* words) {
-        return part.name.find(words) != std::string::npos;
-    };
-    if (part.role == PartRole::Tooth)
-        return holds(" lower ") || holds("lower jaw");
-    return (part.role == PartRole::Other || part.role == PartRole::Mucosa)
-           && (holds("lower jaw") || holds("Lower lip"));
-}
-
 std::shared_ptr<const TriangleMesh> shared(TriangleMesh mesh)
 {
     return std::make_shared<const TriangleMesh>(std::move(mesh));

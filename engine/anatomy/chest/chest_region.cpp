@@ -50,6 +50,19 @@ ChestRegion regionOf(PartRole role)
     }
 }
 
+bool movesWithMandible(const AnatomyPart& part)
+{
+    if (part.role == PartRole::Mandible)
+        return true;
+    const auto holds = [&part](const char* words) {
+        return part.name.find(words) != std::string::npos;
+    };
+    if (part.role == PartRole::Tooth)
+        return holds(" lower ") || holds("lower jaw");
+    return (part.role == PartRole::Other || part.role == PartRole::Mucosa)
+           && (holds("lower jaw") || holds("Lower lip"));
+}
+
 std::optional<ThroatTissue> tissueOf(ChestRegion region)
 {
     switch (region) {

@@ -29,6 +29,10 @@ inline constexpr std::size_t kChestRegions = 14;
 /// The region of a part, by its role.
 [[nodiscard]] ChestRegion regionOf(PartRole role);
 
+/// Whether a part is fixed to the mandible and goes with it alone, as a rigid body: this itself,
+/// and the lower teeth, gums and lip, by the names that anatomy sets give them.
+[[nodiscard]] bool movesWithMandible(const AnatomyPart& part);
+
 /// The kind of tissue as which a region follows the jaw; nothing for a region that does not.
 [[nodiscard]] std::optional<ThroatTissue> tissueOf(ChestRegion region);
 

@@ -1,4 +1,5 @@
 #include "apps/lab/anatomy/anatomy_page.h"
+#include "apps/lab/anatomy/anatomy_sweep.h"
 #include "apps/lab/anatomy/comparison_report.h"
 #include "apps/lab/command/patient_options.h"
 #include "apps/lab/command/words.h"
@@ -18,21 +19,28 @@ namespace
 constexpr const char* kImport = "import";
 constexpr const char* kList = "list";
 constexpr const char* kCompare = "compare";
+constexpr const char* kSweep = "sweep";
 
 /// What a command line needs.
 constexpr const char* kAnatomyReminder =
-    "anatomy needs \"import DIR\", \"list DIR\" or \"compare\".";
+    "anatomy needs \"import DIR\", \"list DIR\", \"compare\" or \"sweep\".";
 
 bool asksFor(const Words& words, const char* verb)
 {
     return words.files().value(0) == QLatin1StringView{verb};
 }
 
+bool hasOptionOfSweep(const Words& words)
+{
+    return words.has(anatomy_option::kSeeds) || words.has(anatomy_option::kLevel)
+           || words.has(anatomy_option::kWithoutLimits);
+}
+
 Result<QJsonObject> describeSetOf(const Words& words)
 {
     const bool isImport = asksFor(words, kImport);
     if (words.files().size() != 2 || (!isImport && !asksFor(words, kList))
-        || words.has(anatomy_option::kSet) || words.has(kPatient))
+        || words.has(anatomy_option::kSet) || words.has(kPatient) || hasOptionOfSweep(words))
         return fail(Errc::WrongOption, kAnatomyReminder);
     const auto begin = monotonicNow();
     const auto loaded =
@@ -64,7 +72,7 @@ Result<QJsonObject> reportOn(const Anatomy& patient, const QString& set)
 
 Result<QJsonObject> comparePatient(const Words& words)
 {
-    if (words.files().size() != 1)
+    if (words.files().size() != 1 || hasOptionOfSweep(words))
         return words.refuse(QStringLiteral("compare takes [--set DIR] [--patient WHO]."));
     const auto figures = patientOption(words, BuiltinPatient::Adult);
     if (!figures)
@@ -95,7 +103,9 @@ Result<QJsonObject> comparePatient(const Words& words)
 
 Result<QJsonObject> runAnatomy(const Words& words)
 {
-    return asksFor(words, kCompare) ? comparePatient(words) : describeSetOf(words);
+    if (asksFor(words, kCompare))
+        return comparePatient(words);
+    return asksFor(words, kSweep) ? sweepPatient(words) : describeSetOf(words);
 }
 
 std::vector<Key> setKeys()
@@ -182,8 +192,8 @@ Command anatomyCommand()
 {
     return {.name = "anatomy",
             .theme = "the patient",
-            .summary = "describes a folder of surfaces, or compares a made patient with one",
-            .uses = {describeUse(), compareUse()},
+            .summary = "describes a folder of surfaces; compares a made patient, and deforms it",
+            .uses = {describeUse(), compareUse(), sweepUse()},
             .mostFiles = 2,
             .reminder = kAnatomyReminder,
             .experiment = runAnatomy};

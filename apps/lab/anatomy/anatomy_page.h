@@ -5,13 +5,21 @@
 namespace carina::lab
 {
 
-// The option of `anatomy` that no other command has, and the keys of what its two ways print.
+// The options of `anatomy` that no other command has, and the keys of what its ways print.
 
 namespace anatomy_option
 {
 inline constexpr Option kSet{
     "set", "DIR",
     "folder of the anatomy set with which the patient is compared; none unless given"};
+inline constexpr Option kSeeds{
+    "seeds", "N", "how many combinations are drawn at random, by the seeds 1 to N; 100 unless given"};
+inline constexpr Option kLevel{
+    "level", "L",
+    "of detail, 0 being the finest, or the coarsest of a part that does not have it; the coarsest "
+    "of each part unless given"};
+inline constexpr Option kWithoutLimits{"without-limits", "",
+                                       "leaves out the combinations at the limits"};
 } // namespace anatomy_option
 
 /// Of `anatomy import` and `anatomy list`; all but the last three are written by describeSet().
@@ -109,5 +117,44 @@ inline constexpr Key kNotInPatient{"not_in_patient", "organs that only the set h
 inline constexpr Key kMet{"met", "whether all of this is met"};
 inline constexpr Key kUnmet{"unmet", "one line for each demand that is not met"};
 } // namespace anatomy_compare_key
+
+/// Of `anatomy sweep`.
+namespace anatomy_sweep_key
+{
+inline constexpr Key kSchema{"schema", "carina.anatomy-sweep/1"};
+inline constexpr Key kPatient{"patient", "WHO as given; \"adult\" where nothing was"};
+inline constexpr Key kLevel{"level", "L; null for the coarsest of each part"};
+inline constexpr Key kSeeds{"seeds", "N"};
+inline constexpr Key kCombinations{"combinations", "how many there were"};
+inline constexpr Key kSelfIntersecting{
+    "self_intersecting", "of these, in how many at least one surface intersects itself"};
+inline constexpr Key kFolded{
+    "folded", "and in how many the determinant of a deformation gradient is not above 0"};
+inline constexpr Key kLeast{"least_determinant", "the smallest at the vertices of any part:"};
+inline constexpr Key kDeterminant{"determinant", "its value", 1};
+inline constexpr Key kPart{"part", "name of the part", 1};
+inline constexpr Key kPlace{"p_mm", "[x, y, z] of the vertex in the surfaces", 1};
+inline constexpr Key kParameters{"parameters", "of the combination:", 1};
+inline constexpr Key kSeed{"seed", "by which it was drawn; null at a limit", 2};
+inline constexpr Key kNeckFlexion{"neck_flexion_deg", "of the neck on the trunk", 2};
+inline constexpr Key kHeadExtension{"head_extension_deg", "of the head against the neck", 2};
+inline constexpr Key kJawOpening{
+    "jaw_opening_deg", "from the closed mouth; null with a blade, with which the jaw moves", 2};
+inline constexpr Key kJawForward{"jaw_forward_mm", "likewise", 2};
+inline constexpr Key kBlade{"blade", "its name; null without one, as the three that follow", 2};
+inline constexpr Key kProgress{
+    "progress", "of the laryngoscopy: 0 at the teeth, 1 uvula, 2 epiglottis, 3 and 4 lifted", 2};
+inline constexpr Key kLift{"lift_mm", "of the whole lift", 2};
+inline constexpr Key kLevering{"levering_deg", "by which the handle is tipped back", 2};
+inline constexpr Key kEvents{"events", "by name, how severe each is, 0 to 1", 2};
+inline constexpr Key kParts{"parts", "one object per part that is deformed:"};
+inline constexpr Key kInCombinations{
+    "self_intersecting", "in how many combinations it intersects itself", 1};
+inline constexpr Key kPartsLeast{"least_determinant", "the smallest of it", 1};
+inline constexpr Key kBad{"bad", "one object per part and combination with a fault: \"part\", "
+                                 "\"determinant\" and \"parameters\" as above, and"};
+inline constexpr Key kPairs{"pairs", "of triangles that intersect", 1};
+inline constexpr Key kSweepTime{"sweep_s", "seconds that all took, without making the patient"};
+} // namespace anatomy_sweep_key
 
 } // namespace carina::lab

@@ -87,6 +87,47 @@ private Q_SLOTS:
         QVERIFY(missing.error().detail.find("none") != std::string::npos);
     }
 
+    void deformsAPatientInDrawnCombinations()
+    {
+        const auto object = anatomyCommand().run(
+            {QStringLiteral("sweep"), QStringLiteral("--patient"), QStringLiteral("child"),
+             QStringLiteral("--seeds"), QStringLiteral("2"), QStringLiteral("--without-limits")});
+        QVERIFY2(object.has_value(), object ? "" : object.error().detail.c_str());
+        const QJsonObject& sweep = *object;
+        QCOMPARE(sweep[QStringLiteral("schema")].toString(),
+                 QStringLiteral("carina.anatomy-sweep/1"));
+        QCOMPARE(sweep[QStringLiteral("combinations")].toInt(), 2);
+        QVERIFY(sweep[QStringLiteral("level")].isNull());
+        const QJsonValue least = sweep[QStringLiteral("least_determinant")];
+        QVERIFY(least[QStringLiteral("determinant")].toDouble() < 1.0);
+        const int seed = least[QStringLiteral("parameters")][QStringLiteral("seed")].toInt();
+        QVERIFY(seed == 1 || seed == 2);
+        const bool isAcceptable = sweep[QStringLiteral("self_intersecting")].toInt() == 0
+                                  && sweep[QStringLiteral("folded")].toInt() == 0;
+        QCOMPARE(sweep[QStringLiteral("acceptable")].toBool(), isAcceptable);
+        QCOMPARE(sweep[QStringLiteral("bad")].toArray().isEmpty(), isAcceptable);
+        const QString help = pageOf(anatomyCommand());
+        for (const QString& key : sweep.keys())
+            QVERIFY2(help.contains(QStringLiteral("\n    %1 ").arg(key)), qPrintable(key));
+        for (const QString& key : least[QStringLiteral("parameters")].toObject().keys())
+            QVERIFY2(help.contains(QStringLiteral("\n        %1 ").arg(key)), qPrintable(key));
+    }
+
+    void refusesOptionsOfItsOtherWays()
+    {
+        const auto code = [](const QStringList& words) {
+            return anatomyCommand().run(words).error().code;
+        };
+        const QString seeds = QStringLiteral("--seeds");
+        QVERIFY(code({QStringLiteral("list"), m_set, seeds, QStringLiteral("3")})
+                == Errc::WrongOption);
+        QVERIFY(code({QStringLiteral("compare"), seeds, QStringLiteral("3")})
+                == Errc::WrongOption);
+        QVERIFY(code({QStringLiteral("sweep"), QStringLiteral("--set"), m_set})
+                == Errc::WrongOption);
+        QVERIFY(code({QStringLiteral("sweep"), seeds, QStringLiteral("-1")}) == Errc::WrongOption);
+    }
+
     void namesEveryKeyInItsHelp()
     {
         const QString help = pageOf(anatomyCommand());

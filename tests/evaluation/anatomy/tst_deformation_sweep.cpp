@@ -1,0 +1,190 @@
+#include "evaluation/anatomy/deformation_sweep.h"
+
+#include "engine/anatomy/patient/builtin_patient.h"
+#include "tests/support/test_class.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <set>
+
+namespace carina::deformation_sweep_test
+{
+namespace
+{
+
+constexpr double kDifference_m = 1e-5; ///< of places between which a gradient is taken
+constexpr double kTolerance = 1e-4;    ///< of a determinant from differences
+
+/// The child as if his surfaces had been made with the mouth shut, so that nothing moves while no
+/// part of a combination does.
+const Anatomy& patient()
+{
+    static const Anatomy made = [] {
+        Anatomy child = builtinPatient(BuiltinPatient::TwelveYears).value();
+        child.contentHash.clear();
+        return child;
+    }();
+    return made;
+}
+
+DeformationSweep sweepOf(std::optional<std::size_t> level = {})
+{
+    return DeformationSweep::of(patient(), level).value();
+}
+
+const DeformedPart* partNamed(const std::vector<DeformedPart>& parts, const char* name)
+{
+    const auto found = std::ranges::find(parts, std::string{name}, &DeformedPart::name);
+    return found == parts.end() ? nullptr : &*found;
+}
+
+/// Of the motion of a neck, by differences.
+double determinantAt(const NeckField& neck, const Vec3& p_A)
+{
+    Mat3 gradient;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Vec3 step = kDifference_m * Vec3::Unit(axis);
+        gradient.col(axis) =
+            (neck.placed(p_A + step) - neck.placed(p_A - step)) / (2.0 * kDifference_m);
+    }
+    return gradient.determinant();
+}
+
+} // namespace
+
+class TestDeformationSweep : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void findsNothingWhereNothingMoves() { QVERIFY(sweepOf().deformedBy({}).empty()); }
+
+    /// Skin, which the neck alone moves: the determinant is that of differences, and the least.
+    void hasTheLeastDeterminantOfEachPart()
+    {
+        const HeadPosition position{kMostFlexion, {}};
+        const auto parts = sweepOf().deformedBy({.head = position});
+        const DeformedPart* skin = partNamed(parts, "Skin");
+        QVERIFY(skin != nullptr);
+        const AirwayLandmarks& marks = patient().landmarks;
+        const NeckField neck{marks.p_A_glottis, marks.p_A_incisors, position};
+        QVERIFY(skin->leastDeterminant < 0.9);
+        QVERIFY(std::abs(determinantAt(neck, skin->p_A_least) - skin->leastDeterminant)
+                < kTolerance);
+        const auto part =
+            std::ranges::find(patient().parts, std::string{"Skin"}, &AnatomyPart::name);
+        for (const Vec3f& p : part->levels.back().positions)
+            QVERIFY(determinantAt(neck, p.cast<double>()) > skin->leastDeterminant - kTolerance);
+    }
+
+    /// A jaw that is 20 cm in front of its place draws the tongue through itself.
+    void countsWhatMeetsItself()
+    {
+        const auto torn = sweepOf().deformedBy({.jawForward = metres(0.2)});
+        const auto worst = std::ranges::max(torn, {}, &DeformedPart::intersections);
+        QVERIFY(worst.intersections > 10);
+        const auto least = std::ranges::min(torn, {}, &DeformedPart::leastDeterminant);
+        QVERIFY(least.leastDeterminant < 0.0);
+        for (const DeformedPart& part : sweepOf().deformedBy({.jawForward = millimetres(1.0)}))
+            QVERIFY2(part.intersections == 0 && part.leastDeterminant > 0.8, part.name.c_str());
+    }
+
+    void leavesOutWhatTheJawTakesAlong()
+    {
+        const auto parts = sweepOf().deformedBy({.jawOpening = degrees(10.0)});
+        QVERIFY(partNamed(parts, "Tongue") != nullptr);
+        for (const char* name : {"Mandible", "Lower lip", "Gingiva of lower jaw", "Hard palate"})
+            QVERIFY2(partNamed(parts, name) == nullptr, name);
+        // An event deforms it all the same.
+        const auto swollen =
+            sweepOf().deformedBy({.events = {{AirwayEventKind::AngioOedema, 1.0}}});
+        QVERIFY(partNamed(swollen, "Lower lip") != nullptr);
+    }
+
+    void takesTheLevelThatIsAskedFor()
+    {
+        const DeformationCombination extended{.head = {{}, kMostExtension}};
+        QCOMPARE(partNamed(sweepOf().deformedBy(extended), "Tongue")->level, std::size_t{2});
+        QCOMPARE(partNamed(sweepOf(1).deformedBy(extended), "Tongue")->level, std::size_t{1});
+        QCOMPARE(partNamed(sweepOf(9).deformedBy(extended), "Tongue")->level, std::size_t{2});
+    }
+
+    /// Both hold the epiglottis forward; a levered blade also with the tip where it was.
+    void movesTissueByTheBlade()
+    {
+        const SweptBlade atTeeth{};
+        const SweptBlade lifted{.progress = 4.0, .lift = kUsualLift};
+        const auto atFirst = sweepOf().deformedBy({.blade = atTeeth});
+        const auto then = sweepOf().deformedBy({.blade = lifted});
+        QVERIFY(partNamed(then, "Epiglottis") != nullptr);
+        QVERIFY(partNamed(atFirst, "Tongue")->leastDeterminant
+                > partNamed(then, "Tongue")->leastDeterminant);
+    }
+
+    void hasEachLimit()
+    {
+        const auto limits = limitsOfDeformation();
+        std::set<AirwayEventKind> events;
+        std::set<BladeKind> blades;
+        int corners = 0;
+        for (const DeformationCombination& limit : limits) {
+            QVERIFY(!limit.seed && areProper(limit.events));
+            QVERIFY(withinReach(limit.head) == limit.head);
+            for (const AirwayEvent& event : limit.events)
+                events.insert(event.kind);
+            if (limit.blade)
+                blades.insert(limit.blade->kind);
+            const bool isCorner = limit.head.flexion != Angle{} && limit.head.extension != Angle{};
+            corners += isCorner ? 1 : 0;
+        }
+        QCOMPARE(int(events.size()), kAirwayEventKinds);
+        QCOMPARE(blades.size(), kBladeKinds.size());
+        QVERIFY(corners >= 4);
+        QVERIFY(std::ranges::any_of(limits, [](const DeformationCombination& limit) {
+            return limit.jawOpening == kMostJawOpening && limit.jawForward == kMostJawForward;
+        }));
+    }
+
+    void drawsWithinTheLimitsAndAlikeForASeed()
+    {
+        constexpr std::uint32_t kSeeds = 300;
+        int withBlade = 0;
+        int withEvents = 0;
+        for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
+            const DeformationCombination drawn = randomCombination(seed);
+            const DeformationCombination again = randomCombination(seed);
+            QCOMPARE(*drawn.seed, seed);
+            QVERIFY(drawn.head == again.head && drawn.jawOpening == again.jawOpening
+                    && drawn.events == again.events);
+            QVERIFY(drawn.head != randomCombination(seed + 1).head);
+            QVERIFY(withinReach(drawn.head) == drawn.head);
+            QVERIFY(drawn.jawOpening >= Angle{} && drawn.jawOpening <= kMostJawOpening);
+            QVERIFY(drawn.jawForward >= Length{} && drawn.jawForward <= kMostJawForward);
+            QVERIFY(areProper(drawn.events));
+            withEvents += drawn.events.empty() ? 0 : 1;
+            withBlade += drawn.blade ? 1 : 0;
+            if (!drawn.blade)
+                continue;
+            QVERIFY(drawn.blade->progress >= 0.0 && drawn.blade->progress <= 4.0);
+            QVERIFY(drawn.blade->lift <= kMostSweptLift && drawn.blade->levering <= kMostLevering);
+        }
+        QVERIFY(withBlade > 150 && withBlade < 250); // two of three
+        QVERIFY(withEvents > 150 && withEvents < 250);
+    }
+
+    void needsALarynx()
+    {
+        Anatomy without = patient();
+        std::erase_if(without.parts, [](const AnatomyPart& part) {
+            return part.role == PartRole::Epiglottis;
+        });
+        QVERIFY(DeformationSweep::of(without, {}).error().code == Errc::NoAirway);
+    }
+};
+
+CARINA_TEST(TestDeformationSweep)
+
+} // namespace carina::deformation_sweep_test
+
+#include "tst_deformation_sweep.moc"

@@ -1,3 +1,4 @@
+#include "apps/lab/anatomy/anatomy_dimensions.h"
 #include "apps/lab/anatomy/anatomy_page.h"
 #include "apps/lab/anatomy/anatomy_sweep.h"
 #include "apps/lab/anatomy/comparison_report.h"
@@ -20,10 +21,11 @@ constexpr const char* kImport = "import";
 constexpr const char* kList = "list";
 constexpr const char* kCompare = "compare";
 constexpr const char* kSweep = "sweep";
+constexpr const char* kDimensions = "dimensions";
 
 /// What a command line needs.
 constexpr const char* kAnatomyReminder =
-    "anatomy needs \"import DIR\", \"list DIR\", \"compare\" or \"sweep\".";
+    "anatomy needs \"import DIR\", \"list DIR\", \"compare\", \"sweep\" or \"dimensions\".";
 
 bool asksFor(const Words& words, const char* verb)
 {
@@ -105,7 +107,13 @@ Result<QJsonObject> runAnatomy(const Words& words)
 {
     if (asksFor(words, kCompare))
         return comparePatient(words);
-    return asksFor(words, kSweep) ? sweepPatient(words) : describeSetOf(words);
+    if (asksFor(words, kSweep))
+        return sweepPatient(words);
+    if (!asksFor(words, kDimensions))
+        return describeSetOf(words);
+    if (words.files().size() != 1 || words.has(anatomy_option::kSet) || hasOptionOfSweep(words))
+        return words.refuse(QStringLiteral("dimensions takes [--patient WHO]."));
+    return measurePatients(words);
 }
 
 std::vector<Key> setKeys()
@@ -192,8 +200,8 @@ Command anatomyCommand()
 {
     return {.name = "anatomy",
             .theme = "the patient",
-            .summary = "describes a folder of surfaces; compares a made patient, and deforms it",
-            .uses = {describeUse(), compareUse(), sweepUse()},
+            .summary = "describes a folder of surfaces; compares, deforms and measures a patient",
+            .uses = {describeUse(), compareUse(), sweepUse(), dimensionsUse()},
             .mostFiles = 2,
             .reminder = kAnatomyReminder,
             .experiment = runAnatomy};

@@ -157,4 +157,26 @@ inline constexpr Key kPairs{"pairs", "of triangles that intersect", 1};
 inline constexpr Key kSweepTime{"sweep_s", "seconds that all took, without making the patient"};
 } // namespace anatomy_sweep_key
 
+/// Of `anatomy dimensions`.
+namespace anatomy_dimensions_key
+{
+inline constexpr Key kSchema{"schema", "carina.anatomy-dimensions/1"};
+inline constexpr Key kPatients{"patients", "one object per patient:"};
+inline constexpr Key kPatient{"patient", "who it is, as --patient takes it", 1};
+inline constexpr Key kMeasured{"measured", "by name, each dimension measured on the surfaces", 1};
+inline constexpr Key kDimensions{
+    "dimensions", "one object per published figure of a dimension, for this age and sex:", 1};
+inline constexpr Key kName{"name", "of the dimension, which ends with its unit", 2};
+inline constexpr Key kValue{"measured", "on the surfaces", 2};
+inline constexpr Key kPublished{"published", "mean in people, of this height and age", 2};
+inline constexpr Key kDeviation{"sd", "standard deviation of it; null where none was found", 2};
+inline constexpr Key kZ{"z", "(measured - published) / sd; null without one", 2};
+inline constexpr Key kSource{"source", "of whom it is, and who published it", 2};
+inline constexpr Key kWithin{
+    "within", "how many dimensions are within one standard deviation of at least one source", 1};
+inline constexpr Key kBeyond{"beyond", "names of those that are within that of none", 1};
+inline constexpr Key kLeftOut{
+    "left_out", "patients that were to be measured and are out of the range that can be made"};
+} // namespace anatomy_dimensions_key
+
 } // namespace carina::lab

@@ -113,6 +113,27 @@ private Q_SLOTS:
             QVERIFY2(help.contains(QStringLiteral("\n        %1 ").arg(key)), qPrintable(key));
     }
 
+    void comparesDimensionsWithPublishedOnes()
+    {
+        const auto object = anatomyCommand().run({QStringLiteral("dimensions"),
+                                                  QStringLiteral("--patient"),
+                                                  QStringLiteral("6 years, 116 cm, girl")});
+        QVERIFY2(object.has_value(), object ? "" : object.error().detail.c_str());
+        QCOMPARE((*object)[QStringLiteral("patients")].toArray().size(), 1);
+        const QJsonObject girl = (*object)[QStringLiteral("patients")][0].toObject();
+        QCOMPARE(girl[QStringLiteral("patient")].toString(),
+                 QStringLiteral("6 years, 116 cm, girl"));
+        QVERIFY(girl[QStringLiteral("measured")].toObject().size() >= 20);
+        const QJsonArray rows = girl[QStringLiteral("dimensions")].toArray();
+        QVERIFY(!rows.isEmpty());
+        for (const QJsonValue row : rows) {
+            QVERIFY(row[QStringLiteral("measured")].toDouble() > 0.0);
+            QVERIFY(row[QStringLiteral("published")].toDouble() > 0.0);
+            QVERIFY(!row[QStringLiteral("source")].toString().isEmpty());
+            QCOMPARE(row[QStringLiteral("z")].isNull(), row[QStringLiteral("sd")].isNull());
+        }
+    }
+
     void refusesOptionsOfItsOtherWays()
     {
         const auto code = [](const QStringList& words) {
@@ -125,7 +146,9 @@ private Q_SLOTS:
                 == Errc::WrongOption);
         QVERIFY(code({QStringLiteral("sweep"), QStringLiteral("--set"), m_set})
                 == Errc::WrongOption);
-        QVERIFY(code({QStringLiteral("sweep"), seeds, QStringLiteral("-1")}) == Errc::WrongOption);
+        QVERIFY(code({QStringLiteral("sweep"), QStringLiteral("--seeds=-1")}) == Errc::WrongOption);
+        QVERIFY(code({QStringLiteral("dimensions"), seeds, QStringLiteral("3")})
+                == Errc::WrongOption);
     }
 
     void namesEveryKeyInItsHelp()

@@ -130,8 +130,8 @@ public:
         if (neck.position() == m_position)
             return m_hands;
         m_position = neck.position();
-        if (auto made = ScriptedHands::make(scriptOf(bent(m_airway, neck), bent(m_tube, neck),
-                                                     m_X_TA)))
+        if (auto made =
+                ScriptedHands::make(scriptOf(bent(m_airway, neck), bent(m_tube, neck), m_X_TA)))
             m_hands = std::make_shared<const ScriptedHands>(*std::move(made));
         return m_hands;
     }
@@ -141,7 +141,7 @@ private:
     AirwayLandmarks m_airway;
     TubeShape m_tube;
     RigidTransform m_X_TA;
-    HeadPosition m_position; ///< that they were last wanted in
+    HeadPosition m_position;                      ///< that they were last wanted in
     std::shared_ptr<const ScriptedHands> m_hands; ///< also of who calls them meanwhile
 };
 
@@ -150,8 +150,8 @@ private:
 TrueToolPose withBentWay(const ScriptedHands& hands, std::shared_ptr<HandsInAirway> inAirway,
                          NeckNow neck)
 {
-    return [hands, inAirway = std::move(inAirway),
-            neck = std::move(neck)](ToolRole tool, SessionTime t) {
+    return [hands, inAirway = std::move(inAirway), neck = std::move(neck)](ToolRole tool,
+                                                                           SessionTime t) {
         const bool isOfTube = tool == ToolRole::Tube || tool == ToolRole::Hand;
         return isOfTube ? (*inAirway->in(neck()))(tool, t) : hands(tool, t);
     };

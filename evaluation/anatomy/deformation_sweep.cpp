@@ -23,10 +23,9 @@ namespace
 constexpr double kMoved_m = 1e-6; ///< a vertex that is moved less is not
 constexpr double kSteps = 4.0;    ///< of laryngoscopyPose: the last one's number
 
-constexpr std::array kCornersOfHead{HeadPosition{kLeastFlexion, kLeastExtension},
-                                    HeadPosition{kLeastFlexion, kMostExtension},
-                                    HeadPosition{kMostFlexion, kLeastExtension},
-                                    HeadPosition{kMostFlexion, kMostExtension}};
+constexpr std::array kCornersOfHead{
+    HeadPosition{kLeastFlexion, kLeastExtension}, HeadPosition{kLeastFlexion, kMostExtension},
+    HeadPosition{kMostFlexion, kLeastExtension}, HeadPosition{kMostFlexion, kMostExtension}};
 
 SweptBlade lifted(Length lift, Angle levering = {})
 {
@@ -58,9 +57,8 @@ void addBlades(std::vector<DeformationCombination>& all)
     for (const BladeKind kind : kBladeKinds)
         for (double progress = 0.0; progress <= kSteps; ++progress)
             all.push_back({.blade = SweptBlade{kind, progress, kUsualLift, {}}});
-    for (const SweptBlade& blade :
-         {lifted({}), lifted(kMostSweptLift), lifted({}, kMostLevering),
-          lifted(kMostSweptLift, kMostLevering)}) {
+    for (const SweptBlade& blade : {lifted({}), lifted(kMostSweptLift), lifted({}, kMostLevering),
+                                    lifted(kMostSweptLift, kMostLevering)}) {
         all.push_back({.blade = blade});
         for (const HeadPosition& head : kCornersOfHead)
             all.push_back({.head = head, .blade = blade});
@@ -102,8 +100,9 @@ AirwayEvents drawnEvents(Draw& draw)
     AirwayEvents events;
     const std::uint32_t count = draw.below(3); // none in one of three
     for (std::uint32_t i = 0; i < count; ++i) {
-        const AirwayEvent event{static_cast<AirwayEventKind>(draw.below(kAirwayEventKinds)),
-                                draw.share()};
+        const AirwayEvent event{
+            static_cast<AirwayEventKind>(draw.below(std::uint32_t(kAirwayEventKinds))),
+            draw.share()};
         if (std::ranges::find(events, event.kind, &AirwayEvent::kind) == events.end())
             events.push_back(event);
     }
@@ -144,9 +143,8 @@ DeformedSurface deformedSurface(const Fields& fields, const TriangleMesh& mesh_A
     surface.determinants.assign(surface.places.size(), 1.0);
     const auto moved = airwayTissueOf(region);
     if (moved && fields.airway.isThere())
-        displace(surface, [&](const Vec3& p) {
-            return airwayPull(fields.airway.frame(), *moved, p);
-        });
+        displace(surface,
+                 [&](const Vec3& p) { return airwayPull(fields.airway.frame(), *moved, p); });
     if (!goesWithJaw) {
         if (fields.throat.neck.isBent())
             displace(surface, [&](const Vec3& p) {
@@ -155,9 +153,8 @@ DeformedSurface deformedSurface(const Fields& fields, const TriangleMesh& mesh_A
         if (const auto tissue = tissueOf(region))
             displace(surface, [&](const Vec3& p) { return throatPull(fields.throat, *tissue, p); });
         if (moved && fields.blade.isThere())
-            displace(surface, [&](const Vec3& p) {
-                return bladePull(fields.blade.frame(), *moved, p);
-            });
+            displace(surface,
+                     [&](const Vec3& p) { return bladePull(fields.blade.frame(), *moved, p); });
     }
     for (std::size_t i = 0; i < surface.places.size(); ++i)
         surface.mesh.positions[i] = surface.places[i].cast<float>();
@@ -206,7 +203,7 @@ DeformationCombination randomCombination(std::uint32_t seed)
     drawn.jawOpening = draw.between(Angle{}, kMostJawOpening);
     drawn.jawForward = draw.between(Length{}, kMostJawForward);
     if (draw.below(3) != 0)
-        drawn.blade = {.kind = kBladeKinds.at(draw.below(kBladeKinds.size())),
+        drawn.blade = {.kind = kBladeKinds.at(draw.below(std::uint32_t(kBladeKinds.size()))),
                        .progress = draw.between(0.0, kSteps),
                        .lift = draw.between(Length{}, kMostSweptLift),
                        .levering = draw.between(Angle{}, kMostLevering)};
@@ -247,8 +244,8 @@ DeformationSweep::deformedBy(const DeformationCombination& combination) const
     };
     if (const auto& swept = combination.blade) {
         const Blade& blade = bladeOf(swept->kind);
-        const LaryngoscopyPose pose = laryngoscopyPose(airway, m_throat, blade, swept->progress,
-                                                       swept->lift, m_held, neck);
+        const LaryngoscopyPose pose =
+            laryngoscopyPose(airway, m_throat, blade, swept->progress, swept->lift, m_held, neck);
         fields.throat = throatWith(pose.X_AJ);
         const RigidTransform X_AL =
             levered(blade.form, pose.X_AL, neck.placed(airway.p_A_edge()), swept->levering);

@@ -51,10 +51,10 @@ inline constexpr Angle kMostLevering = degrees(30.0);
 /// One part in one combination.
 struct DeformedPart {
     std::string name;
-    std::size_t level = 0;           ///< of detail
-    std::size_t intersections = 0;   ///< SurfaceTree::selfIntersections of the deformed surface
-    double leastDeterminant = 1.0;   ///< of the deformation gradient, at the vertices
-    Vec3 p_A_least = Vec3::Zero();   ///< where that is, in the surfaces
+    std::size_t level = 0;         ///< of detail
+    std::size_t intersections = 0; ///< SurfaceTree::selfIntersections of the deformed surface
+    double leastDeterminant = 1.0; ///< of the deformation gradient, at the vertices
+    Vec3 p_A_least = Vec3::Zero(); ///< where that is, in the surfaces
 };
 
 /// A patient, deformed part by part with the fields by which the programs draw it, in their order:

@@ -7,6 +7,8 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -162,8 +164,7 @@ void measureEpiglottis(const Anatomy& anatomy, const UpperAirway& airway, Dimens
     found["epiglottis_width_mm"] = 1e3 * extentAlong(verticesOf(*leaf), Vec3::UnitX()).size();
     const Vec3 through = axis.cross(Vec3::UnitX()).normalized();
     Extent thick;
-    for (const Outline& outline :
-         outlinesOf(*leaf, airway.p_A_epiglottisBase + 0.5 * whole, axis))
+    for (const Outline& outline : outlinesOf(*leaf, airway.p_A_epiglottisBase + 0.5 * whole, axis))
         for (const Vec3& p : outline.points)
             if (std::abs(p.x() - airway.p_A_epiglottisBase.x()) < kMidplane_m)
                 thick.include(p.dot(through));
@@ -183,10 +184,10 @@ void measureCricoid(const Anatomy& anatomy, const Axes& axes, const UpperAirway&
     const double middle = 0.5 * (deep.least + deep.most);
     const auto inMidplane = [&](const Vec3& p) { return std::abs(p.x() - x) < kMidplane_m; };
     const auto isBehind = [&](const Vec3& p) { return p.dot(axes.back) > middle; };
-    const Extent arch = extentAlong(
-        points, axes.up, [&](const Vec3& p) { return inMidplane(p) && !isBehind(p); });
-    const Extent lamina = extentAlong(
-        points, axes.up, [&](const Vec3& p) { return inMidplane(p) && isBehind(p); });
+    const Extent arch =
+        extentAlong(points, axes.up, [&](const Vec3& p) { return inMidplane(p) && !isBehind(p); });
+    const Extent lamina =
+        extentAlong(points, axes.up, [&](const Vec3& p) { return inMidplane(p) && isBehind(p); });
     found["cricoid_arch_mm"] = 1e3 * arch.size();
     found["cricoid_lamina_mm"] = 1e3 * lamina.size();
     const double level = 0.5 * (arch.least + arch.most);

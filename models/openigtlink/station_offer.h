@@ -33,7 +33,7 @@ public:
     at(const PatientModel& patient, const StationMoment& moment, Duration since1970);
 
 private:
-    std::string m_patient; ///< content hash of the one that the following are of
+    std::string m_patient;   ///< content hash of the one that the following are of
     HeadPosition m_position; ///< in which the landmarks are
     std::shared_ptr<const IgtlPoints> m_landmarks;
     std::shared_ptr<const IgtlOffer::Surface> m_lungs;

@@ -50,7 +50,8 @@ struct ObjectInFrame {
 [[nodiscard]] std::vector<ObjectInFrame> objectsIn(const SceneFrame& frame,
                                                    const StationMoment& moment);
 
-/// Has the tube that is drawn with the patient and those of others bent as the airway is (bendTube).
+/// Has the tube that is drawn with the patient and those of others bent as the airway is
+/// (bendTube).
 void bendTubes(SceneFrame& frame, const StationMoment& moment, const PatientModel& patient);
 
 /// Adds the bodies of the people to a frame, each at its place (PersonPose::X_AO), but for what is

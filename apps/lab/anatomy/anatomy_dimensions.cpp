@@ -20,8 +20,8 @@ namespace
 {
 
 /// Who is measured where nobody is named.
-constexpr std::array kMeasuredPeople{"1 year, 75 cm, boy", "6 years, 116 cm, boy", "child",
-                                     "adult", "30 years, 162 cm, woman"};
+constexpr std::array kMeasuredPeople{"1y, 75 cm, boy", "6 years, 116 cm, boy", "child", "adult",
+                                     "30 years, 162 cm, woman"};
 
 double inHundredths(double value) { return std::round(100.0 * value) / 100.0; }
 
@@ -31,15 +31,15 @@ QJsonObject rowOf(const PublishedDimension& published, const PatientParameters& 
     const double mean = published.meanFor(person);
     const QJsonValue none{QJsonValue::Null};
     const auto& sd = published.deviation;
-    return {{anatomy_dimensions_key::kName,
-             QString::fromLatin1(published.name.data(), qsizetype(published.name.size()))},
-            {anatomy_dimensions_key::kValue, inHundredths(measured)},
-            {anatomy_dimensions_key::kPublished, inHundredths(mean)},
-            {anatomy_dimensions_key::kDeviation, sd ? QJsonValue{*sd} : none},
-            {anatomy_dimensions_key::kZ,
-             sd ? QJsonValue{inHundredths((measured - mean) / *sd)} : none},
-            {anatomy_dimensions_key::kSource,
-             QString::fromLatin1(published.source.data(), qsizetype(published.source.size()))}};
+    return {
+        {anatomy_dimensions_key::kName,
+         QString::fromLatin1(published.name.data(), qsizetype(published.name.size()))},
+        {anatomy_dimensions_key::kValue, inHundredths(measured)},
+        {anatomy_dimensions_key::kPublished, inHundredths(mean)},
+        {anatomy_dimensions_key::kDeviation, sd ? QJsonValue{*sd} : none},
+        {anatomy_dimensions_key::kZ, sd ? QJsonValue{inHundredths((measured - mean) / *sd)} : none},
+        {anatomy_dimensions_key::kSource,
+         QString::fromLatin1(published.source.data(), qsizetype(published.source.size()))}};
 }
 
 QJsonArray listed(const std::set<std::string>& names)
@@ -51,7 +51,7 @@ QJsonArray listed(const std::set<std::string>& names)
 }
 
 /// @param person as it is made
-QJsonObject reportOn(const PatientParameters& person, const Anatomy& patient)
+QJsonObject dimensionsReport(const PatientParameters& person, const Anatomy& patient)
 {
     QJsonObject measured;
     const std::map<std::string, double> all = measuredDimensions(patient);
@@ -72,6 +72,9 @@ QJsonObject reportOn(const PatientParameters& person, const Anatomy& patient)
     }
     std::erase_if(beyond, [&within](const std::string& name) { return within.contains(name); });
     return {{anatomy_dimensions_key::kPatient, QString::fromStdString(nameOf(person))},
+            {anatomy_dimensions_key::kAge, qint64(std::lround(person.ageInYears))},
+            {anatomy_dimensions_key::kSex,
+             person.sex == Sex::Male ? QStringLiteral("male") : QStringLiteral("female")},
             {anatomy_dimensions_key::kMeasured, measured},
             {anatomy_dimensions_key::kDimensions, rows},
             {anatomy_dimensions_key::kWithin, qint64(within.size())},
@@ -82,7 +85,7 @@ QJsonObject reportOn(const PatientParameters& person, const Anatomy& patient)
 Result<QJsonObject> measured(const PatientParameters& person)
 {
     return patientFor(person, Posture::Rest).map([&](const Anatomy& patient) {
-        return reportOn(person, patient);
+        return dimensionsReport(person, patient);
     });
 }
 
@@ -113,10 +116,10 @@ Result<QJsonObject> measurePatients(const Words& words)
             patients.append(*report);
         }
     }
-    return QJsonObject{{anatomy_dimensions_key::kSchema,
-                        QLatin1StringView{anatomy_dimensions_key::kSchema.help}},
-                       {anatomy_dimensions_key::kPatients, patients},
-                       {anatomy_dimensions_key::kLeftOut, leftOut}};
+    return QJsonObject{
+        {anatomy_dimensions_key::kSchema, QLatin1StringView{anatomy_dimensions_key::kSchema.help}},
+        {anatomy_dimensions_key::kPatients, patients},
+        {anatomy_dimensions_key::kLeftOut, leftOut}};
 }
 
 Use dimensionsUse()
@@ -129,6 +132,7 @@ Use dimensionsUse()
             .options = {kPatient},
             .schema = anatomy_dimensions_key::kSchema,
             .keys = {anatomy_dimensions_key::kPatients, anatomy_dimensions_key::kPatient,
+                     anatomy_dimensions_key::kAge, anatomy_dimensions_key::kSex,
                      anatomy_dimensions_key::kMeasured, anatomy_dimensions_key::kDimensions,
                      anatomy_dimensions_key::kName, anatomy_dimensions_key::kValue,
                      anatomy_dimensions_key::kPublished, anatomy_dimensions_key::kDeviation,

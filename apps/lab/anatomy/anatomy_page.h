@@ -13,7 +13,8 @@ inline constexpr Option kSet{
     "set", "DIR",
     "folder of the anatomy set with which the patient is compared; none unless given"};
 inline constexpr Option kSeeds{
-    "seeds", "N", "how many combinations are drawn at random, by the seeds 1 to N; 100 unless given"};
+    "seeds", "N",
+    "how many combinations are drawn at random, by the seeds 1 to N; 100 unless given"};
 inline constexpr Option kLevel{
     "level", "L",
     "of detail, 0 being the finest, or the coarsest of a part that does not have it; the coarsest "
@@ -148,8 +149,8 @@ inline constexpr Key kLift{"lift_mm", "of the whole lift", 2};
 inline constexpr Key kLevering{"levering_deg", "by which the handle is tipped back", 2};
 inline constexpr Key kEvents{"events", "by name, how severe each is, 0 to 1", 2};
 inline constexpr Key kParts{"parts", "one object per part that is deformed:"};
-inline constexpr Key kInCombinations{
-    "self_intersecting", "in how many combinations it intersects itself", 1};
+inline constexpr Key kInCombinations{"self_intersecting",
+                                     "in how many combinations it intersects itself", 1};
 inline constexpr Key kPartsLeast{"least_determinant", "the smallest of it", 1};
 inline constexpr Key kBad{"bad", "one object per part and combination with a fault: \"part\", "
                                  "\"determinant\" and \"parameters\" as above, and"};
@@ -163,6 +164,8 @@ namespace anatomy_dimensions_key
 inline constexpr Key kSchema{"schema", "carina.anatomy-dimensions/1"};
 inline constexpr Key kPatients{"patients", "one object per patient:"};
 inline constexpr Key kPatient{"patient", "who it is, as --patient takes it", 1};
+inline constexpr Key kAge{"age_years", "of that person", 1};
+inline constexpr Key kSex{"sex", "\"male\" or \"female\"", 1};
 inline constexpr Key kMeasured{"measured", "by name, each dimension measured on the surfaces", 1};
 inline constexpr Key kDimensions{
     "dimensions", "one object per published figure of a dimension, for this age and sex:", 1};

@@ -78,8 +78,8 @@ Result<QJsonObject> sweepPatient(const Words& words)
     object.insert(anatomy_sweep_key::kSchema, QLatin1StringView{anatomy_sweep_key::kSchema.help});
     object.insert(anatomy_sweep_key::kPatient,
                   words.has(kPatient) ? words.text(kPatient) : QStringLiteral("adult"));
-    object.insert(anatomy_sweep_key::kLevel, order->level ? QJsonValue{qint64(*order->level)}
-                                                          : QJsonValue{QJsonValue::Null});
+    object.insert(anatomy_sweep_key::kLevel,
+                  order->level ? QJsonValue{qint64(*order->level)} : QJsonValue{QJsonValue::Null});
     object.insert(anatomy_sweep_key::kSeeds, qint64(order->seeds));
     return object;
 }

@@ -40,12 +40,12 @@ QJsonObject parametersOf(const DeformationCombination& combination)
 
 QJsonObject leastObjectOf(const DeformedPart& part, const DeformationCombination& combination)
 {
-    return {{anatomy_sweep_key::kDeterminant, part.leastDeterminant},
-            {anatomy_sweep_key::kPart, QString::fromStdString(part.name)},
-            {anatomy_sweep_key::kPlace,
-             QJsonArray{1e3 * part.p_A_least.x(), 1e3 * part.p_A_least.y(),
-                        1e3 * part.p_A_least.z()}},
-            {anatomy_sweep_key::kParameters, parametersOf(combination)}};
+    return {
+        {anatomy_sweep_key::kDeterminant, part.leastDeterminant},
+        {anatomy_sweep_key::kPart, QString::fromStdString(part.name)},
+        {anatomy_sweep_key::kPlace,
+         QJsonArray{1e3 * part.p_A_least.x(), 1e3 * part.p_A_least.y(), 1e3 * part.p_A_least.z()}},
+        {anatomy_sweep_key::kParameters, parametersOf(combination)}};
 }
 
 bool isFolded(const DeformedPart& part) { return !(part.leastDeterminant > 0.0); }
@@ -84,10 +84,9 @@ QJsonObject SweepReport::object() const
 {
     QJsonArray parts;
     for (const auto& [name, found] : m_parts)
-        parts.append(
-            QJsonObject{{anatomy_sweep_key::kPart, QString::fromStdString(name)},
-                        {anatomy_sweep_key::kInCombinations, found.selfIntersecting},
-                        {anatomy_sweep_key::kPartsLeast, found.leastDeterminant}});
+        parts.append(QJsonObject{{anatomy_sweep_key::kPart, QString::fromStdString(name)},
+                                 {anatomy_sweep_key::kInCombinations, found.selfIntersecting},
+                                 {anatomy_sweep_key::kPartsLeast, found.leastDeterminant}});
     return {{anatomy_sweep_key::kCombinations, m_combinations},
             {anatomy_sweep_key::kSelfIntersecting, m_selfIntersecting},
             {anatomy_sweep_key::kFolded, m_folded},

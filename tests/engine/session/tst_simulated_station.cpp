@@ -309,8 +309,7 @@ private Q_SLOTS:
         const Vec3 p_A_connector = neck.placed(station.tube.X_AE.translation());
         QVERIFY((inPlace.translation() - p_A_connector).norm() < kAlong_m);
         for (Duration t = 0s; t < kPeriod; t += kStep / 6)
-            QVERIFY((at(t) * tube.p_E_tip - at(t + kStep / 6) * tube.p_E_tip).norm()
-                    < kMostMove_m);
+            QVERIFY((at(t) * tube.p_E_tip - at(t + kStep / 6) * tube.p_E_tip).norm() < kMostMove_m);
     }
 
     /// Back to neutral, too.

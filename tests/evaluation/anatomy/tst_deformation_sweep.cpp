@@ -176,9 +176,8 @@ private Q_SLOTS:
     void needsALarynx()
     {
         Anatomy without = patient();
-        std::erase_if(without.parts, [](const AnatomyPart& part) {
-            return part.role == PartRole::Epiglottis;
-        });
+        std::erase_if(without.parts,
+                      [](const AnatomyPart& part) { return part.role == PartRole::Epiglottis; });
         QVERIFY(DeformationSweep::of(without, {}).error().code == Errc::NoAirway);
     }
 };

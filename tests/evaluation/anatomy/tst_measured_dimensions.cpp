@@ -60,9 +60,10 @@ private Q_SLOTS:
         QVERIFY(found.size() >= 20);
         for (const auto& [name, value] : found)
             QVERIFY2(std::isfinite(value) && value > 0.0, name.c_str());
-        QVERIFY(isNear(found.at("trachea_length_mm"), inMillimetres(made.tracheaLength), kVoxel_mm));
-        QVERIFY(isNear(found.at("teeth_to_carina_mm"), inMillimetres(made.teethToCarina),
-                       kVoxel_mm));
+        QVERIFY(
+            isNear(found.at("trachea_length_mm"), inMillimetres(made.tracheaLength), kVoxel_mm));
+        QVERIFY(
+            isNear(found.at("teeth_to_carina_mm"), inMillimetres(made.teethToCarina), kVoxel_mm));
         QVERIFY(isNear(found.at("cords_to_carina_mm"), inMillimetres(made.cordsToCarina),
                        2.0 * kVoxel_mm));
         QVERIFY(isNear(found.at("right_bronchus_deg"), inDegrees(made.rightBronchus.fromTrachea),
@@ -76,8 +77,8 @@ private Q_SLOTS:
 
     void asksTheFiguresOfTheAgeAndSex()
     {
-        const PatientParameters woman{.ageInYears = 30.0, .height = metres(1.62),
-                                      .sex = Sex::Female};
+        const PatientParameters woman{
+            .ageInYears = 30.0, .height = metres(1.62), .sex = Sex::Female};
         const PatientParameters child{.ageInYears = 6.0, .height = metres(1.16)};
         for (const PublishedDimension& published : publishedDimensions()) {
             QVERIFY(!published.source.empty() && published.meanFor(woman) > 0.0);

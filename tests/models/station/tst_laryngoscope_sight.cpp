@@ -265,8 +265,7 @@ private Q_SLOTS:
                 scope.leveredPose(LaryngoscopyStep::Full, degrees(tipped_deg));
             t += 20ms;
             station.node.sees(kFirst, pose.X_AL, t);
-            return station.laryngoscope
-                .at(station.view.at(t, 0), patient().throat(pose.X_AJ, head))
+            return station.laryngoscope.at(station.view.at(t, 0), patient().throat(pose.X_AJ, head))
                 .effort;
         };
         BladeEffort levered;

@@ -116,8 +116,7 @@ private Q_SLOTS:
         SceneFrame frame = sceneFrame({}, ChestField{});
         QVERIFY(frame.bentInPlace.empty());
         bendTube(frame, **patient);
-        QCOMPARE(frame.bentInPlace.at("tube").translation(),
-                 (*patient)->tube().X_AE.translation());
+        QCOMPARE(frame.bentInPlace.at("tube").translation(), (*patient)->tube().X_AE.translation());
         const PatientModel touched =
             (*patient)->withTube((*patient)->tube().p_E_centre, millimetres(8.0));
         SceneFrame rigid = sceneFrame({}, ChestField{});

@@ -100,8 +100,7 @@ void SurfaceEntity::setNeck(const SceneFrame& frame)
 {
     const auto inPlace = frame.bentInPlace.find(m_key.body);
     const bool isInPlace = inPlace != frame.bentInPlace.end();
-    const NeckField neck =
-        isInPlace || m_key.body == frame.bends ? frame.throat.neck : NeckField{};
+    const NeckField neck = isInPlace || m_key.body == frame.bends ? frame.throat.neck : NeckField{};
     if (!neck.isBent() && !m_isNeckBent)
         return;
     m_isNeckBent = neck.isBent();
@@ -144,8 +143,7 @@ void SurfaceEntity::apply(const SceneFrame& frame)
     setNeck(frame);
     m_throat->setValue(throatUniform(frame.throat.field));
     // What has the mandible for its body has moved with the jaw.
-    m_jaw->setValue(
-        jawUniform(m_key.body == frame.bends ? frame.throat.X_AJ : RigidTransform{}));
+    m_jaw->setValue(jawUniform(m_key.body == frame.bends ? frame.throat.X_AJ : RigidTransform{}));
     m_blade->setValue(bladeUniform(frame.blade));
     m_tilt->setValue(tiltUniform(frame.blade));
 }

@@ -115,9 +115,9 @@ private Q_SLOTS:
 
     void comparesDimensionsWithPublishedOnes()
     {
-        const auto object = anatomyCommand().run({QStringLiteral("dimensions"),
-                                                  QStringLiteral("--patient"),
-                                                  QStringLiteral("6 years, 116 cm, girl")});
+        const auto object =
+            anatomyCommand().run({QStringLiteral("dimensions"), QStringLiteral("--patient"),
+                                  QStringLiteral("6 years, 116 cm, girl")});
         QVERIFY2(object.has_value(), object ? "" : object.error().detail.c_str());
         QCOMPARE((*object)[QStringLiteral("patients")].toArray().size(), 1);
         const QJsonObject girl = (*object)[QStringLiteral("patients")][0].toObject();
@@ -142,8 +142,7 @@ private Q_SLOTS:
         const QString seeds = QStringLiteral("--seeds");
         QVERIFY(code({QStringLiteral("list"), m_set, seeds, QStringLiteral("3")})
                 == Errc::WrongOption);
-        QVERIFY(code({QStringLiteral("compare"), seeds, QStringLiteral("3")})
-                == Errc::WrongOption);
+        QVERIFY(code({QStringLiteral("compare"), seeds, QStringLiteral("3")}) == Errc::WrongOption);
         QVERIFY(code({QStringLiteral("sweep"), QStringLiteral("--set"), m_set})
                 == Errc::WrongOption);
         QVERIFY(code({QStringLiteral("sweep"), QStringLiteral("--seeds=-1")}) == Errc::WrongOption);

@@ -89,7 +89,7 @@ public:
     {
         return least + share() * (most - least);
     }
-    std::uint32_t below(std::uint32_t count) { return m_random() % count; }
+    std::uint32_t below(std::uint32_t count) { return std::uint32_t(m_random() % count); }
 
 private:
     std::mt19937 m_random;

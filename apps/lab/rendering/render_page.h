@@ -37,7 +37,7 @@ inline constexpr Option kLaryngoscopy{"laryngoscopy", "DIR",
                                       "folder to write into; it is created if missing"};
 inline constexpr Option kBlade{
     "blade", "NAME",
-    "macintosh-2, macintosh-3 (unless given), macintosh-4, miller-2 or hyperangulated"};
+    "macintosh-0 to -4 (macintosh-3 unless given), miller-0, -1 or -2, or hyperangulated"};
 inline constexpr Option kFrom{"from", "EYE",
                               "video: the camera of a video laryngoscope, on the blade (unless "
                               "given); direct: the eye of who looks past the blade"};

@@ -12,9 +12,13 @@ constexpr Length kTipAboveAxis = millimetres(16.0); ///< of the camera, where th
 constexpr Length kPastTeeth = millimetres(3.0);     ///< the eye's line, from their edge
 
 constexpr std::array kBlades{
+    Blade{"macintosh-0", {0.080, 0.008, 0.0072, 0.011}, EpiglottisLift::Ligament, {0.027}},
+    Blade{"macintosh-1", {0.090, 0.009, 0.0081, 0.013}, EpiglottisLift::Ligament, {0.030}},
     Blade{"macintosh-2", {0.105, 0.010, 0.0095, 0.015}, EpiglottisLift::Ligament, {0.035}},
     Blade{"macintosh-3", {0.130, 0.012, 0.0117, 0.016}, EpiglottisLift::Ligament, {0.040}},
     Blade{"macintosh-4", {0.155, 0.014, 0.0140, 0.017}, EpiglottisLift::Ligament, {0.045}},
+    Blade{"miller-0", {0.078, 0.003, 0.0010, 0.009}, EpiglottisLift::Direct, {0.026}},
+    Blade{"miller-1", {0.102, 0.003, 0.0013, 0.011}, EpiglottisLift::Direct, {0.040}},
     Blade{"miller-2", {0.155, 0.004, 0.0020, 0.013}, EpiglottisLift::Direct, {0.045}},
     Blade{"hyperangulated", {0.095, 0.020, 0.0190, 0.018}, EpiglottisLift::Ligament, {0.035}}};
 
@@ -50,7 +54,9 @@ RigidTransform cameraOnBlade(const Blade& blade)
     const double share = 1.0 - blade.cameraToTip.si / blade.form.reach;
     const Vec3 p_L_eye = middleOfBlade(blade.form, share)
                          - (kBladeHalfThickness + kScopeBelowBlade.si) * Vec3::UnitY();
-    const Vec3 p_L_target = middleOfBlade(blade.form, 1.0) - kTipAboveAxis.si * Vec3::UnitY();
+    // Less on the blades of small children, whose camera is near the tip.
+    const Length above = std::min(kTipAboveAxis, blade.cameraToTip - kTipAboveAxis);
+    const Vec3 p_L_target = middleOfBlade(blade.form, 1.0) - above.si * Vec3::UnitY();
     return lookingAt(p_L_eye, p_L_target, Vec3::UnitY());
 }
 

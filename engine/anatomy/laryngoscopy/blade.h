@@ -14,15 +14,20 @@ namespace carina
 
 /// The blades of laryngoscopes that there are.
 enum class BladeKind : std::uint8_t {
-    Macintosh2, ///< curved; for older children and small adults
+    Macintosh0, ///< curved; for the newborn
+    Macintosh1, ///< for infants and small children
+    Macintosh2, ///< for older children and small adults
     Macintosh3,
     Macintosh4,
-    Miller2,        ///< straight, with a tip that rises a little
+    Miller0,        ///< straight, with a tip that rises a little; for the newborn
+    Miller1,        ///< for infants
+    Miller2,        ///< for children
     Hyperangulated, ///< bent so much that one cannot see past it
 };
-inline constexpr std::array kBladeKinds{BladeKind::Macintosh2, BladeKind::Macintosh3,
-                                        BladeKind::Macintosh4, BladeKind::Miller2,
-                                        BladeKind::Hyperangulated};
+inline constexpr std::array kBladeKinds{
+    BladeKind::Macintosh0, BladeKind::Macintosh1, BladeKind::Macintosh2,
+    BladeKind::Macintosh3, BladeKind::Macintosh4, BladeKind::Miller0,
+    BladeKind::Miller1,    BladeKind::Miller2,    BladeKind::Hyperangulated};
 
 /// What the tip of a blade lifts the epiglottis by.
 enum class EpiglottisLift : std::uint8_t {
@@ -38,10 +43,11 @@ struct Blade {
     Length cameraToTip; ///< along the blade, where it is a video laryngoscope's
 };
 
-/// Lengths are those that makers' catalogues call by these sizes (Macintosh 2, 3, 4: about 105,
-/// 130, 155 mm; Miller 2: 155 mm). The other sizes are of ours, as no published profiles were
-/// found: a Macintosh sags by 0.15 of its length, a hyperangulated blade turns by about 60 degrees
-/// (its makers' figure) within its middle half; cameras are a third of the way from the tip.
+/// Lengths are those that makers' catalogues call by these sizes (Macintosh 0, 1, 2, 3, 4: about
+/// 80, 90, 105, 130, 155 mm; Miller 0, 1, 2: 78, 102, 155 mm). The other sizes are of ours, as no
+/// published profiles were found: a Macintosh sags by 0.09 of its length, a hyperangulated blade
+/// turns by about 60 degrees (its makers' figure) within its middle half; cameras are about a third
+/// of the way from the tip.
 [[nodiscard]] const Blade& bladeOf(BladeKind kind);
 
 /// The blade with this name; nothing for an unknown name.

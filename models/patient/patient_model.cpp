@@ -49,7 +49,8 @@ Result<PatientModel> PatientModel::of(Anatomy anatomy, Length innerDiameter)
     auto lungs = LungPair::of(anatomy);
     if (!lungs)
         return tl::unexpected(lungs.error());
-    auto tube = makeTube(innerDiameter, anatomy.landmarks.path_A, anatomy.landmarks.p_A_incisors);
+    auto tube = makeTube(innerDiameter, anatomy.landmarks.path_A, anatomy.landmarks.p_A_incisors,
+                         usualTipAboveCarina(innerDiameter));
     if (!tube)
         return tl::unexpected(tube.error());
     PatientModel model;

@@ -16,7 +16,8 @@ Result<ScriptedStation> scriptedStation(const PatientParameters& parameters)
     if (!patient)
         return tl::unexpected(patient.error());
     const AirwayLandmarks& airway = patient->landmarks;
-    const auto tube = makeTube(dimensions->tubeInnerDiameter, airway.path_A, airway.p_A_incisors);
+    const auto tube = makeTube(dimensions->tubeInnerDiameter, airway.path_A, airway.p_A_incisors,
+                               usualTipAboveCarina(dimensions->tubeInnerDiameter));
     if (!tube)
         return tl::unexpected(tube.error());
     auto station = simulatedStation(airway, *tube, [] { return std::optional<SessionTime>{}; });

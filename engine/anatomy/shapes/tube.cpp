@@ -19,6 +19,7 @@ constexpr double kMarkRise = 0.00015;  ///< of a depth mark above the wall
 constexpr double kCuffFromTip = 0.015; ///< metres, to its lower end
 constexpr double kCuffLength = 0.032;
 constexpr double kCuffSwell = 1.25; ///< of the tube's radius: fills a trachea the tube fits
+constexpr double kFullCuffRadius = 0.0034; ///< of a tube of 5.0 mm; thinner ones have shorter cuffs
 constexpr double kConnectorLength = 0.02;
 constexpr double kConnectorRadius = 0.0075; ///< ISO 5356: 15 mm
 constexpr double kFlangeRadius = 0.0105;
@@ -58,12 +59,13 @@ TriangleMesh depthMarks(const SweptLine& tube, double radius)
 TriangleMesh cuff(const SweptLine& tube, double radius)
 {
     constexpr int kRings = 16;
+    const double size = std::min(radius / kFullCuffRadius, 1.0);
     std::vector<Ring> rings;
     for (int i = 0; i <= kRings; ++i) {
         const double share = double(i) / kRings;
         // A half sine to the power of one half: full in the middle, steep at both ends.
         const double swell = std::sqrt(std::sin(std::numbers::pi * share));
-        rings.push_back({tube.along.back() - kCuffFromTip - kCuffLength * (1.0 - share),
+        rings.push_back({tube.along.back() - size * (kCuffFromTip + kCuffLength * (1.0 - share)),
                          radius * (1.01 + (kCuffSwell - 1.01) * std::max(swell, 0.0))});
     }
     return sweptSurface(tube, rings);
@@ -121,6 +123,13 @@ Length outerDiameterOf(Length innerDiameter)
         ++i;
     const double share = (inner - kInner[i]) / (kInner[i + 1] - kInner[i]);
     return millimetres(kOuter[i] + share * (kOuter[i + 1] - kOuter[i]));
+}
+
+Length usualTipAboveCarina(Length innerDiameter)
+{
+    constexpr Length kUsual = millimetres(30.0);
+    constexpr Length kLeastOfChildren = millimetres(5.0);
+    return std::min(innerDiameter / kLeastOfChildren, 1.0) * kUsual;
 }
 
 Result<TubeShape> makeTube(Length innerDiameter, std::span<const Vec3> path_A,

@@ -76,7 +76,7 @@ bool isOnEpiglottis(const UpperAirway& moved, const Blade& blade, const RigidTra
     const Vec3 p_A_epiglottis = moved.p_A_epiglottisBase + height * whole;
     const double before = moved.forward_A().dot(p_A_tip - p_A_epiglottis);
     return before < kBladeHalfThickness
-           && before > -kBladeHalfThickness - moved.size() * kEpiglottisBack.si;
+           && before > -kBladeHalfThickness - moved.larynxSize() * kEpiglottisBack.si;
 }
 
 } // namespace

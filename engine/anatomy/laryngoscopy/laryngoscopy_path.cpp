@@ -61,7 +61,8 @@ StepFigures figuresAt(const BetweenSteps& at)
 /// incisors, as shares of the way from these to his glottis (87.6 mm).
 const Vec3 kJawHinge{0.0, 87.0 / 87.6, 45.0 / 87.6};
 
-/// Lengths of the tip's way are those of an adult, in proportion.
+/// Lengths of the tip's way are those of an adult, in proportion: what is said of epiglottis and
+/// larynx to the size of the larynx, the rest to that of the airway.
 constexpr Length kTipBelowTeeth = millimetres(9.0);
 constexpr Length kTipBeforeEpiglottis = millimetres(14.0);
 constexpr Length kTipInVallecula = millimetres(4.0); ///< in front of the epiglottis
@@ -156,7 +157,7 @@ Centreline wayToEpiglottis(const UpperAirway& moved)
 /// the epiglottis.
 Vec3 placedTip(const UpperAirway& moved, const Blade& blade, Length lift)
 {
-    const double size = sizeOf(moved);
+    const double size = moved.larynxSize();
     if (blade.lift == EpiglottisLift::Ligament) {
         const double above = -lift.si * moved.up_A.dot(liftDirection(moved));
         return moved.p_A_vallecula + size * kTipInVallecula.si * moved.forward_A()
@@ -186,8 +187,9 @@ Vec3 tipIn(LaryngoscopyStep step, const UpperAirway& moved, const Blade& blade, 
     case LaryngoscopyStep::Epiglottis:
         if (blade.lift == EpiglottisLift::Direct)
             return overTongue(moved, way, lengthOf(way) - size * kTipBeforeEpiglottis);
-        return moved.p_A_vallecula + size * kTipInVallecula.si * moved.forward_A()
-               + size * kReachOfLigament.si * moved.up_A;
+        return moved.p_A_vallecula
+               + moved.larynxSize()
+                     * (kTipInVallecula.si * moved.forward_A() + kReachOfLigament.si * moved.up_A);
     case LaryngoscopyStep::Partial:
     case LaryngoscopyStep::Full:
         break;
@@ -198,7 +200,7 @@ Vec3 tipIn(LaryngoscopyStep step, const UpperAirway& moved, const Blade& blade, 
 /// How far forward the epiglottis is taken at its vallecula by what pulls at the ligament.
 double pulledBy(const UpperAirway& moved, const Vec3& p_A_tip)
 {
-    const double size = sizeOf(moved);
+    const double size = moved.larynxSize();
     const double over = heightOf(moved, p_A_tip - moved.p_A_vallecula + moved.p_A_epiglottisBase);
     const double felt = 1.0 - formula::step(over / (size * kReachOfLigament.si)).value;
     const double forward =
@@ -209,7 +211,7 @@ double pulledBy(const UpperAirway& moved, const Vec3& p_A_tip)
 /// An epiglottis that has fallen back tilts wholly, too.
 LarynxHinge hingeOf(const UpperAirway& moved)
 {
-    const double size = sizeOf(moved);
+    const double size = moved.larynxSize();
     const Vec3 whole = moved.p_A_epiglottisTip - moved.p_A_epiglottisBase;
     const double lean = -moved.forward_A().dot(whole) / moved.up_A.dot(whole);
     const Vec3 p_A_hinge = moved.p_A_epiglottisBase - size * kHingeBelow.si * moved.up_A
@@ -257,9 +259,16 @@ double liftedBy(const UpperAirway& moved, const Vec3& p_A_blade, const LarynxHin
         return 0.0;
     const Vec3 p_A_lifted = onEpiglottis(moved, height);
     const double behind = moved.forward_A().dot(p_A_blade - p_A_lifted);
-    const double wanted = behind + kBladeHalfThickness + sizeOf(moved) * kBehindThickness.si;
+    const double wanted = behind + kBladeHalfThickness + moved.larynxSize() * kBehindThickness.si;
     constexpr double kLeastShare = 0.01;
     return std::max(wanted, 0.0) / std::max(tiltingShare(hinge, p_A_lifted), kLeastShare);
+}
+
+/// That of who is smaller than a small adult is less.
+Length liftIn(const UpperAirway& airway, Length lift)
+{
+    constexpr double kSmallAdult = 0.9;
+    return std::min(sizeOf(airway) / kSmallAdult, 1.0) * lift;
 }
 
 double distanceToWay(const Centreline& way, const Vec3& p_A)
@@ -300,7 +309,7 @@ BladeField bladeInTissue(const UpperAirway& moved, const Blade& blade, const Rig
     const double forward = blade.lift == EpiglottisLift::Ligament
                                ? pulledBy(moved, p_A_tip)
                                : liftedBy(moved, liftingPlace(moved, blade.form, X_AL), hinge);
-    field.tiltLarynx(hinge, metres(std::min(forward, sizeOf(moved) * kMostTilt.si)));
+    field.tiltLarynx(hinge, metres(std::min(forward, moved.larynxSize() * kMostTilt.si)));
     return field;
 }
 
@@ -325,13 +334,14 @@ LaryngoscopyPose laryngoscopyPose(const UpperAirway& airway, const ThroatField& 
 {
     const BetweenSteps at = betweenSteps(progress);
     const StepFigures figures = figuresAt(at);
+    const Length whole = liftIn(airway, lift);
     LaryngoscopyPose pose;
     pose.X_AJ = jawIn(airway, figures);
-    pose.lift = figures.lift * lift;
+    pose.lift = figures.lift * whole;
     const UpperAirway moved = followed(airway, {throat, pose.X_AJ * held.inverse(), neck});
     const UpperAirway inHead = seenFrom(neck.X_AU().inverse(), moved);
-    const Vec3 p_U_from = tipIn(at.from, inHead, blade, lift);
-    const Vec3 p_U_placed = p_U_from + at.share * (tipIn(at.to, inHead, blade, lift) - p_U_from);
+    const Vec3 p_U_from = tipIn(at.from, inHead, blade, whole);
+    const Vec3 p_U_placed = p_U_from + at.share * (tipIn(at.to, inHead, blade, whole) - p_U_from);
     const Vec3 p_U_tip = p_U_placed + pose.lift.si * liftDirection(inHead);
     pose.X_AL = neck.X_AU() * pastTeeth(blade.form, p_U_tip, inHead.p_A_edge());
     pose.field = bladeInTissue(moved, blade, pose.X_AL);

@@ -47,7 +47,9 @@ struct LaryngoscopyPose {
 ///
 /// @param held X_AJ of the mandible in the surfaces, where the places of the airway were found
 /// @param throat by which the patient's tissue follows the jaw from there
-/// @param lift   of LaryngoscopyStep::Full; 0.7 of it is that of Partial
+/// @param lift   of LaryngoscopyStep::Full in grown people and children; in an infant, whose way
+///               from incisors to glottis is less than 0.9 of that of the reference man, less in
+///               proportion. 0.7 of it is that of Partial
 /// @param neck   with which the airway moves; the blade goes in as before in the frame of the head
 [[nodiscard]] LaryngoscopyPose laryngoscopyPose(const UpperAirway& airway,
                                                 const ThroatField& throat, const Blade& blade,

@@ -231,6 +231,8 @@ double UpperAirway::size() const
     return way / kReferenceWay.si / drawnOut;
 }
 
+double UpperAirway::larynxSize() const { return std::min(size(), glottis() / kReferenceGlottis); }
+
 Result<UpperAirway> upperAirwayOf(std::span<const AnatomyPart> parts,
                                   const AirwayLandmarks& landmarks)
 {

@@ -53,6 +53,9 @@ struct UpperAirway {
     /// Of the way from the incisors to the middle of the glottis in a neck that is not bent,
     /// kReferenceWay being 1.
     [[nodiscard]] double size() const;
+    /// Of the larynx with its epiglottis: by the length of the glottis, kReferenceGlottis being 1,
+    /// and at most size(). A child's is small for the way to it.
+    [[nodiscard]] double larynxSize() const;
     /// Of the way from the middle of the glottis to the carina, kReferenceWindpipe being 1.
     [[nodiscard]] double windpipeSize() const { return toCarina / kReferenceWindpipe; }
     /// The upper incisors' edge as events have moved it.
@@ -61,6 +64,9 @@ struct UpperAirway {
 
 /// That way in the reference man.
 inline constexpr Length kReferenceWay = millimetres(87.6);
+
+/// The open glottis of a man (Miller, 6th edition).
+inline constexpr Length kReferenceGlottis = millimetres(23.0);
 
 /// Height of the vallecula's floor, as a share of the way from the epiglottis' base to its tip: of
 /// ours. Its free part is about two thirds of its length.

@@ -46,11 +46,12 @@ QStringList figuresOutOfRange(const PatientParameters& patient)
         faults += StationsModel::tr("%1 years are out of range: an age is %2 to %3 years.")
                       .arg(wholeNumber(patient.ageInYears), wholeNumber(kYoungest_years),
                            wholeNumber(kOldest_years));
-    if (patient.height < kLeastHeight || patient.height > kGreatestHeight)
+    const LengthRange heights = heightRange(patient.ageInYears);
+    if (patient.height < heights.least || patient.height > heights.most)
         faults += StationsModel::tr("%1 cm are out of range: a height is %2 to %3 cm.")
                       .arg(wholeNumber(inCentimetres(patient.height)),
-                           wholeNumber(inCentimetres(kLeastHeight)),
-                           wholeNumber(inCentimetres(kGreatestHeight)));
+                           wholeNumber(inCentimetres(heights.least)),
+                           wholeNumber(inCentimetres(heights.most)));
     const auto usual = teethToCarinaRange(patient);
     if (!usual || !patient.teethToCarina)
         return faults;

@@ -40,8 +40,8 @@ StationDialog::StationDialog(const StationsModel& stations, StationId station, Q
     m_patient->addItems({QStringLiteral("adult"), QStringLiteral("child"),
                          QStringLiteral("child, girl"), QStringLiteral("45 years, 182 cm, man")});
     m_patient->setToolTip(
-        tr("adult, child, or figures: age in years, height in cm, man, woman, boy "
-           "or girl, and slim or obese"));
+        tr("adult, child, or figures: age in years, or of a small child as “newborn” or “3 "
+           "months”, height in cm, man, woman, boy or girl, and slim or obese"));
     m_fault->setObjectName(QStringLiteral("fault"));
     m_fault->setWordWrap(true);
     m_accept->setObjectName(QStringLiteral("accept"));

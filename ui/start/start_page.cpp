@@ -148,8 +148,10 @@ void StartPage::addPatient(QFormLayout& form, const SessionPlan& begin)
     m_figures->setAccessibleName(tr("Figures of the patient"));
     // Words that patientFromWords reads, in English whatever the language.
     m_figures->setText(known >= 0 ? QStringLiteral("45 years, 182 cm, man") : begin.patient);
-    m_figures->setToolTip(tr("Age in years, height in cm, man, woman, boy or girl, slim or obese, "
-                             "and as in “airway 250 mm” the way from teeth to carina"));
+    m_figures->setToolTip(
+        tr("Age in years, or of a small child as “newborn” or “3 months”, height in cm, man, "
+           "woman, boy or girl, slim or obese, and as in “airway 250 mm” the way from teeth to "
+           "carina"));
     m_browse->setToolTip(tr("An anatomy set: surfaces in OBJ, PLY, STL or glTF"));
     connect(m_who, &QComboBox::currentIndexChanged, this, &StartPage::choosePatient);
     connect(m_figures, &QLineEdit::textChanged, this, &StartPage::choosePatient);

@@ -34,6 +34,8 @@ QString textOf(std::string_view text)
 
 Length tubeFor(const PatientBuild& build)
 {
+    if (build.ageInYears < kSchoolAge_years)
+        return usualTube(build.ageInYears, build.sex);
     return millimetres(build.ageInYears < 16.0 ? 6.5 : 8.0);
 }
 

@@ -13,11 +13,11 @@ namespace carina::lab
 
 inline constexpr Option kPatient{
     "patient", "WHO",
-    "adult, child (a boy of 12 years), or age (6 to 90 years), height (100 to 210 cm) and man, "
-    "woman, "
-    "boy or girl, with commas between them: \"45 years, 182 cm, man\"; with slim or obese where "
-    "that "
-    "is so: \"adult, slim\"; with the length from teeth to carina: \"adult, airway 250 mm\""};
+    "adult, child (a boy of 12 years), or age (newborn to 90 years), height (100 to 210 cm; below "
+    "six years less) and man, woman, boy or girl, with commas between them: \"45 years, 182 cm, "
+    "man\", \"1 year, 75 cm, girl\", \"3 months, 60 cm, boy\", \"newborn, 50 cm, girl\"; with slim "
+    "or obese where that is so: \"adult, slim\"; with the length from teeth to carina: \"adult, "
+    "airway 250 mm\""};
 inline constexpr Option kAnatomy{
     "anatomy", "DIR",
     "folder of an anatomy set to draw instead; --patient then says whose breathing it gets (an "

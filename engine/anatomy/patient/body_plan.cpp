@@ -33,17 +33,30 @@ double glottisLevel(double ageInYears)
     return kGrown + (kNewborn - kGrown) * std::exp(-ageInYears / kYears);
 }
 
-/// How steeply the incisors lie above the glottis: by the level of the larynx until it is grown.
-Angle riseToIncisors(const PatientDimensions& d, double chord, double chest, double face)
+/// 1 in the newborn, 0 from school age on: of what the young have beyond the formulas of older
+/// people.
+double youthAt(double ageInYears) { return std::max(0.0, 1.0 - ageInYears / kSchoolAge_years); }
+
+/// The height of the atlas above the carina that gives the glottis its level, metres.
+double atlasHeight(const PatientDimensions& d, double chest)
 {
     const Vec3 up = windpipeInAnatomy().rotation() * Vec3::UnitZ();
     const double glottis = d.cordsToCarina.si * up.z();
     const double thoracic =
         chest * (BodyPlan::kFirstThoracic_mm.z() - BodyPlan::kEdgeToCarina_mm.z());
-    const double neck = (glottis - thoracic) / glottisLevel(d.ageInYears);
-    const double rise = thoracic + neck - face * BodyPlan::kAtlas_mm.z() - glottis;
-    constexpr double kFlattest = 0.17; // 10 degrees
-    const double child = std::asin(std::clamp(rise / chord, kFlattest, 0.55));
+    return thoracic + (glottis - thoracic) / glottisLevel(d.ageInYears);
+}
+
+/// How steeply the incisors lie above the glottis: by the level of the larynx until it is grown. In
+/// infants no less than leaves room for a tube below the palate.
+Angle riseToIncisors(const PatientDimensions& d, double chord, double chest, double face)
+{
+    const Vec3 up = windpipeInAnatomy().rotation() * Vec3::UnitZ();
+    const double glottis = d.cordsToCarina.si * up.z();
+    const double rise = atlasHeight(d, chest) - face * BodyPlan::kAtlas_mm.z() - glottis;
+    // 10 degrees, in the newborn 22.
+    const double flattest = 0.17 + 0.21 * youthAt(d.ageInYears);
+    const double child = std::asin(std::clamp(rise / chord, flattest, 0.55));
     const double grown = std::clamp((d.ageInYears - 13.0) / 5.0, 0.0, 1.0);
     return Angle{child + grown * (kRiseToIncisors.si - child)};
 }
@@ -80,6 +93,10 @@ BodyPlan bodyPlanOf(const PatientDimensions& dimensions, Posture posture)
     plan.throat = std::max(1.0, (behind - BodyPlan::kBehindPalate_mm)
                                     / (kHisGlottisBehind - BodyPlan::kBehindPalate_mm));
     plan.infancy = std::exp(-dimensions.ageInYears / 2.0);
+    plan.youth = youthAt(dimensions.ageInYears);
+    const double below =
+        plan.inFace(BodyPlan::kAtlas_mm).z() - atlasHeight(dimensions, plan.chest);
+    plan.atlasBelow = std::min(2.0 * plan.youth, 1.0) * std::max(below, 0.0);
     return plan;
 }
 

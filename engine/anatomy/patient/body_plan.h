@@ -31,6 +31,10 @@ struct BodyPlan {
     double throat = 1.0;
     double infancy =
         0.0; ///< 1 in a newborn child, 0 in grown people: of forms that change with age
+    double youth = 0.0; ///< 1 in a newborn child, 0 from school age on
+    /// How far the atlas lies below the level of the palate, where it is in older children: so that
+    /// the glottis of an infant is at its vertebra. Metres.
+    double atlasBelow = 0.0;
 
     /// The reference man's first thoracic vertebra, from the lowest edge of his trachea, and his
     /// atlas, from the edge of his upper incisors: it lies at the level of the palate.

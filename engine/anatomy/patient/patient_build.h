@@ -36,9 +36,10 @@ struct LungVolumes {
 [[nodiscard]] double lungWeight(const PatientBuild& build);
 
 /// Residual volume, functional residual capacity and total capacity of 16, 30 and 80 ml per
-/// kilogram of lungWeight (Pulse RespiratoryMethodology). Fat reduces the expiratory reserve of 14
-/// ml/kg by the factor exp(-3.7 (weight / lungWeight - 1)) (docs/mechanics.md). The lungs that are
-/// drawn and the mechanics take their volumes from here.
+/// kilogram of lungWeight (Pulse RespiratoryMethodology); infants 16, 21 and 63 ml/kg, and on
+/// straight lines from there to six years. Fat reduces the expiratory reserve of 14 ml/kg by the
+/// factor exp(-3.7 (weight / lungWeight - 1)) (docs/mechanics.md). The lungs that are drawn and the
+/// mechanics take their volumes from here.
 [[nodiscard]] LungVolumes lungVolumesOf(const PatientBuild& build);
 
 } // namespace carina

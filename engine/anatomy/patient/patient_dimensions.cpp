@@ -4,7 +4,9 @@
 #include "engine/core/expects.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
 
 namespace carina
 {
@@ -22,6 +24,21 @@ double shareBetween(double from, double to, double x)
 
 double mix(double a, double b, double share) { return a + share * (b - a); }
 Length mix(Length a, Length b, double share) { return metres(mix(a.si, b.si, share)); }
+
+/// A value at x on straight lines between knots, constant beyond them.
+template <std::size_t kCount>
+double onLines(const std::array<std::array<double, 2>, kCount>& knots, double x)
+{
+    for (std::size_t i = 1; i < kCount; ++i)
+        if (x < knots[i][0])
+            return mix(knots[i - 1][1], knots[i][1],
+                       shareBetween(knots[i - 1][0], knots[i][0], x));
+    return knots.back()[1];
+}
+
+/// 0 up to three years, 1 from school age on: the windpipe goes from an infant's to a child's
+/// formulas.
+double leftInfancy(double ageInYears) { return shareBetween(3.0, kSchoolAge_years, ageInYears); }
 
 /// The share of the adult size that a trachea has. Boys and girls are alike until fourteen, when
 /// girls have stopped growing and boys go on (Griscom and Wohl 1986).
@@ -74,19 +91,47 @@ Windpipe childsAt(Length height)
     return child.at(height, kChildsHeight);
 }
 
+/// Cords to carina: a line of ours from 5.1 cm at 50 cm to what childsAt gives at 116 cm. It lies
+/// between 5.04 cm in 34 infants below three months (bronchoscopy, Ann Otol Rhinol Laryngol
+/// 2001;110:268) and 5.3 cm + 0.5 mm a month in 56 children of up to three years (CT, Anesth Analg
+/// 2013;117:460). The trachea begins 9.2 mm below the cords at 50 cm (5.04 less 4.12 cm, the same
+/// infants), and as far as in childsAt at 116 cm. Its air is 0.0070 h + 0.05 cm from front to back
+/// and 0.0065 h + 0.18 cm from side to side (Griscom et al., 34 children up to six years, CT); the
+/// wall around it, of ours, takes 1.1 mm.
+Windpipe infantsAt(Length height)
+{
+    constexpr Length kNewborn = centimetres(50.0);
+    constexpr Length kSchoolChild = centimetres(116.0);
+    constexpr Length kWallOfTrachea = millimetres(1.1);
+    const Windpipe school = childsAt(kSchoolChild);
+    const double grown = (height - kNewborn) / (kSchoolChild - kNewborn);
+    const Length cords = mix(centimetres(5.1), school.cordsToCarina, grown);
+    const Length toTrachea =
+        mix(millimetres(9.2), school.cordsToCarina - school.tracheaLength, grown);
+    return {cords, cords - toTrachea, 0.0070 * height + centimetres(0.05) + kWallOfTrachea,
+            0.0065 * height + centimetres(0.18) + kWallOfTrachea,
+            (kMan.rightBronchus / kMan.cordsToCarina) * cords};
+}
+
+Windpipe between(const Windpipe& a, const Windpipe& b, double share)
+{
+    return {mix(a.cordsToCarina, b.cordsToCarina, share),
+            mix(a.tracheaLength, b.tracheaLength, share), mix(a.sagittal, b.sagittal, share),
+            mix(a.coronal, b.coronal, share), mix(a.rightBronchus, b.rightBronchus, share)};
+}
+
 Windpipe windpipeOf(const PatientParameters& p)
 {
     const Windpipe child = childsAt(p.height);
+    if (p.ageInYears < kSchoolAge_years)
+        return between(infantsAt(p.height), child, leftInfancy(p.ageInYears));
     const Windpipe grown =
         p.sex == Sex::Male ? kMan.at(p.height, kMansHeight) : kWoman.at(p.height, kWomansHeight);
-    const double m = maturity(p);
-    return {mix(child.cordsToCarina, grown.cordsToCarina, m),
-            mix(child.tracheaLength, grown.tracheaLength, m),
-            mix(child.sagittal, grown.sagittal, m), mix(child.coronal, grown.coronal, m),
-            mix(child.rightBronchus, grown.rightBronchus, m)};
+    return between(child, grown, maturity(p));
 }
 
-/// Children 0.12 h + 5.2 cm (170 children, R 0.98, Anesthesiology 2008;108:1004); grown men
+/// Children of any age 0.12 h + 5.2 cm (170 children, R 0.98, Anesthesiology 2008;108:1004), which
+/// is 11.2 cm in a newborn of 50 cm; grown men
 /// 11.413 + 0.072 h and women 13.555 + 0.056 h cm (Gomez 2016).
 Length teethToCarinaOf(const PatientParameters& p)
 {
@@ -138,6 +183,8 @@ void addBody(const PatientParameters& p, PatientDimensions& d)
     d.fatLayer = millimetres(obese ? 38.0 : p.habitus == Habitus::Slim ? 7.0 : 14.0);
     if (p.ageInYears < 14.0)
         d.fatLayer = 0.7 * d.fatLayer;
+    // Of ours: in proportion to a small body.
+    d.fatLayer = mix(0.4, 1.0, shareBetween(0.0, kSchoolAge_years, p.ageInYears)) * d.fatLayer;
 }
 
 /// Women's vocal folds are 12.7 (2.3) mm long, men's 14.8 (3.0) mm (Jibi Inkoka Keibu 125(6)),
@@ -149,20 +196,50 @@ double larynxGirthOf(const PatientParameters& p)
     return p.sex == Sex::Male ? 1.0 : mix(1.0, kWomansToMans, maturity(p));
 }
 
-/// Cuffed: age / 4 + 3.5 mm; usual for men and for women, in steps of half a millimetre.
-Length fittingTube(const PatientParameters& p)
+std::string inWholeCentimetres(Length length)
 {
-    const double grown = p.sex == Sex::Male ? 8.0 : 7.0;
-    const double inner = maturity(p) < 0.5 ? std::min(p.ageInYears / 4.0 + 3.5, 7.0) : grown;
+    return std::to_string(std::lround(0.1 * inMillimetres(length)));
+}
+
+double ofMonths(double months) { return months / 12.0; }
+
+} // namespace
+
+Length usualTube(double age, Sex sex)
+{
+    if (age < kSchoolAge_years)
+        return millimetres(age < ofMonths(8.0) ? 3.0 : age < 2.0 ? 3.5 : age < 4.0 ? 4.0 : 4.5);
+    const double grown = sex == Sex::Male ? 8.0 : 7.0;
+    const bool isGrown = maturity({age, {}, sex, Habitus::Normal, {}}) >= 0.5;
+    const double inner = isGrown ? grown : std::min(age / 4.0 + 3.5, 7.0);
     return millimetres(0.5 * std::round(2.0 * inner));
 }
 
-} // namespace
+LengthRange heightRange(double age)
+{
+    if (age >= kSchoolAge_years)
+        return {kLeastHeight, kGreatestHeight};
+    constexpr std::array<std::array<double, 2>, 3> kLeast_m{
+        {{0.0, 0.45}, {1.0, 0.65}, {kSchoolAge_years, kLeastHeight.si}}};
+    constexpr std::array<std::array<double, 2>, 3> kMost_m{
+        {{0.0, 0.60}, {1.0, 0.90}, {kSchoolAge_years, 1.40}}};
+    return {metres(onLines(kLeast_m, age)), metres(onLines(kMost_m, age))};
+}
 
 double usualBodyMassIndex(double age)
 {
     constexpr double kTwelve = 40.0 / (1.5 * 1.5);
     constexpr double kGrown = 77.0 / (1.75 * 1.75);
+    constexpr double kAtSchoolAge = kTwelve - 0.3 * (12.0 - kSchoolAge_years);
+    constexpr std::array<std::array<double, 2>, 7> kYoung{{{0.0, 13.3},
+                                                           {0.25, 16.6},
+                                                           {0.5, 17.1},
+                                                           {1.0, 16.6},
+                                                           {2.0, 15.8},
+                                                           {4.0, 15.3},
+                                                           {kSchoolAge_years, kAtSchoolAge}}};
+    if (age < kSchoolAge_years)
+        return onLines(kYoung, age);
     return age < 12.0 ? kTwelve - 0.3 * (12.0 - age)
                       : mix(kTwelve, kGrown, shareBetween(12.0, 18.0, age));
 }
@@ -182,9 +259,13 @@ PatientParameters parametersOf(BuiltinPatient patient)
 Result<PatientDimensions> dimensionsFor(const PatientParameters& p)
 {
     if (!(p.ageInYears >= kYoungest_years && p.ageInYears <= kOldest_years))
-        return fail(Errc::OutOfRange, "an age is 6 to 90 years");
-    if (!(p.height >= kLeastHeight && p.height <= kGreatestHeight))
-        return fail(Errc::OutOfRange, "a height is 100 to 210 cm");
+        return fail(Errc::OutOfRange, "an age is 0 to 90 years");
+    if (const LengthRange heights = heightRange(p.ageInYears);
+        !(p.height >= heights.least && p.height <= heights.most))
+        return fail(Errc::OutOfRange,
+                    "a height is " + inWholeCentimetres(heights.least) + " to "
+                        + inWholeCentimetres(heights.most) + " cm"
+                        + (p.ageInYears < kSchoolAge_years ? " at this age" : ""));
     PatientDimensions d;
     const Windpipe windpipe = windpipeOf(p);
     d.cordsToCarina = windpipe.cordsToCarina;
@@ -203,7 +284,7 @@ Result<PatientDimensions> dimensionsFor(const PatientParameters& p)
         if (const auto set = setTeethToCarina(*p.teethToCarina, d); !set)
             return tl::unexpected(set.error());
     addBody(p, d);
-    d.tubeInnerDiameter = fittingTube(p);
+    d.tubeInnerDiameter = usualTube(p.ageInYears, p.sex);
     return d;
 }
 

@@ -16,16 +16,20 @@ enum class BuiltinPatient : std::uint8_t { Adult, TwelveYears };
 enum class Sex : std::uint8_t { Female, Male };
 enum class Habitus : std::uint8_t { Slim, Normal, Obese };
 
-/// The ranges of the formulas.
-inline constexpr double kYoungest_years = 6.0;
+/// The ranges of the formulas. Heights are those from kSchoolAge_years on; see heightRange.
+inline constexpr double kYoungest_years = 0.0;
 inline constexpr double kOldest_years = 90.0;
 inline constexpr Length kLeastHeight = metres(1.0);
 inline constexpr Length kGreatestHeight = metres(2.1);
 
+/// From here on the formulas are those of older children and grown people. Younger ones have
+/// formulas of their own, which meet these at this age.
+inline constexpr double kSchoolAge_years = 6.0;
+
 /// The parameters from which a patient is made.
 struct PatientParameters {
-    double ageInYears = 30.0; ///< kYoungest_years to kOldest_years
-    Length height;            ///< kLeastHeight to kGreatestHeight
+    double ageInYears = 30.0; ///< kYoungest_years (newborn) to kOldest_years
+    Length height;            ///< within heightRange
     Sex sex = Sex::Male;
     Habitus habitus = Habitus::Normal;
     /// Teeth to carina as measured, on a manikin for instance; without it by the formulas.
@@ -79,17 +83,28 @@ struct PatientDimensions {
 };
 
 /// Body mass index of Habitus::Normal, kg/m^2: 17.8 at twelve years (40 kg at 150 cm) and 25.1 in
-/// adults (the standard patient of Pulse, 77 kg at 175 cm).
+/// adults (the standard patient of Pulse, 77 kg at 175 cm); below kSchoolAge_years about the
+/// medians of WHO's growth standards, from 13.3 in the newborn over 17.1 at six months.
 [[nodiscard]] double usualBodyMassIndex(double ageInYears);
 
-/// The range in which teethToCarina can be set: 15 % below and above the formulas' figure, about
-/// one standard deviation of the length from cords to carina (1.6 of 12.7 cm, BJA 2006).
 struct LengthRange {
     Length least;
     Length most;
 };
 
-/// The range of teethToCarina for a patient of this age, height and sex.
+/// The heights that are taken at an age: 45 to 60 cm in the newborn, 65 to 90 cm at one year, and
+/// from kSchoolAge_years on kLeastHeight to kGreatestHeight; in between on straight lines, up to
+/// 1.4 m. Lengths of healthy children lie well within (WHO growth standards).
+[[nodiscard]] LengthRange heightRange(double ageInYears);
+
+/// Inner diameter of a fitting cuffed tube: 3.0 mm below eight months, 3.5 below two years, 4.0
+/// below four and 4.5 below six (Weiss et al., BJA 2009;103:867), from there on age / 4 + 3.5 mm;
+/// 7.0 in women and 8.0 in men. In steps of half a millimetre.
+[[nodiscard]] Length usualTube(double ageInYears, Sex sex);
+
+/// The range in which teethToCarina can be set for a patient of this age, height and sex: 15 %
+/// below and above the formulas' figure, about one standard deviation of the length from cords to
+/// carina (1.6 of 12.7 cm, BJA 2006).
 /// @returns OutOfRange, see dimensionsFor.
 [[nodiscard]] Result<LengthRange> teethToCarinaRange(PatientParameters parameters);
 

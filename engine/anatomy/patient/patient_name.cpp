@@ -15,12 +15,14 @@ namespace
 constexpr std::string_view kVersion = "5";
 
 constexpr std::string_view kAsked =
-    "a patient is adult, child, or age (6 to 90 years), height (100 to 210 cm) and man, woman, boy "
-    "or girl, in whole numbers, such as \"45 years, 182 cm, woman\"; with slim or obese where that "
-    "is "
-    "so (\"adult, slim\"), and airway 245 mm for teeth to carina";
+    "a patient is adult, child, or age (newborn to 90 years), height (100 to 210 cm; below six "
+    "years less) and man, woman, boy or girl, in whole numbers, such as \"45 years, 182 cm, "
+    "woman\" or \"3 months, 60 cm, boy\"; with slim or obese where that is so (\"adult, slim\"), "
+    "and airway 245 mm for teeth to carina";
 constexpr std::string_view kAirway = "airway ";
 constexpr double kGrownUp_years = 18.0;
+/// An age is said in months below this one.
+constexpr int kMonthsOfSchoolAge = int(12.0 * kSchoolAge_years);
 
 struct NamedSex {
     std::string_view word;
@@ -57,7 +59,7 @@ std::string_view trimmed(std::string_view text)
 
 /// The words of a patient so far.
 struct Said {
-    std::optional<int> years;
+    std::optional<double> years;
     std::optional<int> centimetres;
     std::optional<Sex> sex;
     std::optional<Habitus> habitus;
@@ -79,7 +81,9 @@ bool takeFigure(Said& said, std::string_view text)
         return false;
     const std::string_view unit = trimmed(text.substr(std::size_t(end - text.data())));
     if (unit == "years" || unit == "year" || unit == "y")
-        return keep(said.years, figure);
+        return keep(said.years, double(figure));
+    if (unit == "months" || unit == "month" || unit == "mo")
+        return figure < kMonthsOfSchoolAge && keep(said.years, figure / 12.0);
     if (unit == "mm")
         return keep(said.millimetres, figure);
     return unit == "cm" && keep(said.centimetres, figure);
@@ -89,7 +93,7 @@ bool takeFigure(Said& said, std::string_view text)
 bool takeBuiltin(Said& said, const PatientParameters& patient)
 {
     said.usualSex = patient.sex;
-    return keep(said.years, int(std::lround(patient.ageInYears)))
+    return keep(said.years, patient.ageInYears)
            && keep(said.centimetres, int(std::lround(0.1 * inMillimetres(patient.height))));
 }
 
@@ -105,6 +109,8 @@ bool take(Said& said, std::string_view text)
         return takeBuiltin(said, parametersOf(BuiltinPatient::Adult));
     if (text == "child")
         return takeBuiltin(said, parametersOf(BuiltinPatient::TwelveYears));
+    if (text == "newborn")
+        return keep(said.years, 0.0);
     if (text.starts_with(kAirway))
         return text.ends_with("mm") && takeFigure(said, trimmed(text.substr(kAirway.size())));
     return takeFigure(said, text);
@@ -123,9 +129,30 @@ std::string_view wordFor(const PatientParameters& p)
     return isGrownUp ? "woman" : "girl";
 }
 
+/// The age in whole months, where it is that of a young child and not in whole years.
+std::optional<long> monthsOf(const PatientParameters& p)
+{
+    const long months = std::lround(12.0 * p.ageInYears);
+    const bool isWholeYears = months > 0 && months % 12 == 0;
+    return p.ageInYears >= kSchoolAge_years || isWholeYears ? std::nullopt : std::optional{months};
+}
 std::string wholeYears(const PatientParameters& p)
 {
     return std::to_string(std::lround(p.ageInYears));
+}
+std::string ageInWords(const PatientParameters& p)
+{
+    if (const auto months = monthsOf(p))
+        return *months == 0   ? "newborn"
+               : *months == 1 ? "1 month"
+                              : std::to_string(*months) + " months";
+    const std::string years = wholeYears(p);
+    return years == "1" ? "1 year" : years + " years";
+}
+std::string ageInHash(const PatientParameters& p)
+{
+    const auto months = monthsOf(p);
+    return months ? std::to_string(*months) + "mo-" : wholeYears(p) + "y-";
 }
 std::string wholeCentimetres(const PatientParameters& p)
 {
@@ -161,7 +188,7 @@ Result<PatientParameters> parametersFromWords(std::string_view words)
         return notSaid(!said.years ? "the age is missing"
                        : !said.sex ? "the sex is missing"
                                    : "the height is missing");
-    PatientParameters parameters{double(*said.years),
+    PatientParameters parameters{*said.years,
                                  metres(*said.centimetres / 100.0),
                                  *said.sex,
                                  said.habitus.value_or(Habitus::Normal),
@@ -185,7 +212,7 @@ std::string nameOf(const PatientParameters& parameters)
 {
     if (parameters == parametersOf(BuiltinPatient::Adult))
         return "Adult";
-    std::string name = wholeYears(parameters) + " years, " + wholeCentimetres(parameters) + " cm, "
+    std::string name = ageInWords(parameters) + ", " + wholeCentimetres(parameters) + " cm, "
                        + std::string{wordFor(parameters)};
     if (parameters.habitus != Habitus::Normal)
         name += ", " + std::string{wordOf(parameters.habitus)};
@@ -201,7 +228,7 @@ std::string madeHash(const PatientParameters& parameters)
         return "builtin-adult" + end;
     if (parameters == parametersOf(BuiltinPatient::TwelveYears))
         return "builtin-twelve-years" + end;
-    return "builtin-" + wholeYears(parameters) + "y-" + wholeCentimetres(parameters) + "cm-"
+    return "builtin-" + ageInHash(parameters) + wholeCentimetres(parameters) + "cm-"
            + (parameters.sex == Sex::Male ? "male-" : "female-")
            + std::string{wordOf(parameters.habitus)}
            + (parameters.teethToCarina ? '-' + wholeMillimetres(*parameters.teethToCarina) + "mm"

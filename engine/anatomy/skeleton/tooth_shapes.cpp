@@ -18,38 +18,131 @@ constexpr Length kToothVoxel = millimetres(1.0);
 /// of its edge, the tip of its root, half its width along the arch and half its depth across.
 struct ToothFigures {
     const char* name;
+    const char* milkName;        ///< of the tooth that stands there before school age
+    double months;               ///< age at which this comes through (American Dental Association)
     std::array<int, 2> concepts; ///< left, right
     Vec3 edge;
     Vec3 root;
     double wide, deep;
 };
 
+/// No milk teeth stand where the molars of the second teeth do.
+constexpr double kNever = 1e3;
+
 const std::array kUpper{
-    ToothFigures{"central secondary incisor", {55682, 55681}, {4.5, 0, 0}, {4, 9, 25}, 4.2, 3.4},
-    ToothFigures{
-        "lateral secondary incisor", {55683, 55680}, {11.6, 2.5, 0}, {10.5, 11, 26}, 3.3, 3.1},
-    ToothFigures{"secondary canine", {55799, 55798}, {17.6, 7.5, 1}, {17, 13, 30}, 3.6, 3.9},
-    ToothFigures{
-        "first secondary premolar", {55690, 55689}, {20.8, 18, 2.5}, {20, 18, 28.5}, 3.4, 4.4},
-    ToothFigures{
-        "second secondary premolar", {55691, 55688}, {23.6, 24.4, 3.5}, {23, 24, 27.5}, 3.3, 4.4},
-    ToothFigures{
-        "first secondary molar", {55699, 55698}, {24.6, 33, 5.5}, {24, 33, 27.5}, 5.2, 5.4},
-    ToothFigures{
-        "second secondary molar", {55700, 55697}, {24.2, 42, 9}, {23.5, 42, 29}, 4.7, 5.2}};
+    ToothFigures{"central secondary incisor",
+                 "central primary incisor",
+                 10.0,
+                 {55682, 55681},
+                 {4.5, 0, 0},
+                 {4, 9, 25},
+                 4.2,
+                 3.4},
+    ToothFigures{"lateral secondary incisor",
+                 "lateral primary incisor",
+                 11.0,
+                 {55683, 55680},
+                 {11.6, 2.5, 0},
+                 {10.5, 11, 26},
+                 3.3,
+                 3.1},
+    ToothFigures{"secondary canine",
+                 "primary canine",
+                 19.0,
+                 {55799, 55798},
+                 {17.6, 7.5, 1},
+                 {17, 13, 30},
+                 3.6,
+                 3.9},
+    ToothFigures{"first secondary premolar",
+                 "first primary molar",
+                 16.0,
+                 {55690, 55689},
+                 {20.8, 18, 2.5},
+                 {20, 18, 28.5},
+                 3.4,
+                 4.4},
+    ToothFigures{"second secondary premolar",
+                 "second primary molar",
+                 29.0,
+                 {55691, 55688},
+                 {23.6, 24.4, 3.5},
+                 {23, 24, 27.5},
+                 3.3,
+                 4.4},
+    ToothFigures{"first secondary molar",
+                 "",
+                 kNever,
+                 {55699, 55698},
+                 {24.6, 33, 5.5},
+                 {24, 33, 27.5},
+                 5.2,
+                 5.4},
+    ToothFigures{"second secondary molar",
+                 "",
+                 kNever,
+                 {55700, 55697},
+                 {24.2, 42, 9},
+                 {23.5, 42, 29},
+                 4.7,
+                 5.2}};
 const std::array kLower{
-    ToothFigures{"central secondary incisor", {57143, 57142}, {3, 4, 0.5}, {3, 18, -23}, 2.7, 3.0},
-    ToothFigures{
-        "lateral secondary incisor", {57141, 57140}, {8.5, 5, 0.5}, {8, 18, -23}, 2.9, 3.1},
-    ToothFigures{"secondary canine", {55687, 55686}, {14, 8.5, 1}, {11.5, 20, -24}, 3.4, 3.8},
-    ToothFigures{
-        "first secondary premolar", {55693, 55694}, {18, 15, 1.5}, {16.5, 25, -19}, 3.3, 3.7},
-    ToothFigures{
-        "second secondary premolar", {55692, 55695}, {20.8, 22, 2.5}, {19.5, 31, -18.5}, 3.4, 4.0},
-    ToothFigures{
-        "first secondary molar", {55704, 55706}, {23.2, 31, 4.5}, {22.5, 37, -12}, 5.0, 4.7},
-    ToothFigures{
-        "second secondary molar", {55703, 55705}, {26.6, 43, 8.5}, {26, 49, -6.5}, 5.0, 4.6}};
+    ToothFigures{"central secondary incisor",
+                 "central primary incisor",
+                 8.0,
+                 {57143, 57142},
+                 {3, 4, 0.5},
+                 {3, 18, -23},
+                 2.7,
+                 3.0},
+    ToothFigures{"lateral secondary incisor",
+                 "lateral primary incisor",
+                 13.0,
+                 {57141, 57140},
+                 {8.5, 5, 0.5},
+                 {8, 18, -23},
+                 2.9,
+                 3.1},
+    ToothFigures{"secondary canine",
+                 "primary canine",
+                 20.0,
+                 {55687, 55686},
+                 {14, 8.5, 1},
+                 {11.5, 20, -24},
+                 3.4,
+                 3.8},
+    ToothFigures{"first secondary premolar",
+                 "first primary molar",
+                 16.0,
+                 {55693, 55694},
+                 {18, 15, 1.5},
+                 {16.5, 25, -19},
+                 3.3,
+                 3.7},
+    ToothFigures{"second secondary premolar",
+                 "second primary molar",
+                 27.0,
+                 {55692, 55695},
+                 {20.8, 22, 2.5},
+                 {19.5, 31, -18.5},
+                 3.4,
+                 4.0},
+    ToothFigures{"first secondary molar",
+                 "",
+                 kNever,
+                 {55704, 55706},
+                 {23.2, 31, 4.5},
+                 {22.5, 37, -12},
+                 5.0,
+                 4.7},
+    ToothFigures{"second secondary molar",
+                 "",
+                 kNever,
+                 {55703, 55705},
+                 {26.6, 43, 8.5},
+                 {26, 49, -6.5},
+                 5.0,
+                 4.6}};
 
 /// Signed distance to a left tooth, reference millimetres. The crown is a third of the length, a
 /// chisel in front teeth and a cylinder in back teeth; roots are tapered.
@@ -89,22 +182,30 @@ PartPlan planOf(const ToothFigures& t, bool upper, Side side, const BodyPlan& pl
         return unit * tooth(t, {sign * p.x(), p.y(), p.z()});
     };
     ImplicitShape shape{bounds, distance};
-    return {
-        std::string{right ? "Right " : "Left "} + (upper ? "upper " : "lower ") + t.name + " tooth",
-        PartRole::Tooth, "FMA" + std::to_string(t.concepts[right ? 1 : 0]),
-        upper ? std::move(shape) : onJaw(plan, std::move(shape)), 1e3 * plan.face * kToothVoxel};
+    const bool isMilk = plan.dimensions.ageInYears < kSchoolAge_years;
+    return {std::string{right ? "Right " : "Left "} + (upper ? "upper " : "lower ")
+                + (isMilk ? t.milkName : t.name) + " tooth",
+            PartRole::Tooth, isMilk ? "" : "FMA" + std::to_string(t.concepts[right ? 1 : 0]),
+            upper ? std::move(shape) : onJaw(plan, std::move(shape)),
+            1e3 * plan.face * kToothVoxel};
 }
 
 } // namespace
 
 std::vector<PartPlan> teeth(const BodyPlan& plan)
 {
+    const double age = plan.dimensions.ageInYears;
+    const auto hasCome = [age](const ToothFigures& t) {
+        return age >= kSchoolAge_years || double(std::lround(12.0 * age)) >= t.months;
+    };
     std::vector<PartPlan> parts;
     for (const Side side : {Side::Left, Side::Right}) {
         for (const ToothFigures& t : kUpper)
-            parts.push_back(planOf(t, true, side, plan));
+            if (hasCome(t))
+                parts.push_back(planOf(t, true, side, plan));
         for (const ToothFigures& t : kLower)
-            parts.push_back(planOf(t, false, side, plan));
+            if (hasCome(t))
+                parts.push_back(planOf(t, false, side, plan));
     }
     return parts;
 }

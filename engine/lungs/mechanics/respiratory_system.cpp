@@ -25,39 +25,68 @@ constexpr double kLimbShare = 0.25;
 constexpr Resistance kUpperAirway = cmH2OSecondsPerLitre(1.125);
 constexpr Resistance kBothBronchi = cmH2OSecondsPerLitre(0.45);
 constexpr double kAnatomicalDeadSpace_mlPerKg = 2.2;
+constexpr double kInfantsDeadSpace_mlPerKg = 3.0; // textbooks
 constexpr Frequency kRelief = hertz(0.5);
 // The mediastinum: 35 mm at the most over an area of 200 cm2, reached at 14 cmH2O.
 constexpr Volume kMediastinumMost = litres(0.7);
 constexpr Compliance kMediastinum = litresPerCmH2O(0.05);
 
 /// Resistance at an age over an adult's: the total at 4 Hz falls from 13 cmH2O s/L at 2 years to 3
-/// at 18 (Pediatr Pulmonol 1985;1:134), taken as a geometric fall that goes on to the adult's.
+/// at 18 (Pediatr Pulmonol 1985;1:134), taken as a geometric fall that goes on to the adult's. A
+/// newborn's is 26 (20 to 30 in textbooks), with a geometric fall up to 2 years.
 double narrownessAt(double years)
 {
     const Resistance adult = kUpperAirway + kBothBronchi;
-    const Resistance atAge =
-        cmH2OSecondsPerLitre(13.0 * std::pow(3.0 / 13.0, (years - 2.0) / 16.0));
+    const double young = 26.0 * std::pow(0.5, years / 2.0);
+    const double older = 13.0 * std::pow(3.0 / 13.0, (years - 2.0) / 16.0);
+    const Resistance atAge = cmH2OSecondsPerLitre(years < 2.0 ? young : older);
     return std::max(1.0, atAge / adult);
 }
 
 double quietRate_perMin(double years)
 {
+    if (years < 2.0)
+        return 26.0 + 9.0 * (2.0 - years);
     const double young = 19.0 + 0.7 * (12.0 - years);
     const double grown = 16.0 + 0.5 * (18.0 - years);
-    return std::clamp(years < 12.0 ? young : grown, 16.0, 26.0);
+    return std::max(years < 12.0 ? young : grown, 16.0);
 }
 
-LungMechanics healthyLung(const LungVolumes& both, double share, double size, double narrowness)
+/// Compliances over those of older people of the same weight. The chest wall of term newborns has
+/// 4.2 ml/cmH2O per kilogram (Acta Paediatr Scand 1980;69:359) to the 2.6 of lung and wall here,
+/// and is 2.86 (1.06) times as compliant as the lung below one year and 1.33 (0.36) times up to
+/// three and a half (Papastamelos et al., J Appl Physiol 1995;78:179).
+struct Softness {
+    double lung;
+    double wall;
+};
+Softness softnessAt(double years)
+{
+    constexpr double kLungAtBirth = 0.5;
+    constexpr double kWallAtBirth = 1.62;
+    constexpr double kUntil_years = 3.0;
+    const double grown = std::min(years / kUntil_years, 1.0);
+    return {std::lerp(kLungAtBirth, 1.0, grown), std::lerp(kWallAtBirth, 1.0, grown)};
+}
+
+double deadSpace_mlPerKg(double years)
+{
+    return std::lerp(kInfantsDeadSpace_mlPerKg, kAnatomicalDeadSpace_mlPerKg,
+                     std::min(years / kSchoolAge_years, 1.0));
+}
+
+LungMechanics healthyLung(const LungVolumes& both, double share, double size,
+                          const Softness& softness, double narrowness)
 {
     const Volume rest = share * both.functionalResidual;
     const Compliance compliance = share * size * kLungCompliance;
     LungMechanics lung;
     lung.curve = PressureVolumeCurve::through(kFloorShare * rest, share * both.totalCapacity, rest,
-                                              kRecoilAtRest, compliance);
+                                              kRecoilAtRest, softness.lung * compliance);
     lung.limbSpread = kLimbSpread;
     lung.limbVolume = kLimbShare * lung.curve.span;
     lung.bronchi = {share / (narrowness * kBothBronchi.si)};
-    lung.wall = compliance;
+    lung.wall = softness.wall * compliance;
     lung.wallVolume = rest;
     lung.wallRecoil = kRecoilAtRest;
     lung.relief = kRelief;
@@ -110,17 +139,19 @@ void eachFigure(RespiratorySystem& a, const RespiratorySystem& b, Visit visit)
 RespiratorySystem healthySystem(const PatientBuild& build)
 {
     CARINA_EXPECTS(build.height.si > 0.0 && build.weightInKilograms > 0.0);
-    CARINA_EXPECTS(build.ageInYears >= 2.0);
+    CARINA_EXPECTS(build.ageInYears >= 0.0);
     const LungVolumes volumes = lungVolumesOf(build);
     const double size = lungWeight(build) / kStandardWeight;
     const double narrowness = narrownessAt(build.ageInYears);
+    const Softness softness = softnessAt(build.ageInYears);
     RespiratorySystem system;
-    system.lungs = {healthyLung(volumes, kRightShare, size, narrowness),
-                    healthyLung(volumes, 1.0 - kRightShare, size, narrowness)};
+    system.lungs = {healthyLung(volumes, kRightShare, size, softness, narrowness),
+                    healthyLung(volumes, 1.0 - kRightShare, size, softness, narrowness)};
     system.upperLaminar = narrowness * kUpperAirway;
     system.mediastinum = size * kMediastinum;
     system.mediastinumMost = size * kMediastinumMost;
-    system.anatomicalDeadSpace = millilitres(kAnatomicalDeadSpace_mlPerKg * lungWeight(build));
+    system.anatomicalDeadSpace =
+        millilitres(deadSpace_mlPerKg(build.ageInYears) * lungWeight(build));
     return system;
 }
 
@@ -128,7 +159,7 @@ BreathingPattern restingPattern(const PatientBuild& build)
 {
     const double perMin = quietRate_perMin(build.ageInYears);
     return {perMinute(perMin), millilitres(7.0 * usualWeight(build)),
-            0.0125 * (perMin + 4.0) + 0.125};
+            std::min(0.0125 * (perMin + 4.0) + 0.125, 0.5)};
 }
 
 Volume largestTidalVolume(const PatientBuild& build)

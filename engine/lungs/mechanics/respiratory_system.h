@@ -71,18 +71,19 @@ inline constexpr double kLeastOpenShare = 0.05;
 [[nodiscard]] constexpr std::size_t lungIndex(Side side) { return side == Side::Right ? 0 : 1; }
 
 /// The healthy patient, supine, breathing through the natural airway. Sources: docs/mechanics.md.
-/// @pre height and weight above 0, age not below 2.
+/// @pre height and weight above 0, age not below 0.
 [[nodiscard]] RespiratorySystem healthySystem(const PatientBuild& build);
 
 /// Quiet breathing of this patient, for every program and experiment: 7 ml per kilogram of the
-/// usual weight at any age (Pulse; Respir Physiol 1981, PubMed 7330494); a rate f of 26 per minute
-/// at 2 years (Fleming, Lancet 2011;377:1011), 19 at 12 and 16 from 18 on (Pulse), on straight
-/// lines between; an inspiratory fraction of 0.0125 (f + 4) + 0.125 (Pulse).
+/// usual weight at any age (Pulse; Respir Physiol 1981, PubMed 7330494); a rate f of 44 per minute
+/// at birth and 26 at 2 years (Fleming, Lancet 2011;377:1011), 19 at 12 and 16 from 18 on (Pulse),
+/// on straight lines between; an inspiratory fraction of 0.0125 (f + 4) + 0.125 (Pulse), at most a
+/// half, which it has at 2 years.
 [[nodiscard]] BreathingPattern restingPattern(const PatientBuild& build);
 
 /// The largest tidal volume that may be set for this patient: half of the inspiratory capacity,
-/// which is 25 ml/kg or three and a half quiet breaths in a lean patient. The share of one half is
-/// our choice.
+/// which is 25 ml/kg or three and a half quiet breaths in a lean patient, 21 ml/kg in a newborn.
+/// The share of one half is our choice.
 [[nodiscard]] Volume largestTidalVolume(const PatientBuild& build);
 
 /// Relaxes the muscles, as in anaesthesia with a ventilator: the resting volume falls to the share

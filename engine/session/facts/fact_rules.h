@@ -12,7 +12,7 @@ namespace carina
 /// them.
 inline constexpr Frequency kSlowestBreathing = perMinute(4.0);
 inline constexpr Frequency kFastestBreathing = perMinute(60.0);
-inline constexpr Volume kSmallestTidalVolume = millilitres(20.0);
+inline constexpr Volume kSmallestTidalVolume = millilitres(10.0);
 inline constexpr Volume kLargestTidalVolume = millilitres(2000.0);
 inline constexpr double kShortestInspiration = 0.1; ///< as a fraction of the breath
 inline constexpr double kLongestInspiration = 0.9;

@@ -7,11 +7,11 @@ namespace carina
 {
 
 /// The ranges of settings; controls offer them, the host enforces them.
-inline constexpr Length kSmallestPatient = millimetres(500.0);
+inline constexpr Length kSmallestPatient = millimetres(400.0);
 inline constexpr Length kTallestPatient = millimetres(2300.0);
-inline constexpr double kLightestPatient = 5.0; ///< kg
+inline constexpr double kLightestPatient = 1.0; ///< kg
 inline constexpr double kHeaviestPatient = 300.0;
-inline constexpr double kYoungestPatient = 2.0; ///< years
+inline constexpr double kYoungestPatient = 0.0; ///< years
 inline constexpr double kOldestPatient = 120.0;
 inline constexpr Pressure kHighestPeep = cmH2O(25.0);
 inline constexpr Pressure kHighestDrivingPressure = cmH2O(60.0);

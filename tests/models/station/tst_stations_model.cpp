@@ -195,10 +195,13 @@ void TestStationsModel::saysWhatIsWrongWithAPatient()
     };
     QCOMPARE(fault("30 years, 300 cm, man"),
              QStringLiteral("300 cm are out of range: a height is 100 to 210 cm."));
-    QCOMPARE(fault("5 years, 110 cm, boy"),
-             QStringLiteral("5 years are out of range: an age is 6 to 90 years."));
-    const QString both = fault("5 years, 300 cm, man");
-    QVERIFY2(both.contains(QStringLiteral("6 to 90 years"))
+    QCOMPARE(fault("91 years, 170 cm, woman"),
+             QStringLiteral("91 years are out of range: an age is 0 to 90 years."));
+    QCOMPARE(fault("newborn, 50 cm, girl"), QString{});
+    QCOMPARE(fault("newborn, 75 cm, girl"),
+             QStringLiteral("75 cm are out of range: a height is 45 to 60 cm."));
+    const QString both = fault("91 years, 300 cm, man");
+    QVERIFY2(both.contains(QStringLiteral("0 to 90 years"))
                  && both.contains(QStringLiteral("100 to 210 cm")),
              qPrintable(both));
     QVERIFY2(fault("adult, airway 300 mm").contains(QStringLiteral("204 to 276 mm")),

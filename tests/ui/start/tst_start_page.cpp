@@ -139,9 +139,9 @@ private Q_SLOTS:
         QVERIFY(!find<QPushButton>(shown.page, "begin").isEnabled());
         const auto& missing = find<QLabel>(shown.page, "missing");
         QVERIFY(!missing.text().isEmpty());
-        figures.setText(QStringLiteral("5 years, 300 cm, man"));
+        figures.setText(QStringLiteral("91 years, 300 cm, man"));
         QVERIFY(!find<QPushButton>(shown.page, "begin").isEnabled());
-        for (const char* range : {"5 years", "6 to 90 years", "300 cm", "100 to 210 cm"})
+        for (const char* range : {"91 years", "0 to 90 years", "300 cm", "100 to 210 cm"})
             QVERIFY2(missing.text().contains(QLatin1String{range}), qPrintable(missing.text()));
         figures.setText(QStringLiteral("adult"));
         QVERIFY(shown.isMade());

@@ -144,7 +144,7 @@ void TestMechanicsCommand::listsWhatIsOutside()
 void TestMechanicsCommand::saysWhichPatientsItTakes()
 {
     const QString page = pageOf(mechanicsCommand()).simplified();
-    for (const char* word : {"adult, child", "6 to 90 years", "slim or obese"})
+    for (const char* word : {"adult, child", "newborn to 90 years", "slim or obese"})
         QVERIFY2(page.contains(QLatin1StringView{word}), word);
     const auto refused = mechanics({QStringLiteral("--patient"), QStringLiteral("slim")});
     QVERIFY(!refused);

@@ -21,7 +21,7 @@ private Q_SLOTS:
     void isCalledByAgeAndHeight();
     void airwayOfEitherExtremeIsWhole_data();
     void airwayOfEitherExtremeIsWhole();
-    void isRefusedBelowSixYears();
+    void isRefusedBeforeBirth();
 
 private:
     static const Anatomy& woman()
@@ -100,11 +100,11 @@ void TestMadePatient::isCalledByAgeAndHeight()
     QCOMPARE(woman().contentHash, std::string{"builtin-45y-162cm-female-obese-5"});
 }
 
-void TestMadePatient::isRefusedBelowSixYears()
+void TestMadePatient::isRefusedBeforeBirth()
 {
-    const auto infant = patientFor({1.0, metres(0.75), Sex::Male, Habitus::Normal});
-    QVERIFY(!infant.has_value());
-    QVERIFY(infant.error().code == Errc::OutOfRange);
+    const auto unborn = patientFor({-0.1, metres(0.45), Sex::Male, Habitus::Normal});
+    QVERIFY(!unborn.has_value());
+    QVERIFY(unborn.error().code == Errc::OutOfRange);
 }
 
 CARINA_TEST(TestMadePatient)

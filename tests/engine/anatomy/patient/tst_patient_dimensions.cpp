@@ -23,6 +23,14 @@ private Q_SLOTS:
     void bronchiPartAsMeasured();
     void lobesHaveTheSharesOfPeople();
     void fatMakesTheBodyHeavyAndTheLungsSmall();
+    void infantsWindpipeIsAsPublished_data();
+    void infantsWindpipeIsAsPublished();
+    void infantsWeighAsInTheGrowthStandards_data();
+    void infantsWeighAsInTheGrowthStandards();
+    void infantsHoldTheGasThatWasMeasured_data();
+    void infantsHoldTheGasThatWasMeasured();
+    void nothingJumpsAtSchoolAge_data();
+    void nothingJumpsAtSchoolAge();
     void tubeFitsTheAge_data();
     void tubeFitsTheAge();
     void refusesWhomTheFormulasDoNotReach_data();
@@ -220,11 +228,133 @@ void TestPatientDimensions::fatMakesTheBodyHeavyAndTheLungsSmall()
     QCOMPARE(obese.tracheaLength, normal.tracheaLength);
 }
 
+void TestPatientDimensions::infantsWindpipeIsAsPublished_data()
+{
+    QTest::addColumn<double>("age");
+    QTest::addColumn<double>("height_cm");
+    QTest::addColumn<double>("cords_cm");
+    QTest::addColumn<double>("tolerance_cm");
+    // 5.04 cm in 34 infants below three months (Ann Otol Rhinol Laryngol 2001;110:268).
+    QTest::newRow("6 weeks") << 1.5 / 12.0 << 54.0 << 5.04 << 0.4;
+    // 5.3 + 0.05 cm a month in 56 children of up to three years (Anesth Analg 2013;117:460).
+    QTest::newRow("1 year") << 1.0 << 75.0 << 5.9 << 0.4;
+    QTest::newRow("2 years") << 2.0 << 87.0 << 6.5 << 0.4;
+    QTest::newRow("3 years") << 3.0 << 96.0 << 7.1 << 0.5;
+}
+
+/// The diameters of the air are 0.0070 h + 0.05 and 0.0065 h + 0.18 cm (Griscom et al., 34 children
+/// up to six years), within a wall of a millimetre.
+void TestPatientDimensions::infantsWindpipeIsAsPublished()
+{
+    QFETCH(double, age);
+    QFETCH(double, height_cm);
+    QFETCH(double, cords_cm);
+    QFETCH(double, tolerance_cm);
+    const PatientDimensions d = of(age, height_cm);
+    QVERIFY(std::abs(100.0 * d.cordsToCarina.si - cords_cm) < tolerance_cm);
+    // The trachea's first ring lies 0.92 cm below the cords in the youngest of them.
+    const double toTrachea_cm = 100.0 * (d.cordsToCarina - d.tracheaLength).si;
+    QVERIFY(toTrachea_cm > 0.8 && toTrachea_cm < 1.5);
+    const double sagittal = inMillimetres(d.tracheaSagittal) - (0.070 * height_cm + 0.5);
+    const double coronal = inMillimetres(d.tracheaCoronal) - (0.065 * height_cm + 1.8);
+    QVERIFY2(sagittal > 0.5 && sagittal < 1.5, qPrintable(QString::number(sagittal)));
+    QVERIFY2(coronal > 0.5 && coronal < 1.5, qPrintable(QString::number(coronal)));
+}
+
+void TestPatientDimensions::infantsWeighAsInTheGrowthStandards_data()
+{
+    QTest::addColumn<double>("months");
+    QTest::addColumn<double>("height_cm");
+    QTest::addColumn<double>("weight_kg");
+    // Medians of boys and girls (WHO growth standards).
+    QTest::newRow("newborn") << 0.0 << 49.5 << 3.25;
+    QTest::newRow("3 months") << 3.0 << 60.6 << 6.1;
+    QTest::newRow("6 months") << 6.0 << 66.7 << 7.6;
+    QTest::newRow("1 year") << 12.0 << 74.9 << 9.3;
+    QTest::newRow("2 years") << 24.0 << 87.1 << 11.85;
+    QTest::newRow("4 years") << 48.0 << 103.0 << 16.2;
+}
+
+void TestPatientDimensions::infantsWeighAsInTheGrowthStandards()
+{
+    constexpr double kTolerance = 0.03;
+    QFETCH(double, months);
+    QFETCH(double, height_cm);
+    QFETCH(double, weight_kg);
+    const double made_kg = of(months / 12.0, height_cm).weightInKilograms;
+    QVERIFY2(std::abs(made_kg / weight_kg - 1.0) < kTolerance,
+             qPrintable(QString::number(made_kg)));
+}
+
+void TestPatientDimensions::infantsHoldTheGasThatWasMeasured_data()
+{
+    QTest::addColumn<double>("months");
+    QTest::addColumn<double>("length_cm");
+    QTest::addColumn<double>("least_ml");
+    QTest::addColumn<double>("usual_ml");
+    QTest::addColumn<double>("most_ml");
+    // Helium dilution by length, with 95 % of healthy infants (Eur Respir J 1995;8:492).
+    QTest::newRow("50 cm") << 0.0 << 50.0 << 51.0 << 72.0 << 102.0;
+    QTest::newRow("60 cm") << 2.5 << 60.0 << 81.0 << 114.0 << 161.0;
+    QTest::newRow("70 cm") << 7.5 << 70.0 << 119.0 << 168.0 << 237.0;
+    QTest::newRow("80 cm") << 16.0 << 80.0 << 166.0 << 236.0 << 333.0;
+    QTest::newRow("90 cm") << 29.0 << 90.0 << 226.0 << 318.0 << 448.0;
+}
+
+void TestPatientDimensions::infantsHoldTheGasThatWasMeasured()
+{
+    constexpr double kTolerance = 0.12;
+    QFETCH(double, months);
+    QFETCH(double, length_cm);
+    QFETCH(double, least_ml);
+    QFETCH(double, usual_ml);
+    QFETCH(double, most_ml);
+    const double made_ml =
+        inMillilitres(of(months / 12.0, length_cm).functionalResidualCapacity);
+    QVERIFY(made_ml > least_ml && made_ml < most_ml);
+    QVERIFY2(std::abs(made_ml / usual_ml - 1.0) < kTolerance, qPrintable(QString::number(made_ml)));
+}
+
+void TestPatientDimensions::nothingJumpsAtSchoolAge_data()
+{
+    QTest::addColumn<double>("height_cm");
+    for (const double height_cm : {100.0, 116.0, 130.0})
+        QTest::addRow("%.0f cm", height_cm) << height_cm;
+}
+
+/// An hour before it, a child has the figures of that age.
+void TestPatientDimensions::nothingJumpsAtSchoolAge()
+{
+    constexpr double kHour_years = 1.0 / (24.0 * 365.0);
+    constexpr double kTolerance = 1e-3;
+    QFETCH(double, height_cm);
+    for (const Habitus habitus : {Habitus::Slim, Habitus::Normal, Habitus::Obese}) {
+        const PatientDimensions before = of(6.0 - kHour_years, height_cm, Sex::Male, habitus);
+        const PatientDimensions at = of(6.0, height_cm, Sex::Male, habitus);
+        for (const double ratio :
+             {before.cordsToCarina / at.cordsToCarina, before.tracheaLength / at.tracheaLength,
+              before.tracheaSagittal / at.tracheaSagittal, before.tracheaCoronal / at.tracheaCoronal,
+              before.teethToCarina / at.teethToCarina,
+              before.rightBronchus.length / at.rightBronchus.length,
+              before.weightInKilograms / at.weightInKilograms,
+              before.functionalResidualCapacity / at.functionalResidualCapacity,
+              before.fatLayer / at.fatLayer})
+            QVERIFY2(std::abs(ratio - 1.0) < kTolerance, qPrintable(QString::number(ratio)));
+    }
+}
+
 void TestPatientDimensions::tubeFitsTheAge_data()
 {
     QTest::addColumn<double>("age");
     QTest::addColumn<bool>("female");
     QTest::addColumn<double>("inner_mm");
+    // Cuffed tubes of infants (Weiss et al. 2009).
+    QTest::newRow("newborn: 3.0") << 0.0 << false << 3.0;
+    QTest::newRow("7 months: 3.0") << 7.0 / 12.0 << true << 3.0;
+    QTest::newRow("8 months: 3.5") << 8.0 / 12.0 << true << 3.5;
+    QTest::newRow("1 year: 3.5") << 1.0 << false << 3.5;
+    QTest::newRow("2 years: 4.0") << 2.0 << false << 4.0;
+    QTest::newRow("4 years: 4.5") << 4.0 << true << 4.5;
     QTest::newRow("6 years: 5.0") << 6.0 << false << 5.0;
     QTest::newRow("12 years: 6.5") << 12.0 << false << 6.5;
     QTest::newRow("girl of 12") << 12.0 << true << 6.5;
@@ -237,7 +367,9 @@ void TestPatientDimensions::tubeFitsTheAge()
     QFETCH(double, age);
     QFETCH(bool, female);
     QFETCH(double, inner_mm);
-    const PatientDimensions d = of(age, 150.0, female ? Sex::Female : Sex::Male);
+    const LengthRange heights = heightRange(age);
+    const PatientDimensions d = of(age, 50.0 * (heights.least.si + heights.most.si),
+                                   female ? Sex::Female : Sex::Male);
     QVERIFY(std::abs(inMillimetres(d.tubeInnerDiameter) - inner_mm) < 1e-9);
 }
 
@@ -246,7 +378,13 @@ void TestPatientDimensions::refusesWhomTheFormulasDoNotReach_data()
     QTest::addColumn<double>("age");
     QTest::addColumn<double>("height_cm");
     QTest::addColumn<bool>("good");
-    QTest::newRow("an infant") << 5.9 << 110.0 << false;
+    QTest::newRow("before birth") << -0.01 << 50.0 << false;
+    QTest::newRow("newborn") << 0.0 << 50.0 << true;
+    QTest::newRow("newborn, too small") << 0.0 << 44.9 << false;
+    QTest::newRow("newborn, too long") << 0.0 << 60.1 << false;
+    QTest::newRow("one year") << 1.0 << 75.0 << true;
+    QTest::newRow("one year, as tall as a man") << 1.0 << 175.0 << false;
+    QTest::newRow("nearly six years") << 5.9 << 110.0 << true;
     QTest::newRow("six years") << 6.0 << 110.0 << true;
     QTest::newRow("ninety years") << 90.0 << 170.0 << true;
     QTest::newRow("older") << 90.1 << 170.0 << false;

@@ -19,6 +19,8 @@ private Q_SLOTS:
     void refusesWhatSaysNoPatient_data();
     void refusesWhatSaysNoPatient();
     void understandsFiguresThatAreOutOfRange();
+    void saysTheAgeOfASmallChildInMonths_data();
+    void saysTheAgeOfASmallChildInMonths();
     void namesEveryPatientByAHashThatSaysHowToMakeThem();
     void takesNothingElseForAHash_data();
     void takesNothingElseForAHash();
@@ -110,14 +112,18 @@ void TestPatientName::refusesWhatSaysNoPatient_data()
     row("45 years, 182 cm", "the sex is missing");
     row("45 years, man", "the height is missing");
     row("182 cm, man", "the age is missing");
-    row("45, 182, man", "age (6 to 90 years), height");
-    row("45 years, 45 years, 182 cm, man", "age (6 to 90 years), height");
-    row("45 years, 182 cm, man, woman", "age (6 to 90 years), height");
-    row("45 years, 182 cm, man, slim, obese", "age (6 to 90 years), height");
-    row("45 years, 182 cm, man,", "age (6 to 90 years), height");
-    row("45 years, 99999999999 cm, man", "age (6 to 90 years), height");
-    row("5 years, 110 cm, boy", "6 to 90 years");
-    row("91 years, 170 cm, woman", "6 to 90 years");
+    row("45, 182, man", "age (newborn to 90 years), height");
+    row("45 years, 45 years, 182 cm, man", "age (newborn to 90 years), height");
+    row("45 years, 182 cm, man, woman", "age (newborn to 90 years), height");
+    row("45 years, 182 cm, man, slim, obese", "age (newborn to 90 years), height");
+    row("45 years, 182 cm, man,", "age (newborn to 90 years), height");
+    row("45 years, 99999999999 cm, man", "age (newborn to 90 years), height");
+    row("-1 years, 50 cm, boy", "0 to 90 years");
+    row("91 years, 170 cm, woman", "0 to 90 years");
+    row("72 months, 110 cm, boy", "'72 months'");
+    row("newborn, 3 months, 60 cm, boy", "'3 months'");
+    row("1 year, 3 months, 75 cm, boy", "'3 months'");
+    row("newborn, 62 cm, girl", "45 to 60 cm at this age");
     row("7 years, 99 cm, boy", "100 to 210 cm");
     row("30 years, 211 cm, man", "100 to 210 cm");
 }
@@ -134,12 +140,47 @@ void TestPatientName::refusesWhatSaysNoPatient()
 
 void TestPatientName::understandsFiguresThatAreOutOfRange()
 {
-    const auto said = parametersFromWords("5 years, 300 cm, man, 1 mm");
-    QVERIFY(said && said->ageInYears == 5.0 && said->teethToCarina);
+    const auto said = parametersFromWords("95 years, 300 cm, man, 1 mm");
+    QVERIFY(said && said->ageInYears == 95.0 && said->teethToCarina);
     QVERIFY(std::abs(said->height.si - 3.0) < 1e-12);
-    QVERIFY(!patientFromWords("5 years, 300 cm, man, 1 mm"));
-    QVERIFY(!parametersFromWords("5 years, 300 cm"));
+    QVERIFY(!patientFromWords("95 years, 300 cm, man, 1 mm"));
+    QVERIFY(!parametersFromWords("95 years, 300 cm"));
     QVERIFY(parametersFromWords("adult") == patientFromWords("adult"));
+}
+
+void TestPatientName::saysTheAgeOfASmallChildInMonths_data()
+{
+    QTest::addColumn<QByteArray>("words");
+    QTest::addColumn<double>("months");
+    QTest::addColumn<QByteArray>("name");
+    QTest::addColumn<QByteArray>("hash");
+    const auto row = [](const char* words, double months, const char* name, const char* hash) {
+        QTest::newRow(words) << QByteArray{words} << months << QByteArray{name} << QByteArray{hash};
+    };
+    row("newborn, 50 cm, girl", 0.0, "newborn, 50 cm, girl", "builtin-0mo-50cm-female-normal-5");
+    row("0 months, 50cm, girl", 0.0, "newborn, 50 cm, girl", "builtin-0mo-50cm-female-normal-5");
+    row("1 month, 54 cm, boy", 1.0, "1 month, 54 cm, boy", "builtin-1mo-54cm-male-normal-5");
+    row("3mo, 60 cm, boy, slim", 3.0, "3 months, 60 cm, boy, slim", "builtin-3mo-60cm-male-slim-5");
+    row("12 months, 75 cm, girl", 12.0, "1 year, 75 cm, girl", "builtin-1y-75cm-female-normal-5");
+    row("1 year, 75 cm, girl", 12.0, "1 year, 75 cm, girl", "builtin-1y-75cm-female-normal-5");
+    row("30 months, 91 cm, girl", 30.0, "30 months, 91 cm, girl",
+        "builtin-30mo-91cm-female-normal-5");
+    row("5 years, 110 cm, boy", 60.0, "5 years, 110 cm, boy", "builtin-5y-110cm-male-normal-5");
+}
+
+void TestPatientName::saysTheAgeOfASmallChildInMonths()
+{
+    QFETCH(QByteArray, words);
+    QFETCH(double, months);
+    QFETCH(QByteArray, name);
+    QFETCH(QByteArray, hash);
+    const auto read = patientFromWords(words.toStdString());
+    QVERIFY2(read.has_value(), read ? "" : read.error().detail.c_str());
+    QCOMPARE(read->ageInYears, months / 12.0);
+    QCOMPARE(QByteArray::fromStdString(nameOf(*read)), name);
+    QVERIFY(patientFromWords(nameOf(*read)) == read);
+    QCOMPARE(QByteArray::fromStdString(madeHash(*read)), hash);
+    QVERIFY(parametersOfHash(madeHash(*read)) == *read);
 }
 
 void TestPatientName::namesEveryPatientByAHashThatSaysHowToMakeThem()
@@ -162,7 +203,9 @@ void TestPatientName::takesNothingElseForAHash_data()
           "builtin-30y-175cm-male-normal-5", // the adult has a hash of its own
           "builtin-045y-182cm-male-obese-5", "builtin-45y-182cm-man-obese-5",
           "builtin-182cm-45y-male-obese-5", "builtin-45y-182cm-male-5",
-          "builtin-5y-182cm-male-obese-5", "builtin-45y-182cm-male-obese-2",
+          "builtin-5y-182cm-male-obese-5", "builtin-0y-50cm-male-normal-5",
+          "builtin-12mo-75cm-male-normal-5", "builtin-03mo-60cm-male-normal-5",
+          "builtin-45y-182cm-male-obese-2",
           "builtin-45y-182cm-male-obese-5x", "../builtin-45y-182cm-male-obese-5"})
         QTest::newRow(text) << QByteArray{text};
 }

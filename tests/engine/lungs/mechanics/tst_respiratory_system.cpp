@@ -77,6 +77,11 @@ private Q_SLOTS:
     void takesTheBuildOfABuiltinPatient();
     void hasTheResistanceOfTheTable();
     void narrowsWithYouth();
+    void isAsCompliantAsInfantsAre_data();
+    void isAsCompliantAsInfantsAre();
+    void hasASoftChestInInfancy();
+    void breathesAtTheMedianRateOfInfants_data();
+    void breathesAtTheMedianRateOfInfants();
     void breathesQuietlyAsTheTableSays_data();
     void breathesQuietlyAsTheTableSays();
     void boundsABreathByTheCapacity();
@@ -219,13 +224,76 @@ void TestRespiratorySystem::narrowsWithYouth()
         build.ageInYears = years;
         return resistanceOf(healthySystem(build));
     };
+    VERIFY_WITHIN(resistanceAt(0.0), 25.0, 5.0); // 20 to 30 in textbooks
     VERIFY_WITHIN(resistanceAt(2.0), 13.0, 1e-9);
+    QVERIFY(resistanceAt(1.0) < resistanceAt(0.5));
+    VERIFY_WITHIN(resistanceAt(1.9999), 13.0, 1e-3);
     VERIFY_WITHIN(resistanceAt(10.0), std::sqrt(13.0 * 3.0), 1e-9);
     VERIFY_WITHIN(resistanceAt(12.0), 5.0, 0.25);
     VERIFY_WITHIN(resistanceAt(18.0), 3.0, 1e-9);
     VERIFY_WITHIN(resistanceAt(25.0), 1.582, 0.005);
     VERIFY_WITHIN(resistanceAt(26.0), 1.575, 1e-12);
     VERIFY_WITHIN(resistanceAt(80.0), 1.575, 1e-12);
+}
+
+void TestRespiratorySystem::isAsCompliantAsInfantsAre_data()
+{
+    QTest::addColumn<double>("months");
+    QTest::addColumn<double>("length_cm");
+    QTest::newRow("newborn") << 0.0 << 50.0;
+    QTest::newRow("3 months") << 3.0 << 60.0;
+    QTest::newRow("8 months") << 8.0 << 70.0;
+    QTest::newRow("1 year") << 12.0 << 75.0;
+}
+
+/// Of 34 infants in the first year 1.58e-4 L^3.13 ml/kPa, L the length in cm (Bull Eur
+/// Physiopathol Respir 1985;21:411).
+void TestRespiratorySystem::isAsCompliantAsInfantsAre()
+{
+    constexpr double kTolerance = 0.2;
+    QFETCH(const double, months);
+    QFETCH(const double, length_cm);
+    const PatientParameters who{
+        months / 12.0, metres(0.01 * length_cm), Sex::Male, Habitus::Normal, {}};
+    const RespiratorySystem system = healthySystem(buildOf(dimensionsFor(who).value()));
+    const double published = 1.58e-4 * std::pow(length_cm, 3.13) * 0.0980665e-3; // L/cmH2O
+    VERIFY_WITHIN(complianceAtRest(system) / published, 1.0, kTolerance);
+}
+
+/// The wall is 2.86 (1.06) times as compliant as the lung below one year and 1.33 (0.36) times from
+/// one to three and a half years (J Appl Physiol 1995;78:179).
+void TestRespiratorySystem::hasASoftChestInInfancy()
+{
+    const auto wallToLung = [](double years) {
+        const PatientBuild build{metres(0.7), 8.0, years, Sex::Female};
+        const LungMechanics lung = healthySystem(build).lungs[0];
+        return lung.wall.si / lung.curve.complianceAt(lung.wallVolume).si;
+    };
+    VERIFY_WITHIN(wallToLung(0.4), 2.86, 1.06);
+    VERIFY_WITHIN(wallToLung(2.2), 1.33, 0.36);
+    VERIFY_WITHIN(wallToLung(6.0), 1.0, 1e-9);
+}
+
+void TestRespiratorySystem::breathesAtTheMedianRateOfInfants_data()
+{
+    QTest::addColumn<double>("months");
+    QTest::addColumn<double>("rate_perMin");
+    // Medians of ages (Fleming et al., Lancet 2011;377:1011).
+    QTest::newRow("0 to 3 months") << 1.5 << 43.0;
+    QTest::newRow("3 to 6 months") << 4.5 << 41.0;
+    QTest::newRow("6 to 9 months") << 7.5 << 39.0;
+    QTest::newRow("9 to 12 months") << 10.5 << 37.0;
+    QTest::newRow("12 to 18 months") << 15.0 << 35.0;
+    QTest::newRow("18 to 24 months") << 21.0 << 31.0;
+}
+
+void TestRespiratorySystem::breathesAtTheMedianRateOfInfants()
+{
+    constexpr double kTolerance_perMin = 3.0;
+    QFETCH(const double, months);
+    QFETCH(const double, rate_perMin);
+    const PatientBuild build{metres(0.7), 8.0, months / 12.0, Sex::Male};
+    VERIFY_WITHIN(inPerMinute(restingPattern(build).rate), rate_perMin, kTolerance_perMin);
 }
 
 void TestRespiratorySystem::breathesQuietlyAsTheTableSays_data()
@@ -239,8 +307,10 @@ void TestRespiratorySystem::breathesQuietlyAsTheTableSays_data()
     QTest::newRow("adult") << 40.0 << 1.75 << 77.0 << 16.0 << 539.0 << 0.375;
     QTest::newRow("obese") << 40.0 << 1.75 << 127.0 << 16.0 << 539.0 << 0.375;
     QTest::newRow("12 years") << 12.0 << 1.50 << 40.0 << 19.0 << 280.0 << 0.4125;
-    QTest::newRow("2 years") << 2.0 << 0.90 << 12.0 << 26.0 << 7.0 * (40.0 / 2.25 - 3.0) * 0.81
-                             << 0.5;
+    // A body mass index of 15.8 and 13.3 kg/m^2 (WHO growth standards); 44 breaths a minute at
+    // birth (Fleming).
+    QTest::newRow("2 years") << 2.0 << 0.90 << 12.0 << 26.0 << 7.0 * 15.8 * 0.81 << 0.5;
+    QTest::newRow("newborn") << 0.0 << 0.50 << 3.3 << 44.0 << 7.0 * 13.3 * 0.25 << 0.5;
 }
 
 void TestRespiratorySystem::breathesQuietlyAsTheTableSays()

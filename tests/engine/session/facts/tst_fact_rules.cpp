@@ -85,7 +85,7 @@ void TestFactRules::boundsNumbers_data()
     QTest::addColumn<QByteArray>("verdict");
     numberRows("rate per minute", 4.0, 60.0,
                [](double v) -> FactBody { return fact::BreathingRateSet{perMinute(v)}; });
-    numberRows("tidal volume in ml", 20.0, 2000.0,
+    numberRows("tidal volume in ml", 10.0, 2000.0,
                [](double v) -> FactBody { return fact::TidalVolumeSet{millilitres(v)}; });
     numberRows("inspiratory fraction", 0.1, 0.9,
                [](double v) -> FactBody { return fact::InspiratoryFractionSet{v}; });
@@ -234,7 +234,7 @@ void TestFactRules::namesTheValueAndItsRange()
     QCOMPARE(detail(fact::BreathingRateSet{perMinute(72.5)}),
              QStringLiteral("breathing rate 72.5 /min (4 to 60)"));
     QCOMPARE(detail(fact::TidalVolumeSet{millilitres(5.0)}),
-             QStringLiteral("tidal volume 5 ml (20 to 2000)"));
+             QStringLiteral("tidal volume 5 ml (10 to 2000)"));
     QCOMPARE(detail(fact::InspiratoryFractionSet{0.95}),
              QStringLiteral("inspiratory fraction 0.95 (0.1 to 0.9)"));
     QCOMPARE(detail(fact::StationAdded{std::string(70, 'a')}),

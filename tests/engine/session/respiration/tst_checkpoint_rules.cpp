@@ -120,6 +120,7 @@ void TestCheckpointRules::acceptsWhatAFoldComesTo_data()
     QTest::addColumn<double>("weight_kg");
     QTest::addColumn<double>("height_m");
     QTest::addColumn<double>("years");
+    QTest::newRow("newborn") << 1.0 << 0.4 << 0.0;
     QTest::newRow("infant") << 5.0 << 0.5 << 2.0;
     QTest::newRow("child") << 40.0 << 1.5 << 12.0;
     QTest::newRow("giant") << 300.0 << 2.3 << 120.0;

@@ -69,11 +69,11 @@ void TestRespirationRules::boundsNumbers_data()
             return fact;
         };
     };
-    rows("height in mm", 500.0, 2300.0,
+    rows("height in mm", 400.0, 2300.0,
          build([](PatientBuild& b, double v) { b.height = millimetres(v); }));
-    rows("weight in kg", 5.0, 300.0,
+    rows("weight in kg", 1.0, 300.0,
          build([](PatientBuild& b, double v) { b.weightInKilograms = v; }));
-    rows("age in years", 2.0, 120.0, build([](PatientBuild& b, double v) { b.ageInYears = v; }));
+    rows("age in years", 0.0, 120.0, build([](PatientBuild& b, double v) { b.ageInYears = v; }));
     rows("severity", 0.0, 1.0, [](double v) -> FactBody {
         return fact::LungConditionsSet{{{ConditionKind::Ards, v, ConditionSide::Both}}};
     });

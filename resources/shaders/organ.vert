@@ -49,6 +49,11 @@ struct Swelling {
     mat4 form;
 };
 uniform Swelling swellings[16];
+// Columns: centre and perAcross2; axis and perAlong2; light and share; tissues.
+struct Tint {
+    mat4 place;
+};
+uniform Tint tints[8];
 #endif
 #ifdef NECK_BENDS
 // Columns: hinge and angle; along and from; arch and soft2; of the head against the neck, and of the
@@ -93,6 +98,8 @@ const vec4 kLooks[8] = vec4[8](
     vec4(0.10, 0.06, 0.40, 0.10), // skin
     vec4(0.05, 0.08, 0.55, 0.15)  // ghost
 );
+
+vec3 albedo; // of this vertex: sRGB, to close to linear light
 
 const float kSpotGain = 1.6;   // of the spotlight, near and in its axis
 const float kSpotStray = 0.04; // light from everywhere, of what the mucosa scatters
@@ -385,6 +392,24 @@ void changeAirway(inout vec3 position, inout vec3 normal)
         if ((int(swellings[i].form[3].z) & tissue) != 0)
             swell(swellings[i].form, position, normal);
 }
+
+// By the place in the surfaces.
+void tintAirway(vec3 position)
+{
+    if (vertexPart.y < kTeeth)
+        return;
+    int tissue = 1 << int(vertexPart.y - kTeeth);
+    for (int i = 0; i < 8; ++i) {
+        mat4 place = tints[i].place;
+        if ((int(place[3].x) & tissue) == 0)
+            continue;
+        vec3 from = position - place[0].xyz;
+        float along = dot(place[1].xyz, from);
+        vec3 aside = from - along * place[1].xyz;
+        float rest = 1.0 - place[0].w * dot(aside, aside) - place[1].w * along * along;
+        albedo = mix(albedo, place[2].xyz, place[2].w * step3(2.0 * rest).x);
+    }
+}
 #endif
 
 #ifdef NECK_BENDS
@@ -511,7 +536,6 @@ vec4 shadeAt(vec3 position, vec3 normal)
     float strength = kSpotGain * cone / (1.0 + far2 / (spot.w * spot.w));
     float facing4 = facing * facing * facing * facing;
     float facing16 = facing4 * facing4 * facing4 * facing4;
-    vec3 albedo = vertexColor * vertexColor;
     vec3 lit = strength
                    * (albedo * (0.2 + 0.8 * facing) * vec3(1.0, 0.97, 0.92)
                       + vec3(0.6 * look.x * facing16 * facing16))
@@ -531,7 +555,6 @@ vec4 shadeAt(vec3 position, vec3 normal)
     float facing = dot(normal, view);
     float edge = (1.0 - facing) * (1.0 - facing);
 
-    vec3 albedo = vertexColor * vertexColor; // sRGB, to close to linear light
     vec3 sky = mix(kGround, kSky, 0.5 + 0.5 * dot(normal, kZenith));
     vec3 light = 0.74 * facing * vec3(1.0, 0.98, 0.95) + 0.44 * sky;
     vec3 halfway = view + kLamp; // not of unit length: divided out below
@@ -552,7 +575,9 @@ void main()
     vec3 position;
     vec3 normal;
     deform(position, normal);
+    albedo = vertexColor * vertexColor;
 #ifdef AIRWAY_CHANGES
+    tintAirway(position);
     changeAirway(position, normal);
 #endif
 #ifdef NECK_BENDS

@@ -41,6 +41,26 @@ SwellingFrame<float> swellingInSingle(const SwellingFrame<double>& frame)
     return single;
 }
 
+TintFrame<float> tintInSingle(const TintFrame<double>& frame)
+{
+    TintFrame<float> single;
+    single.centre = frame.centre.cast<float>();
+    single.axis = frame.axis.cast<float>();
+    single.light = frame.light.cast<float>();
+    single.perAcross2 = static_cast<float>(frame.perAcross2);
+    single.perAlong2 = static_cast<float>(frame.perAlong2);
+    single.share = static_cast<float>(frame.share);
+    single.tissues = static_cast<float>(frame.tissues);
+    return single;
+}
+
+/// Linear, nearly: the square, as the shader has it of the colours of vertices.
+Vec3 linearLight(const Rgb& color)
+{
+    const Vec3 coded = Vec3{double(color[0]), double(color[1]), double(color[2])} / 255.0;
+    return coded.cwiseProduct(coded);
+}
+
 } // namespace
 
 void AirwayField::swell(const Swelling& swelling)
@@ -61,6 +81,22 @@ void AirwayField::swell(const Swelling& swelling)
                                         .soft2 = swelling.depth.si * swelling.depth.si,
                                         .isFlat = swelling.isFlat ? 1.0 : 0.0,
                                         .tissues = double(swelling.tissues)};
+    m_isThere = true;
+}
+
+void AirwayField::tint(const Tint& tint)
+{
+    CARINA_EXPECTS(m_tints < kMostTints);
+    const double across = tint.across.si;
+    const double along = tint.along.si;
+    CARINA_EXPECTS(across > 0.0 && along > 0.0 && tint.share >= 0.0 && tint.share <= 1.0);
+    m_frame.tints[m_tints++] = {.centre = tint.p_A_centre,
+                                .axis = tint.axis_A,
+                                .light = linearLight(tint.color),
+                                .perAcross2 = 1.0 / (across * across),
+                                .perAlong2 = 1.0 / (along * along),
+                                .share = tint.share,
+                                .tissues = double(tint.tissues)};
     m_isThere = true;
 }
 
@@ -128,6 +164,8 @@ AirwayFrame<float> inSingle(const AirwayFrame<double>& frame)
     single.windpipeDepth = narrowingInSingle(frame.windpipeDepth);
     for (std::size_t i = 0; i < kMostSwellings; ++i)
         single.swellings[i] = swellingInSingle(frame.swellings[i]);
+    for (std::size_t i = 0; i < kMostTints; ++i)
+        single.tints[i] = tintInSingle(frame.tints[i]);
     return single;
 }
 

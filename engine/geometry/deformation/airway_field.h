@@ -3,6 +3,7 @@
 #include "engine/core/units.h"
 #include "engine/geometry/deformation/airway_formula.h"
 #include "engine/geometry/mesh/triangle_mesh.h"
+#include "engine/geometry/mesh/vertex_color.h"
 
 namespace carina
 {
@@ -20,6 +21,17 @@ struct Swelling {
     AirwayTissues tissues = kThroatTissues;
 };
 
+/// Tissue that takes another colour within a spheroid about a centre.
+struct Tint {
+    Vec3 p_A_centre = Vec3::Zero();
+    Vec3 axis_A = Vec3::UnitZ(); ///< unit
+    Length across{};             ///< reach of the spheroid across its axis
+    Length along{};              ///< and along it
+    Rgb color{};
+    double share = 1.0; ///< of that colour in the middle; the rest is the tissue's own
+    AirwayTissues tissues = kThroatTissues;
+};
+
 /// A lumen that has a midplane, as the glottis between the cords.
 struct Lumen {
     Vec3 p_A_front = Vec3::Zero();     ///< in the midplane, at its level
@@ -32,7 +44,8 @@ struct Lumen {
     double outer = 2.4;                ///< tissue moves up to so many half widths, above 1
 };
 
-/// What events change of the soft tissue of an airway at rest, before jaw and blade move it. With
+/// What events change of the soft tissue of an airway at rest, before jaw and blade move it: its
+/// form and its colour. With
 /// u = 1 at the surface of a spheroid and s(u) = (1 - u^2)^2 within it, a swelling moves a point to
 ///
 ///     x = p + s(u) (h y / sqrt(y^2 + depth^2) + shift)
@@ -53,6 +66,10 @@ struct Lumen {
 /// more for k >= -0.3 and outer >= 2. One follows another, so that the determinants are multiplied:
 /// each takes space onto itself one to one, and so do all together. What was apart stays apart,
 /// where tissues are moved alike.
+///
+/// A tint mixes its colour with that of the tissue, in linear light, by the share S(2 (1 - u^2)) of
+/// `share`, S(t) = t^2 (3 - 2 t) from 0 to 1: whole up to u = 0.707, and nothing from u = 1 on. u
+/// is that of the place in the surfaces, so that a colour goes with the tissue that has it.
 class AirwayField
 {
 public:
@@ -66,6 +83,10 @@ public:
     /// Adds a swelling. @pre there are fewer than kMostSwellings; reaches and depth above 0;
     /// outward at least 0; it and the shift at most kMostOfReach of the lesser reach
     void swell(const Swelling& swelling);
+
+    /// Adds a colour, over those that were added before. @pre there are fewer than kMostTints;
+    /// reaches above 0; the share is 0 to 1
+    void tint(const Tint& tint);
 
     /// Closes the glottis by a share of its width, from -kMostOpening to kMostClosing.
     /// @pre as said, and for less than 0 outer is at least 2
@@ -81,7 +102,7 @@ public:
     void flattenWindpipe(const Lumen& depth, double share);
 
     [[nodiscard]] const AirwayFrame<double>& frame() const { return m_frame; }
-    /// Whether anything is moved.
+    /// Whether anything is moved or coloured.
     [[nodiscard]] bool isThere() const { return m_isThere; }
 
 private:
@@ -89,6 +110,7 @@ private:
 
     AirwayFrame<double> m_frame;
     std::size_t m_swellings = 0;
+    std::size_t m_tints = 0;
     bool m_isThere = false;
 };
 

@@ -42,6 +42,19 @@ template <class T> struct NarrowingFrame {
 
 inline constexpr std::size_t kMostSwellings = 16;
 
+/// Tissue of another colour, in A, metres. With all zeros it keeps its own.
+template <class T> struct TintFrame {
+    Vector3<T> centre = Vector3<T>::Zero();
+    Vector3<T> axis = Vector3<T>::UnitZ(); ///< unit
+    Vector3<T> light = Vector3<T>::Zero(); ///< red, green and blue, linear, 0 to 1
+    T perAcross2{};                        ///< as of a swelling
+    T perAlong2{};
+    T share{};   ///< of this colour in the middle, 0 to 1
+    T tissues{}; ///< AirwayTissues
+};
+
+inline constexpr std::size_t kMostTints = 8;
+
 /// All that changes an airway. A narrowing of the cords, and a web between them, move the larynx,
 /// one of the vestibule and one of the pharynx all of kThroatTissues, those of the windpipe, from
 /// side to side and from front to back, the windpipe.
@@ -53,6 +66,7 @@ template <class T> struct AirwayFrame {
     NarrowingFrame<T> windpipeSides;
     NarrowingFrame<T> windpipeDepth;
     std::array<SwellingFrame<T>, kMostSwellings> swellings{};
+    std::array<TintFrame<T>, kMostTints> tints{}; ///< of tissue where it is in the surfaces
 };
 
 namespace formula
@@ -188,6 +202,32 @@ template <class T>
             pull = followedBy(
                 pull, p, [&swelling](const Vector3<T>& q) { return swellingPull(swelling, q); });
     return pull;
+}
+
+/// How much of a tint's colour a place has: its share in the middle, and less from 0.7 of its
+/// reach on (AirwayField).
+template <class T>
+[[nodiscard]] T tintShare(const TintFrame<T>& tint, const Vector3<T>& p)
+{
+    const Vector3<T> from = p - tint.centre;
+    const T along = tint.axis.dot(from);
+    const Vector3<T> aside = from - along * tint.axis;
+    const T rest = T(1) - tint.perAcross2 * aside.squaredNorm() - tint.perAlong2 * along * along;
+    return tint.share * formula::step<T>(T(2) * rest).value;
+}
+
+/// The colour of one of the tissues at p by all tints, one over the other: red, green and blue,
+/// linear.
+/// @param own what it has without them
+template <class T>
+[[nodiscard]] Vector3<T> airwayLight(const AirwayFrame<T>& airway, AirwayTissue tissue,
+                                     const Vector3<T>& p, const Vector3<T>& own)
+{
+    Vector3<T> light = own;
+    for (const TintFrame<T>& tint : airway.tints)
+        if ((static_cast<AirwayTissues>(tint.tissues) & only(tissue)) != 0)
+            light += tintShare(tint, p) * (tint.light - light);
+    return light;
 }
 
 } // namespace carina

@@ -30,6 +30,16 @@ QMatrix4x4 swellingUniform(const SwellingFrame<float>& frame)
     return uniform;
 }
 
+QMatrix4x4 tintUniform(const TintFrame<float>& frame)
+{
+    QMatrix4x4 uniform;
+    uniform.setColumn(0, column(frame.centre, frame.perAcross2));
+    uniform.setColumn(1, column(frame.axis, frame.perAlong2));
+    uniform.setColumn(2, column(frame.light, frame.share));
+    uniform.setColumn(3, {frame.tissues, 0.0F, 0.0F, 0.0F});
+    return uniform;
+}
+
 QMatrix4x4 bendUniform(const NeckBend<float>& bend)
 {
     QMatrix4x4 uniform;
@@ -123,6 +133,10 @@ std::array<NamedUniform, kAirwayUniforms> airwayUniforms(const AirwayField& fiel
         "swellings[8].form",  "swellings[9].form",  "swellings[10].form", "swellings[11].form",
         "swellings[12].form", "swellings[13].form", "swellings[14].form", "swellings[15].form"};
     static_assert(kSwellings.size() == kMostSwellings);
+    constexpr std::array kTints{"tints[0].place", "tints[1].place", "tints[2].place",
+                                "tints[3].place", "tints[4].place", "tints[5].place",
+                                "tints[6].place", "tints[7].place"};
+    static_assert(kTints.size() == kMostTints);
     const AirwayFrame<float> frame = inSingle(field.frame());
     std::array<NamedUniform, kAirwayUniforms> all;
     all[0] = {"cords", narrowingUniform(frame.cords)};
@@ -133,6 +147,8 @@ std::array<NamedUniform, kAirwayUniforms> airwayUniforms(const AirwayField& fiel
     all[5] = {"windpipeDepth", narrowingUniform(frame.windpipeDepth)};
     for (std::size_t n = 0; n < kMostSwellings; ++n)
         all[6 + n] = {kSwellings[n], swellingUniform(frame.swellings[n])};
+    for (std::size_t n = 0; n < kMostTints; ++n)
+        all[6 + kMostSwellings + n] = {kTints[n], tintUniform(frame.tints[n])};
     return all;
 }
 

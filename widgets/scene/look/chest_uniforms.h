@@ -30,7 +30,7 @@ struct NamedUniform {
     const char* name;
     QMatrix4x4 value;
 };
-inline constexpr std::size_t kAirwayUniforms = 6 + kMostSwellings;
+inline constexpr std::size_t kAirwayUniforms = 6 + kMostSwellings + kMostTints;
 [[nodiscard]] std::array<NamedUniform, kAirwayUniforms> airwayUniforms(const AirwayField& field);
 /// The same for a neck: both bends, the pose of the head, and the way from the frame of what is
 /// bent to A and back.

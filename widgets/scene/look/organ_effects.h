@@ -75,7 +75,7 @@ public:
     void letJawMove();
     /// Enables what a laryngoscope's blade does to tissue, and the motion of the jaw.
     void letBladePush();
-    /// Enables what events change of an airway.
+    /// Enables what events change of an airway, its form and its colours.
     void letAirwayChange();
     /// Enables that head and neck move.
     void letNeckBend();

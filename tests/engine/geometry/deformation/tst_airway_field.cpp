@@ -6,7 +6,9 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
+#include <utility>
 
 namespace carina::airway_field_test
 {
@@ -121,6 +123,9 @@ private Q_SLOTS:
     void foldsNowhereWithAllAtOnce();
     void hasTheSlopesOfItsDisplacement();
     void deformsMeshesAsTheFieldSays();
+    void colorsWithinItsReach();
+    void mixesColorsOneOverTheOther();
+    void colorsOnlyTheTissueAskedFor();
 };
 
 void TestAirwayField::movesNothingWithoutAChange()
@@ -417,6 +422,65 @@ void TestAirwayField::deformsMeshesAsTheFieldSays()
                 (j.inverse().transpose() * mesh.normals[i].cast<double>()).normalized();
             const double cosine = normal.dot(moved.normals[i].cast<double>());
             QVERIFY(cosine > std::cos(degrees(0.5).si));
+        }
+    }
+}
+
+// Whole up to the root of a half of the reach, a half where u^2 is three quarters, nothing from the
+// reach on; the spheroid is longer along its axis.
+void TestAirwayField::colorsWithinItsReach()
+{
+    AirwayField field;
+    field.tint({.p_A_centre = {0.0, 0.01, 0.0},
+                .axis_A = Vec3::UnitX(),
+                .across = millimetres(20.0),
+                .along = millimetres(40.0),
+                .color = {255, 0, 0},
+                .share = 0.6});
+    QVERIFY(field.isThere());
+    const TintFrame<double>& frame = field.frame().tints.front();
+    for (const auto& [dir_A, reach_m] :
+         {std::pair{Vec3{Vec3::UnitX()}, 0.04}, std::pair{Vec3{Vec3::UnitZ()}, 0.02}})
+        for (const auto& [u2, share] : {std::pair{0.0, 0.6}, std::pair{0.49, 0.6},
+                                        std::pair{0.75, 0.3}, std::pair{1.0, 0.0},
+                                        std::pair{4.0, 0.0}}) {
+            const Vec3 p_A = Vec3{0.0, 0.01, 0.0} + std::sqrt(u2) * reach_m * dir_A;
+            QVERIFY(std::abs(tintShare(frame, p_A) - share) < 1e-9);
+        }
+    for (const AirwayTissue tissue : kTissues)
+        for (const Vec3& p_A : places())
+            QCOMPARE(airwayPull<double>(field.frame(), tissue, p_A).d.norm(), 0.0);
+}
+
+void TestAirwayField::mixesColorsOneOverTheOther()
+{
+    AirwayField field;
+    for (const Rgb& color : {Rgb{255, 0, 0}, Rgb{0, 0, 255}})
+        field.tint({.across = millimetres(20.0),
+                    .along = millimetres(20.0),
+                    .color = color,
+                    .share = 0.5});
+    const Vec3 own{0.2, 0.4, 0.6};
+    const Vec3 light =
+        airwayLight<double>(field.frame(), AirwayTissue::Throat, Vec3::Zero(), own);
+    QVERIFY((light - Vec3{0.25 * 0.2 + 0.25, 0.25 * 0.4, 0.25 * 0.6 + 0.5}).norm() < 1e-12);
+    const Vec3 beyond =
+        airwayLight<double>(field.frame(), AirwayTissue::Throat, {0.0, 0.03, 0.0}, own);
+    QCOMPARE((beyond - own).norm(), 0.0);
+}
+
+void TestAirwayField::colorsOnlyTheTissueAskedFor()
+{
+    const Vec3 own{0.2, 0.4, 0.6};
+    for (const AirwayTissue asked : kTissues) {
+        AirwayField field;
+        field.tint({.across = millimetres(20.0),
+                    .along = millimetres(20.0),
+                    .color = {0, 0, 0},
+                    .tissues = only(asked)});
+        for (const AirwayTissue tissue : kTissues) {
+            const Vec3 light = airwayLight<double>(field.frame(), tissue, Vec3::Zero(), own);
+            QCOMPARE(light.norm(), tissue == asked ? 0.0 : own.norm());
         }
     }
 }

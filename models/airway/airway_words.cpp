@@ -49,6 +49,8 @@ QString eventText(AirwayEventKind kind)
         return airwayWords(QT_TRANSLATE_NOOP("Airway", "Trismus"));
     case AirwayEventKind::StiffNeck:
         return airwayWords(QT_TRANSLATE_NOOP("Airway", "Stiff neck"));
+    case AirwayEventKind::Burn:
+        return airwayWords(QT_TRANSLATE_NOOP("Airway", "Burn"));
     }
     return {};
 }
@@ -113,6 +115,9 @@ QString eventEffect(AirwayEventKind kind)
         return airwayWords(QT_TRANSLATE_NOOP(
             "Airway", "Head and neck are drawn to move less from the neutral position, at 100 % "
                       "not at all, as in a rigid collar; a manikin's own neck is not held"));
+    case AirwayEventKind::Burn:
+        return airwayWords(QT_TRANSLATE_NOOP(
+            "Airway", "Mouth, throat and larynx are red, sooty and swollen, as from hot smoke"));
     }
     return {};
 }

@@ -49,7 +49,8 @@ constexpr std::array kEventLabels{
     QT_TRANSLATE_NOOP("carina::AirwayPanel", "Obesity of the neck"),
     QT_TRANSLATE_NOOP("carina::AirwayPanel", "Prominent incisors"),
     QT_TRANSLATE_NOOP("carina::AirwayPanel", "Trismus"),
-    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Stiff neck")};
+    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Stiff neck"),
+    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Burn")};
 static_assert(kEventLabels.size() == kAirwayEventKinds);
 
 std::size_t placeOf(AirwayEventKind kind) { return static_cast<std::size_t>(kind); }

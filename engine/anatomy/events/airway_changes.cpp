@@ -33,6 +33,18 @@ constexpr double kMostOfPharynxByFat = 0.35;
 constexpr double kMostOfTrachea = 0.75; ///< of its diameter, in a stenosis
 constexpr double kMostOfTracheaByGoitre = 0.35;
 
+/// What a burn swells, as a share of the event that does nothing else.
+constexpr double kTongueByBurn = 0.3;
+constexpr double kPharynxByBurn = 0.7;
+constexpr double kEpiglottisByBurn = 0.4;
+constexpr double kEntranceByBurn = 0.7;
+
+/// What they look like: of ours.
+constexpr Rgb kPale{236, 196, 184};
+constexpr Rgb kCherry{182, 22, 40};
+constexpr Rgb kErythema{158, 38, 40};
+constexpr Rgb kSoot{44, 37, 33};
+
 /// Both tissues that the tongue's base and the epiglottis before it are of.
 constexpr auto kThroatAndLarynx =
     AirwayTissues(only(AirwayTissue::Throat) | only(AirwayTissue::Larynx));
@@ -326,6 +338,78 @@ void swellMouth(AirwayField& field, const UpperAirway& airway, double severity)
                  .tissues = only(AirwayTissue::Throat)});
 }
 
+/// Where swellMouth and swellEntrance swell it: little blood is left in what is so tense.
+void makePale(AirwayField& field, const UpperAirway& airway, double severity)
+{
+    constexpr double kMost = 0.6;
+    const double size = airway.size();
+    if (airway.p_A_upperLip && airway.p_A_lowerLip)
+        field.tint({.p_A_centre = 0.5 * (*airway.p_A_upperLip + *airway.p_A_lowerLip),
+                    .axis_A = rightOf(airway),
+                    .across = size * millimetres(26.0),
+                    .along = size * millimetres(36.0),
+                    .color = kPale,
+                    .share = kMost * severity,
+                    .tissues = only(AirwayTissue::Throat)});
+    if (airway.p_A_tongue)
+        field.tint({.p_A_centre = *airway.p_A_tongue
+                                  + size * 1e-3 * (18.0 * airway.forward_A() + 8.0 * airway.up_A),
+                    .across = size * millimetres(32.0),
+                    .along = size * millimetres(32.0),
+                    .color = kPale,
+                    .share = kMost * severity,
+                    .tissues = only(AirwayTissue::Throat)});
+    const double larynx = airway.glottis() / kMansGlottis;
+    field.tint({.p_A_centre = airway.p_A_notch + larynx * 8e-3 * airway.up_A,
+                .across = larynx * millimetres(22.0),
+                .along = larynx * millimetres(22.0),
+                .color = kPale,
+                .share = kMost * severity,
+                .tissues = only(AirwayTissue::Larynx)});
+}
+
+/// The epiglottis and what of the folds is at it, not the cords.
+void reddenEpiglottis(AirwayField& field, const UpperAirway& airway, double severity)
+{
+    constexpr double kMost = 0.8;
+    constexpr double kMiddle = 0.7; // of its height
+    const Vec3 leaf = airway.p_A_epiglottisTip - airway.p_A_epiglottisBase;
+    const double size = leaf.norm() / kMansEpiglottis.si;
+    field.tint({.p_A_centre = airway.p_A_epiglottisBase + kMiddle * leaf,
+                .axis_A = leaf.normalized(),
+                .across = size * millimetres(25.0),
+                .along = size * millimetres(22.0),
+                .color = kCherry,
+                .share = kMost * severity,
+                .tissues = only(AirwayTissue::Larynx)});
+}
+
+/// Red from the mouth to the cords, and soot on tongue, palate and epiglottis.
+void scorch(AirwayField& field, const UpperAirway& airway, double severity)
+{
+    constexpr double kMostRed = 0.7;
+    constexpr double kMostSoot = 0.8;
+    const double size = airway.size();
+    field.tint({.p_A_centre = 0.5 * (airway.p_A_uvula + airway.p_A_epiglottisTip),
+                .across = size * millimetres(75.0),
+                .along = size * millimetres(75.0),
+                .color = kErythema,
+                .share = kMostRed * severity});
+    const auto blacken = [&](const Vec3& p_A_centre, Length reach, AirwayTissue tissue) {
+        field.tint({.p_A_centre = p_A_centre,
+                    .across = size * reach,
+                    .along = size * reach,
+                    .color = kSoot,
+                    .share = kMostSoot * severity,
+                    .tissues = only(tissue)});
+    };
+    if (airway.p_A_tongue)
+        blacken(*airway.p_A_tongue + size * 12e-3 * airway.up_A, millimetres(30.0),
+                AirwayTissue::Throat);
+    blacken(airway.p_A_uvula, millimetres(24.0), AirwayTissue::Pharynx);
+    blacken(airway.p_A_epiglottisTip, millimetres(20.0), AirwayTissue::Larynx);
+}
+
 } // namespace
 
 AirwayField airwayChanges(const UpperAirway& airway, const AirwayEvents& events, double inspiration)
@@ -344,25 +428,35 @@ AirwayField airwayChanges(const UpperAirway& airway, const AirwayEvents& events,
             how(field, airway, severity);
     };
     change(severityOf(AirwayEventKind::LaryngealWeb), joinCords);
-    change(severityOf(AirwayEventKind::TongueOedema), swellTongue);
-    change(severityOf(AirwayEventKind::AngioOedema), swellMouth);
-    const auto changeByBoth = [&](AirwayEventKind one, AirwayEventKind other, auto how) {
-        if (severityOf(one) > 0.0 || severityOf(other) > 0.0)
-            how(field, airway, severityOf(one), severityOf(other));
+    const double burn = severityOf(AirwayEventKind::Burn);
+    const auto swollen = [&](AirwayEventKind kind, double ofBurn) {
+        return canShow(airway, kind) ? std::max(severityOf(kind), ofBurn * burn) : 0.0;
     };
-    changeByBoth(AirwayEventKind::PharyngealSwelling, AirwayEventKind::NeckObesity, narrowPharynx);
-    changeByBoth(AirwayEventKind::TrachealStenosis, AirwayEventKind::Goitre, narrowTrachea);
-    change(severityOf(AirwayEventKind::Epiglottitis), swellEpiglottis);
-    change(std::max(severityOf(AirwayEventKind::LaryngealOedema),
+    change(swollen(AirwayEventKind::TongueOedema, kTongueByBurn), swellTongue);
+    change(severityOf(AirwayEventKind::AngioOedema), swellMouth);
+    const auto changeByBoth = [&](double one, double other, auto how) {
+        if (one > 0.0 || other > 0.0)
+            how(field, airway, one, other);
+    };
+    changeByBoth(swollen(AirwayEventKind::PharyngealSwelling, kPharynxByBurn),
+                 severityOf(AirwayEventKind::NeckObesity), narrowPharynx);
+    changeByBoth(severityOf(AirwayEventKind::TrachealStenosis), severityOf(AirwayEventKind::Goitre),
+                 narrowTrachea);
+    change(swollen(AirwayEventKind::Epiglottitis, kEpiglottisByBurn), swellEpiglottis);
+    change(std::max(swollen(AirwayEventKind::LaryngealOedema, kEntranceByBurn),
                     severityOf(AirwayEventKind::AngioOedema)),
            swellEntrance);
     change(severityOf(AirwayEventKind::FloppyEpiglottis), letEpiglottisFall);
     change(severityOf(AirwayEventKind::AnteriorLarynx), moveLarynxForward);
     change(severityOf(AirwayEventKind::ExternalPressure), pressLarynx);
-    changeByBoth(AirwayEventKind::TrachealDeviation, AirwayEventKind::Goitre, moveTrachea);
+    changeByBoth(severityOf(AirwayEventKind::TrachealDeviation),
+                 severityOf(AirwayEventKind::Goitre), moveTrachea);
     change(severityOf(AirwayEventKind::Goitre), bulgeNeck);
     change(severityOf(AirwayEventKind::NeckObesity), thickenNeck);
     change(severityOf(AirwayEventKind::ProminentIncisors), protrudeIncisors);
+    change(severityOf(AirwayEventKind::AngioOedema), makePale);
+    change(severityOf(AirwayEventKind::Epiglottitis), reddenEpiglottis);
+    change(burn, scorch);
     return field;
 }
 
@@ -390,6 +484,7 @@ bool canShow(const UpperAirway& airway, AirwayEventKind kind)
         return (airway.p_A_epiglottisTip - airway.p_A_epiglottisBase).norm()
                > kLeastOfMans * kMansEpiglottis.si;
     case AirwayEventKind::AngioOedema:
+    case AirwayEventKind::Burn:
         return hasWay && hasGlottis;
     case AirwayEventKind::LaryngealOedema:
     case AirwayEventKind::Laryngospasm:

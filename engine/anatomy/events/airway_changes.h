@@ -45,7 +45,12 @@ inline constexpr double kInspirationAsMade = 0.75;
 ///   the neck goes outward;
 /// - ProminentIncisors: the upper front teeth stand out, with gums and lip;
 /// - Trismus: nothing of this; it limits the jaw (mostMouthOpening);
-/// - StiffNeck: nothing of this; it limits head and neck (withinMotion).
+/// - StiffNeck: nothing of this; it limits head and neck (withinMotion);
+/// - Burn: tongue, pharynx, epiglottis and entrance of the larynx swell as of the first four, are
+///   red, and black with soot in places.
+///
+/// Three also change colours: AngioOedema makes pale what it swells, Epiglottitis reddens, and so
+/// does Burn.
 ///
 /// An event that canShow() denies changes nothing.
 /// @pre areProper(events), and inspiration within 0 to 1

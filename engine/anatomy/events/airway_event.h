@@ -27,8 +27,9 @@ enum class AirwayEventKind : std::uint8_t {
     ProminentIncisors,  ///< the upper ones stand out to the front, and lower
     Trismus,            ///< the mouth opens less
     StiffNeck,          ///< head and neck move less
+    Burn,               ///< erythema, soot and oedema from the mouth to the larynx
 };
-inline constexpr int kAirwayEventKinds = 17;
+inline constexpr int kAirwayEventKinds = 18;
 
 /// One of them, and how severe it is.
 struct AirwayEvent {

@@ -18,6 +18,9 @@ namespace
 {
 
 constexpr double kMillimetre = 1e-3;
+const Vec3 kMucosa{0.6, 0.2, 0.2}; ///< linear light
+constexpr double kRounding = 1e-9;
+constexpr double kNearly = 0.01; ///< of light: not to be seen
 constexpr double kWidthTolerance = 0.03; ///< in shares; vertices are 0.65 mm apart
 
 /// By the name of a row.
@@ -129,6 +132,21 @@ double mostOf(const Person& person, const AirwayField& changes, const std::strin
     return most;
 }
 
+/// The mean colour of the vertices of a part that is made in some colour, as linear light.
+Vec3 meanLightOf(const Person& person, const AirwayField& changes, const std::string& part,
+                 const Vec3& own)
+{
+    const auto found = std::ranges::find(person.anatomy.parts, part, &AnatomyPart::name);
+    const AirwayTissue tissue = *airwayTissueOf(regionOf(found->role));
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3& p_A : person.verticesOf(part, {}))
+        sum += airwayLight<double>(changes.frame(), tissue, p_A, own);
+    return sum / double(found->levels.front().positions.size());
+}
+
+/// How much lighter than others the red of a colour is.
+double rednessOf(const Vec3& light) { return light.x() / (light.y() + light.z()); }
+
 /// The mean way of the vertices of a part.
 Vec3 meanWayOf(const Person& person, const AirwayField& changes, const std::string& part)
 {
@@ -186,6 +204,13 @@ private Q_SLOTS:
     void narrowsAFatNeckInsideAndThickensIt();
     void bringsTheIncisorsForwardAndDown_data() { people(); }
     void bringsTheIncisorsForwardAndDown();
+    void reddensASwollenEpiglottisAndNotTheCords_data() { people(); }
+    void reddensASwollenEpiglottisAndNotTheCords();
+    void makesPaleWhatAnAngioOedemaSwells_data() { people(); }
+    void makesPaleWhatAnAngioOedemaSwells();
+    void swellsReddensAndBlackensByABurn_data() { people(); }
+    void swellsReddensAndBlackensByABurn();
+    void burnsNoTongueWhereThereIsNone();
     void movesMoreWithTheSeverity_data();
     void movesMoreWithTheSeverity();
     void foldsNowhereWithAllEventsAtOnce_data() { people(); }
@@ -642,6 +667,70 @@ void TestAirwayChanges::bringsTheIncisorsForwardAndDown()
     QVERIFY(mostOf(person, field, "Gingiva of upper jaw") > 1.0 * kMillimetre);
 }
 
+// Red is what has more of it beside green and blue than mucosa does.
+void TestAirwayChanges::reddensASwollenEpiglottisAndNotTheCords()
+{
+    QFETCH(QString, name);
+    const Person person{name};
+    double last = rednessOf(kMucosa);
+    for (const double severity : {0.3, 0.6, 1.0}) {
+        const AirwayField field = person.field(AirwayEventKind::Epiglottitis, severity);
+        const double redness = rednessOf(meanLightOf(person, field, "Epiglottis", kMucosa));
+        QVERIFY(redness > last);
+        last = redness;
+        QVERIFY((meanLightOf(person, field, "Left vocal fold", kMucosa) - kMucosa).norm() < kNearly);
+        QVERIFY((meanLightOf(person, field, "Tongue", kMucosa) - kMucosa).norm() < kRounding);
+    }
+    QVERIFY(last > 1.5 * rednessOf(kMucosa));
+}
+
+void TestAirwayChanges::makesPaleWhatAnAngioOedemaSwells()
+{
+    QFETCH(QString, name);
+    const Person person{name};
+    const AirwayField field = person.field(AirwayEventKind::AngioOedema, 1.0);
+    for (const char* part : {"Upper lip", "Tongue"}) {
+        const Vec3 light = meanLightOf(person, field, part, kMucosa);
+        QVERIFY2((light - kMucosa).minCoeff() > 0.0, part);
+        QVERIFY2(rednessOf(light) < rednessOf(kMucosa), part);
+    }
+    QVERIFY((meanLightOf(person, field, "Uvula", kMucosa) - kMucosa).norm() < kRounding);
+}
+
+// As the four events that do nothing else, each in part: no vertex is moved otherwise.
+void TestAirwayChanges::swellsReddensAndBlackensByABurn()
+{
+    QFETCH(QString, name);
+    const Person person{name};
+    const AirwayField burnt = person.field(AirwayEventKind::Burn, 1.0);
+    using enum AirwayEventKind;
+    const AirwayField swollen = airwayChanges(
+        person.airway,
+        {{TongueOedema, 0.3}, {PharyngealSwelling, 0.7}, {Epiglottitis, 0.4}, {LaryngealOedema, 0.7}});
+    for (const char* part : {"Tongue", "Epiglottis", "Uvula", "Left vocal fold"}) {
+        QVERIFY2(person.verticesOf(part, burnt) == person.verticesOf(part, swollen), part);
+        QVERIFY2(meanLightOf(person, burnt, part, kMucosa).y() < 0.7 * kMucosa.y(), part);
+    }
+    const auto darkest = [&](const std::string& part, AirwayTissue tissue) {
+        double least = 1.0;
+        for (const Vec3& p_A : person.verticesOf(part, {}))
+            least = std::min(least, airwayLight<double>(burnt.frame(), tissue, p_A, kMucosa).x());
+        return least;
+    };
+    QVERIFY(darkest("Tongue", AirwayTissue::Throat) < 0.25 * kMucosa.x());
+    QVERIFY(darkest("Epiglottis", AirwayTissue::Larynx) < 0.25 * kMucosa.x());
+    QVERIFY(darkest("Left vocal fold", AirwayTissue::Larynx) > 0.4 * kMucosa.x()); // red alone
+}
+
+void TestAirwayChanges::burnsNoTongueWhereThereIsNone()
+{
+    Person person{QStringLiteral("adult")};
+    person.airway.p_A_tongue.reset();
+    QVERIFY(canShow(person.airway, AirwayEventKind::Burn));
+    const AirwayField field = person.field(AirwayEventKind::Burn, 1.0);
+    QVERIFY(mostOf(person, field, "Epiglottis") > 1.0 * kMillimetre);
+}
+
 // But trismus, which is of the jaw (tst_mouth_opening.cpp), and a stiff neck (tst_neck_motion.cpp).
 void TestAirwayChanges::movesMoreWithTheSeverity_data()
 {
@@ -714,7 +803,8 @@ void TestAirwayChanges::saysWhatASetCannotShow()
     person.airway.p_A_notch = person.airway.p_A_commissure;
     QVERIFY(!airwayChanges(person.airway, {{AirwayEventKind::Laryngospasm, 1.0}}, 0.0).isThere());
     for (const auto kind : {AirwayEventKind::AnteriorLarynx, AirwayEventKind::AngioOedema,
-                            AirwayEventKind::LaryngealWeb, AirwayEventKind::ExternalPressure})
+                            AirwayEventKind::LaryngealWeb, AirwayEventKind::ExternalPressure,
+                            AirwayEventKind::Burn})
         QVERIFY(!canShow(person.airway, kind));
     for (const auto kind : {AirwayEventKind::TrachealStenosis, AirwayEventKind::TrachealDeviation,
                             AirwayEventKind::Goitre, AirwayEventKind::ProminentIncisors})

@@ -51,6 +51,14 @@ QString eventText(AirwayEventKind kind)
         return airwayWords(QT_TRANSLATE_NOOP("Airway", "Stiff neck"));
     case AirwayEventKind::Burn:
         return airwayWords(QT_TRANSLATE_NOOP("Airway", "Burn"));
+    case AirwayEventKind::Secretions:
+        return airwayWords(QT_TRANSLATE_NOOP("Airway", "Secretions"));
+    case AirwayEventKind::Blood:
+        return airwayWords(QT_TRANSLATE_NOOP("Airway", "Blood"));
+    case AirwayEventKind::Vomit:
+        return airwayWords(QT_TRANSLATE_NOOP("Airway", "Vomit"));
+    case AirwayEventKind::ForeignBody:
+        return airwayWords(QT_TRANSLATE_NOOP("Airway", "Foreign body"));
     }
     return {};
 }
@@ -118,6 +126,21 @@ QString eventEffect(AirwayEventKind kind)
     case AirwayEventKind::Burn:
         return airwayWords(QT_TRANSLATE_NOOP(
             "Airway", "Mouth, throat and larynx are red, sooty and swollen, as from hot smoke"));
+    case AirwayEventKind::Secretions:
+        return airwayWords(QT_TRANSLATE_NOOP(
+            "Airway", "Saliva and mucus stand behind the larynx, at 100 % over half of the "
+                      "glottis; who sucks them off is acted by 0 % over a few seconds"));
+    case AirwayEventKind::Blood:
+        return airwayWords(QT_TRANSLATE_NOOP(
+            "Airway", "Blood stands behind the larynx, at 100 % over half of the glottis; who "
+                      "sucks it off is acted by 0 % over a few seconds"));
+    case AirwayEventKind::Vomit:
+        return airwayWords(QT_TRANSLATE_NOOP(
+            "Airway", "Vomit stands behind the larynx, at 100 % over half of the glottis; who "
+                      "sucks it off is acted by 0 % over a few seconds"));
+    case AirwayEventKind::ForeignBody:
+        return airwayWords(QT_TRANSLATE_NOOP(
+            "Airway", "A solid of 15 mm lies beside the larynx, at 100 % over the glottis"));
     }
     return {};
 }

@@ -76,6 +76,7 @@ Result<Laryngoscopy> Laryngoscopy::of(const PatientModel& patient, const Blade& 
 
 void Laryngoscopy::changeAirway(const AirwayEvents& events, double inspiration)
 {
+    m_events = events;
     m_changes = airwayChanges(m_airway, events, inspiration);
     m_changed = changed(m_airway, m_changes);
     m_changed.mostOpening = mostMouthOpening(events, m_airway.size());
@@ -176,6 +177,31 @@ GlotticLine Laryngoscopy::glottisAt(const FollowingThroat& throat, const BladeFi
 GlotticLine Laryngoscopy::glottisAt(const LaryngoscopyPose& pose) const
 {
     return glottisAt(throatIn(pose), pose.field);
+}
+
+Vec3 Laryngoscopy::drawnAtLarynx(Vec3 p_A, const FollowingThroat& throat,
+                                 const BladeField& tissue) const
+{
+    p_A += airwayPull<double>(m_changes.frame(), AirwayTissue::Larynx, p_A).d;
+    p_A = throat.neck.placed(p_A);
+    p_A += throatPull(throat, ThroatTissue::Airway, p_A).d;
+    return p_A + larynxTilt<double>(tissue.frame(), p_A).d;
+}
+
+std::vector<ThroatContent> Laryngoscopy::contentsAt(const FollowingThroat& throat,
+                                                    const BladeField& tissue) const
+{
+    std::vector<ThroatContent> contents = fluidsIn(bent(m_airway, throat.neck), m_events);
+    if (auto solid = foreignBodyIn(m_airway, m_events)) {
+        solid->p_AF = drawnAtLarynx(solid->p_AF, throat, tissue);
+        contents.push_back(*solid);
+    }
+    return contents;
+}
+
+std::vector<ThroatContent> Laryngoscopy::contentsAt(const LaryngoscopyPose& pose) const
+{
+    return contentsAt(throatIn(pose), pose.field);
 }
 
 RigidTransform Laryngoscopy::eyeAt(const LaryngoscopyPose& pose, ScopeEye eye) const

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/anatomy/events/airway_changes.h"
+#include "engine/anatomy/events/airway_contents.h"
 #include "engine/anatomy/laryngoscopy/blade_levering.h"
 #include "engine/anatomy/laryngoscopy/glottic_view.h"
 #include "engine/anatomy/laryngoscopy/laryngoscopy_path.h"
@@ -10,6 +11,7 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace carina
 {
@@ -83,6 +85,11 @@ public:
     [[nodiscard]] GlotticLine glottisAt(const FollowingThroat& throat,
                                         const BladeField& tissue) const;
     [[nodiscard]] GlotticLine glottisAt(const LaryngoscopyPose& pose) const;
+    /// What lies in the throat by events, as it is drawn there: fluids level as the neck lies, a
+    /// solid with the larynx.
+    [[nodiscard]] std::vector<ThroatContent> contentsAt(const FollowingThroat& throat,
+                                                        const BladeField& tissue) const;
+    [[nodiscard]] std::vector<ThroatContent> contentsAt(const LaryngoscopyPose& pose) const;
     /// X_AD and vertical field of view of an eye.
     [[nodiscard]] RigidTransform eyeAt(const LaryngoscopyPose& pose, ScopeEye eye) const;
     [[nodiscard]] static Angle fieldOfView(ScopeEye eye);
@@ -92,12 +99,16 @@ private:
     /// The upper incisors' edge as events and the neck have moved it.
     [[nodiscard]] Vec3 p_A_edge() const;
     [[nodiscard]] FollowingThroat throatIn(const LaryngoscopyPose& pose) const;
+    /// Where a place at the larynx, as in the surfaces, is drawn.
+    [[nodiscard]] Vec3 drawnAtLarynx(Vec3 p_A, const FollowingThroat& throat,
+                                     const BladeField& tissue) const;
 
     const PatientModel* m_patient = nullptr;
     Blade m_blade;
     UpperAirway m_airway;  ///< as in the surfaces
     UpperAirway m_changed; ///< and changed
     AirwayField m_changes;
+    AirwayEvents m_events;
     HeadPosition m_position;
 };
 

@@ -235,6 +235,13 @@ GlotticLine StationLaryngoscope::glottisAt(const FollowingThroat& throat,
     return (**m_laryngoscopy).glottisAt(throat, tissue);
 }
 
+std::vector<ThroatContent> StationLaryngoscope::contentsAt(const FollowingThroat& throat,
+                                                           const BladeField& tissue) const
+{
+    CARINA_EXPECTS(m_laryngoscopy && m_laryngoscopy->has_value());
+    return (**m_laryngoscopy).contentsAt(throat, tissue);
+}
+
 QString laryngoscopeText(LaryngoscopeState state) { return LaryngoscopeWords::of(state); }
 
 QString glotticViewText(const GlotticView& view) { return LaryngoscopeWords::of(view); }

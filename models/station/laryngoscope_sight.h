@@ -7,6 +7,7 @@
 #include <QString>
 
 #include <optional>
+#include <vector>
 
 namespace carina
 {
@@ -83,6 +84,10 @@ public:
     /// The glottis, as it is drawn there. @pre there was a Live one
     [[nodiscard]] GlotticLine glottisAt(const FollowingThroat& throat,
                                         const BladeField& tissue) const;
+
+    /// What lies in the throat there by events. @pre the same
+    [[nodiscard]] std::vector<ThroatContent> contentsAt(const FollowingThroat& throat,
+                                                        const BladeField& tissue) const;
 
 private:
     [[nodiscard]] std::optional<Blade> knownBladeOf(const PersonPose& laryngoscope) const;

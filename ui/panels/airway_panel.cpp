@@ -50,7 +50,11 @@ constexpr std::array kEventLabels{
     QT_TRANSLATE_NOOP("carina::AirwayPanel", "Prominent incisors"),
     QT_TRANSLATE_NOOP("carina::AirwayPanel", "Trismus"),
     QT_TRANSLATE_NOOP("carina::AirwayPanel", "Stiff neck"),
-    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Burn")};
+    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Burn"),
+    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Secretions"),
+    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Blood"),
+    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Vomit"),
+    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Foreign body")};
 static_assert(kEventLabels.size() == kAirwayEventKinds);
 
 std::size_t placeOf(AirwayEventKind kind) { return static_cast<std::size_t>(kind); }

@@ -13,7 +13,8 @@ namespace
 {
 
 /// Colours in the light of a laryngoscope, by SeenStructure: mucosa in pinks, cords like pearl.
-/// The jaw is drawn like gums, the trachea dark like its lumen. The tube keeps its own.
+/// The jaw is drawn like gums, the trachea dark like its lumen. The tube keeps its own, and so does
+/// what does not belong there.
 constexpr std::array<QColor, kSeenStructures> kColors{{{0, 0, 0},
                                                        {238, 231, 212},
                                                        {188, 104, 106},
@@ -34,19 +35,37 @@ constexpr std::array<QColor, kSeenStructures> kColors{{{0, 0, 0},
 constexpr QColor kSteel = kColors[std::size_t(SeenStructure::Blade)];
 constexpr QColor kHandleSteel{120, 126, 134};
 
+/// By kThroatContents, of ours: saliva, blood, vomit, a morsel of meat.
+constexpr std::array<QColor, kThroatContents.size()> kContentColors{
+    {{214, 206, 160}, {128, 10, 12}, {158, 130, 58}, {140, 92, 58}}};
+
 constexpr QColor kDarkness{6, 3, 3};
 constexpr Length kHalfLight = millimetres(55.0); ///< from a lamp on the blade
 constexpr Length kHalfLightDirect = millimetres(400.0);
 
-ScenePart scopePart(const char* name, FigureShapes::Mesh mesh, const QColor& color)
+ScenePart scopePart(const char* name, FigureShapes::Mesh mesh, const QColor& color,
+                    const char* body = kScopeBody)
 {
     return {.name = name,
             .group = MaterialGroup::Tool,
             .color = color,
             .listedUnder = BodyRegion::Tools,
-            .body = kScopeBody,
+            .body = body,
             .framed = false,
             .levels = {std::move(mesh)}};
+}
+
+/// As shiny as tools, and drawn from both sides. A solid is a little longer than wide.
+ScenePart contentPart(std::size_t place)
+{
+    constexpr double kMorsel = 2.5;
+    const AirwayEventKind kind = kThroatContents.at(place);
+    const double half = 0.5 * kForeignBody.si;
+    const bool isSolid = kind == AirwayEventKind::ForeignBody;
+    TriangleMesh mesh = isSolid ? superellipsoid(Vec3::Zero(), {half, 0.85 * half, half}, kMorsel)
+                                : fluidSurface();
+    return scopePart(eventName(kind), std::make_shared<const TriangleMesh>(std::move(mesh)),
+                     kContentColors.at(place), eventName(kind));
 }
 
 } // namespace
@@ -74,7 +93,24 @@ ScopeScene scopeScene(const PatientModel& patient, const Blade& blade)
         scene.parts.push_back(std::move(part));
         scene.structures.push_back(SeenStructure::Blade);
     }
+    for (std::size_t place = 0; place < kThroatContents.size(); ++place) {
+        ScenePart part = contentPart(place);
+        part.id = static_cast<std::uint16_t>(scene.structures.size());
+        scene.parts.push_back(std::move(part));
+        scene.structures.push_back(kThroatContents.at(place) == AirwayEventKind::ForeignBody
+                                       ? SeenStructure::ForeignBody
+                                       : SeenStructure::Fluid);
+    }
     return scene;
+}
+
+void addContents(SceneFrame& frame, const std::vector<ThroatContent>& contents)
+{
+    for (const AirwayEventKind kind : kThroatContents)
+        frame.bodies.erase(eventName(kind));
+    for (const ThroatContent& content : contents)
+        frame.bodies[eventName(content.kind)] = {RigidTransform::translation(content.p_AF),
+                                                 content.size};
 }
 
 void showScope(SceneView& view, const ScopeScene& scene, ScopeEye eye)

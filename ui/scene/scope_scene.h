@@ -15,12 +15,16 @@ inline constexpr const char* kScopeBody = "laryngoscope";
 
 /// The parts of a scene that a laryngoscope shows, and what each of them is to a person.
 struct ScopeScene {
-    std::vector<ScenePart> parts; ///< of the patient, with the tube, and blade and handle
+    /// Of the patient, with the tube, blade and handle, and what may lie in the throat.
+    std::vector<ScenePart> parts;
     PartLooks looks; ///< opaque, but the tube as usual; hidden what is not to be seen in there
     /// By the id of the part.
     std::vector<SeenStructure> structures;
 };
 [[nodiscard]] ScopeScene scopeScene(const PatientModel& patient, const Blade& blade);
+
+/// Has a frame of such a scene draw what lies in the throat, and nothing else there.
+void addContents(SceneFrame& frame, const std::vector<ThroatContent>& contents);
 
 /// Has a view draw such a scene and nothing else, in the light of the eye that sees it.
 void showScope(SceneView& view, const ScopeScene& scene, ScopeEye eye);

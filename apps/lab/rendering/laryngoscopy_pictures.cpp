@@ -81,6 +81,7 @@ private:
         frame.airway = m_laryngoscopy.changes();
         frame.blade = pose.field;
         frame.bodies[kScopeBody] = pose.X_AL;
+        addContents(frame, m_laryngoscopy.contentsAt(pose));
         frame.eyes = {eyeOf(pose)};
         return frame;
     }

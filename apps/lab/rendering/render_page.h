@@ -176,7 +176,8 @@ inline constexpr Key kPixels{
     "visible_pixels",
     "of each structure that is seen: teeth, jaw, tongue, hard_palate, soft_palate, pharynx, "
     "epiglottis, aryepiglottic_folds, vestibular_folds, arytenoids, vocal_folds, "
-    "laryngeal_cartilages, trachea, oesophagus, blade, tube, and nothing where there is none",
+    "laryngeal_cartilages, trachea, oesophagus, blade, tube, fluid, foreign_body, and nothing "
+    "where there is none",
     1};
 } // namespace render_laryngoscopy_key
 

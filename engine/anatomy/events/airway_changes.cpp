@@ -485,6 +485,10 @@ bool canShow(const UpperAirway& airway, AirwayEventKind kind)
                > kLeastOfMans * kMansEpiglottis.si;
     case AirwayEventKind::AngioOedema:
     case AirwayEventKind::Burn:
+    case AirwayEventKind::Secretions:
+    case AirwayEventKind::Blood:
+    case AirwayEventKind::Vomit:
+    case AirwayEventKind::ForeignBody:
         return hasWay && hasGlottis;
     case AirwayEventKind::LaryngealOedema:
     case AirwayEventKind::Laryngospasm:

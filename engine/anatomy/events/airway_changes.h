@@ -47,7 +47,9 @@ inline constexpr double kInspirationAsMade = 0.75;
 /// - Trismus: nothing of this; it limits the jaw (mostMouthOpening);
 /// - StiffNeck: nothing of this; it limits head and neck (withinMotion);
 /// - Burn: tongue, pharynx, epiglottis and entrance of the larynx swell as of the first four, are
-///   red, and black with soot in places.
+///   red, and black with soot in places;
+/// - Secretions, Blood, Vomit and ForeignBody: nothing of this; they lie in the throat
+///   (airway_contents.h).
 ///
 /// Three also change colours: AngioOedema makes pale what it swells, Epiglottitis reddens, and so
 /// does Burn.

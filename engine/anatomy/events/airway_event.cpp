@@ -13,7 +13,8 @@ constexpr std::array<const char*, kAirwayEventKinds> kNames{
     "laryngospasm",  "floppy_epiglottis",   "anterior_larynx",    "angio_oedema",
     "laryngeal_web", "external_pressure",   "tracheal_stenosis",  "tracheal_deviation",
     "goitre",        "neck_obesity",        "prominent_incisors", "trismus",
-    "stiff_neck",    "burn"};
+    "stiff_neck",    "burn",                "secretions",         "blood",
+    "vomit",         "foreign_body"};
 
 } // namespace
 

@@ -28,8 +28,12 @@ enum class AirwayEventKind : std::uint8_t {
     Trismus,            ///< the mouth opens less
     StiffNeck,          ///< head and neck move less
     Burn,               ///< erythema, soot and oedema from the mouth to the larynx
+    Secretions,         ///< saliva and mucus stand in the throat
+    Blood,              ///< the same, blood
+    Vomit,              ///< the same, what came up from the stomach
+    ForeignBody,        ///< a solid lies beside or over the glottis
 };
-inline constexpr int kAirwayEventKinds = 18;
+inline constexpr int kAirwayEventKinds = 22;
 
 /// One of them, and how severe it is.
 struct AirwayEvent {

@@ -30,7 +30,9 @@ constexpr std::array<StructureFigures, kSeenStructures> kStructures{
      {"trachea", false},
      {"oesophagus", true},
      {"blade", true},
-     {"tube", false}}};
+     {"tube", false},
+     {"fluid", true},
+     {"foreign_body", true}}};
 
 /// The first row that fits a part counts; empty words fit every name.
 struct Recognised {

@@ -26,9 +26,11 @@ enum class SeenStructure : std::uint8_t {
     Trachea,
     Oesophagus,
     Blade,
-    Tube, ///< nothing is told of what it covers
+    Tube,        ///< nothing is told of what it covers
+    Fluid,       ///< secretions, blood or vomit
+    ForeignBody, ///< a solid that does not belong there
 };
-inline constexpr std::size_t kSeenStructures = 17;
+inline constexpr std::size_t kSeenStructures = 19;
 
 /// The name of a structure in JSON ("vocal_folds").
 [[nodiscard]] const char* structureName(SeenStructure structure);

@@ -64,6 +64,8 @@ private Q_SLOTS:
     void showsWhatChangesMouthAndNeck_data();
     void showsWhatChangesMouthAndNeck();
     void seesMoreOfAnAnteriorLarynxThatIsPressed();
+    void hidesMoreOfTheGlottisAsAFluidRises();
+    void hidesTheGlottisByAForeignBody();
 
 private:
     QTemporaryDir m_folder;
@@ -263,6 +265,42 @@ void TestLaryngoscopyPictures::seesMoreOfAnAnteriorLarynxThatIsPressed()
         pogo("pressed", {QStringLiteral("--event"), QStringLiteral("external_pressure")});
     qInfo("%.0f %%, pressed %.0f %%", anterior, pressed);
     QVERIFY(anterior >= 0.0 && pressed > anterior);
+}
+
+void TestLaryngoscopyPictures::hidesMoreOfTheGlottisAsAFluidRises()
+{
+    QCOMPARE(pixels(m_pictures[4], "fluid"), qint64{0});
+    double opening = m_pictures[4][QStringLiteral("pogo_percent")].toDouble();
+    const double without = opening;
+    qint64 fluid = 0;
+    for (const char* event : {"blood=0.3", "blood=0.6", "blood"}) {
+        const QString name = QString::fromLatin1(event);
+        const QJsonObject object =
+            drawn(m_folder.filePath(name), {QStringLiteral("--event"), name});
+        const QJsonArray pictures = object[QStringLiteral("pictures")].toArray();
+        QCOMPARE(pictures.size(), 5);
+        const double now = pictures[4][QStringLiteral("pogo_percent")].toDouble();
+        qInfo("%s: %.0f %%, %lld pixels", event, now,
+              static_cast<long long>(pixels(pictures[4], "fluid")));
+        QVERIFY(pixels(pictures[4], "fluid") > fluid);
+        QVERIFY(now <= opening);
+        fluid = pixels(pictures[4], "fluid");
+        opening = now;
+    }
+    QVERIFY(opening < without);
+}
+
+void TestLaryngoscopyPictures::hidesTheGlottisByAForeignBody()
+{
+    const QJsonArray pictures = drawn(m_folder.filePath(QStringLiteral("solid")),
+                                      {QStringLiteral("--event"),
+                                       QStringLiteral("foreign_body")})[QStringLiteral("pictures")]
+                                    .toArray();
+    QCOMPARE(pictures.size(), 5);
+    QCOMPARE(pixels(m_pictures[4], "foreign_body"), qint64{0});
+    QVERIFY(pixels(pictures[4], "foreign_body") > 0);
+    QVERIFY(pictures[4][QStringLiteral("pogo_percent")].toDouble()
+            < m_pictures[4][QStringLiteral("pogo_percent")].toDouble());
 }
 
 CARINA_SCREEN_TEST(TestLaryngoscopyPictures)

@@ -1,6 +1,7 @@
 #include "engine/anatomy/events/airway_changes.h"
 
 #include "engine/anatomy/chest/chest_region.h"
+#include "engine/anatomy/events/airway_contents.h"
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "tests/support/test_class.h"
 
@@ -678,7 +679,8 @@ void TestAirwayChanges::reddensASwollenEpiglottisAndNotTheCords()
         const double redness = rednessOf(meanLightOf(person, field, "Epiglottis", kMucosa));
         QVERIFY(redness > last);
         last = redness;
-        QVERIFY((meanLightOf(person, field, "Left vocal fold", kMucosa) - kMucosa).norm() < kNearly);
+        const Vec3 ofCord = meanLightOf(person, field, "Left vocal fold", kMucosa);
+        QVERIFY((ofCord - kMucosa).norm() < kNearly);
         QVERIFY((meanLightOf(person, field, "Tongue", kMucosa) - kMucosa).norm() < kRounding);
     }
     QVERIFY(last > 1.5 * rednessOf(kMucosa));
@@ -704,9 +706,10 @@ void TestAirwayChanges::swellsReddensAndBlackensByABurn()
     const Person person{name};
     const AirwayField burnt = person.field(AirwayEventKind::Burn, 1.0);
     using enum AirwayEventKind;
-    const AirwayField swollen = airwayChanges(
-        person.airway,
-        {{TongueOedema, 0.3}, {PharyngealSwelling, 0.7}, {Epiglottitis, 0.4}, {LaryngealOedema, 0.7}});
+    const AirwayField swollen = airwayChanges(person.airway, {{TongueOedema, 0.3},
+                                                              {PharyngealSwelling, 0.7},
+                                                              {Epiglottitis, 0.4},
+                                                              {LaryngealOedema, 0.7}});
     for (const char* part : {"Tongue", "Epiglottis", "Uvula", "Left vocal fold"}) {
         QVERIFY2(person.verticesOf(part, burnt) == person.verticesOf(part, swollen), part);
         QVERIFY2(meanLightOf(person, burnt, part, kMucosa).y() < 0.7 * kMucosa.y(), part);
@@ -731,13 +734,15 @@ void TestAirwayChanges::burnsNoTongueWhereThereIsNone()
     QVERIFY(mostOf(person, field, "Epiglottis") > 1.0 * kMillimetre);
 }
 
-// But trismus, which is of the jaw (tst_mouth_opening.cpp), and a stiff neck (tst_neck_motion.cpp).
+// But trismus, which is of the jaw (tst_mouth_opening.cpp), a stiff neck (tst_neck_motion.cpp), and
+// what lies in the throat (tst_airway_contents.cpp).
 void TestAirwayChanges::movesMoreWithTheSeverity_data()
 {
     QTest::addColumn<AirwayEventKind>("kind");
     for (int kind = 0; kind < kAirwayEventKinds; ++kind) {
         const auto each = static_cast<AirwayEventKind>(kind);
-        if (each != AirwayEventKind::Trismus && each != AirwayEventKind::StiffNeck)
+        if (each != AirwayEventKind::Trismus && each != AirwayEventKind::StiffNeck
+            && std::ranges::find(kThroatContents, each) == kThroatContents.end())
             QTest::newRow(eventName(each)) << each;
     }
 }
@@ -804,7 +809,8 @@ void TestAirwayChanges::saysWhatASetCannotShow()
     QVERIFY(!airwayChanges(person.airway, {{AirwayEventKind::Laryngospasm, 1.0}}, 0.0).isThere());
     for (const auto kind : {AirwayEventKind::AnteriorLarynx, AirwayEventKind::AngioOedema,
                             AirwayEventKind::LaryngealWeb, AirwayEventKind::ExternalPressure,
-                            AirwayEventKind::Burn})
+                            AirwayEventKind::Burn, AirwayEventKind::Blood,
+                            AirwayEventKind::ForeignBody})
         QVERIFY(!canShow(person.airway, kind));
     for (const auto kind : {AirwayEventKind::TrachealStenosis, AirwayEventKind::TrachealDeviation,
                             AirwayEventKind::Goitre, AirwayEventKind::ProminentIncisors})

@@ -263,7 +263,11 @@ void TestAirwayEvents::areCheckedByTheHost_data()
          {ProminentIncisors, 1.0},
          {Trismus, 1.0},
          {StiffNeck, 1.0},
-         {Burn, 1.0}},
+         {Burn, 1.0},
+         {Secretions, 1.0},
+         {Blood, 1.0},
+         {Vomit, 1.0},
+         {ForeignBody, 1.0}},
         minutes{10}, "fine");
     row("worse than the worst", {{TongueOedema, 1.0 + 1e-9}}, {}, "out of range");
     row("negative", {{TongueOedema, -1e-9}}, {}, "out of range");

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "engine/anatomy/events/airway_event.h"
+#include "engine/anatomy/laryngoscopy/upper_airway.h"
+#include "engine/geometry/mesh/triangle_mesh.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace carina
+{
+
+/// The events by which something lies in the throat: three fluids, and a solid.
+inline constexpr std::array kThroatFluids{AirwayEventKind::Secretions, AirwayEventKind::Blood,
+                                          AirwayEventKind::Vomit};
+inline constexpr std::array kThroatContents{AirwayEventKind::Secretions, AirwayEventKind::Blood,
+                                            AirwayEventKind::Vomit, AirwayEventKind::ForeignBody};
+
+/// Something that lies there, in a frame F with the axes of A: its place p_F is at
+/// p_AF + size * p_F.
+struct ThroatContent {
+    AirwayEventKind kind = AirwayEventKind::Secretions;
+    Vec3 p_AF = Vec3::Zero();
+    double size = 1.0; ///< of a man's
+};
+
+/// The fluids, each with its own level. A patient lies supine, so that a fluid stands behind the
+/// larynx and in the piriform fossae first, whatever head and neck do, and its surface is the plane
+/// y = 0 of F. In a man it is kDeepestFluid times the severity before the back wall, which is taken
+/// to be kBackWall behind the interarytenoid notch: at 0.4 it reaches the notch, at 1 it covers
+/// half of the glottis. All lengths are of ours.
+/// @param airway as head and neck lie, but neither changed by events nor lifted
+[[nodiscard]] std::vector<ThroatContent> fluidsIn(const UpperAirway& airway,
+                                                  const AirwayEvents& events);
+inline constexpr Length kBackWall = millimetres(7.5);
+inline constexpr Length kDeepestFluid = millimetres(20.0);
+
+/// A solid: at a severity near 0 in the right piriform fossa, at 1 over the middle of the glottis,
+/// evenly between. It is to be moved as the larynx is. Both places are of ours.
+/// @param airway as in the surfaces
+[[nodiscard]] std::optional<ThroatContent> foreignBodyIn(const UpperAirway& airway,
+                                                         const AirwayEvents& events);
+inline constexpr Length kForeignBody = millimetres(15.0); ///< its length in a man
+
+/// The surface of a fluid in a man, in F: from below the notch, which is above or below the origin,
+/// to the palate, as wide as the pharynx is there (pharynxSectionAt). What would be outside is
+/// hidden by its walls. It is flat; its normals, which face the front, are those of ripples.
+[[nodiscard]] TriangleMesh fluidSurface();
+
+} // namespace carina

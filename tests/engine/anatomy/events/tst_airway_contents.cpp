@@ -1,0 +1,194 @@
+#include "engine/anatomy/events/airway_contents.h"
+
+#include "engine/anatomy/patient/builtin_patient.h"
+#include "tests/support/test_class.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace carina::airway_contents_test
+{
+namespace
+{
+
+using enum AirwayEventKind;
+
+constexpr double kTolerance_m = 1e-9;
+
+const UpperAirway& airwayOf(BuiltinPatient who)
+{
+    const auto found = [](BuiltinPatient patient) {
+        const Anatomy anatomy = builtinPatient(patient).value();
+        return upperAirwayOf(anatomy.parts, anatomy.landmarks).value();
+    };
+    static const UpperAirway adult = found(BuiltinPatient::Adult);
+    static const UpperAirway child = found(BuiltinPatient::TwelveYears);
+    return who == BuiltinPatient::Adult ? adult : child;
+}
+
+/// The share of the line of the glottis that lies behind the surface of a fluid, in a patient on
+/// the back under it.
+double coveredShare(const UpperAirway& airway, double severity)
+{
+    const auto fluids = fluidsIn(airway, {{Blood, severity}});
+    if (fluids.size() != 1)
+        return 0.0;
+    constexpr int kPoints = 1000;
+    int covered = 0;
+    for (int i = 0; i < kPoints; ++i) {
+        const double share = (i + 0.5) / kPoints;
+        const Vec3 p_A = airway.p_A_commissure + share * (airway.p_A_notch - airway.p_A_commissure);
+        covered += p_A.y() > fluids.front().p_AF.y() ? 1 : 0;
+    }
+    return double(covered) / kPoints;
+}
+
+/// To the patient's right of the midplane, and above the cords.
+struct Beside {
+    double right;
+    double up;
+};
+Beside besideGlottis(const UpperAirway& airway, const Vec3& p_A)
+{
+    const Vec3 from = p_A - 0.5 * (airway.p_A_commissure + airway.p_A_notch);
+    return {-from.x(), from.dot(airway.up_A)};
+}
+
+} // namespace
+
+/// What lies in the throat of both built-in patients.
+class TestAirwayContents : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void standsHigherWithTheSeverity_data() { people(); }
+    void standsHigherWithTheSeverity();
+    void coversHalfOfTheGlottisAtTheWorst_data() { people(); }
+    void coversHalfOfTheGlottisAtTheWorst();
+    void hasAFlatSurfaceFromTheLarynxToThePalate_data() { people(); }
+    void hasAFlatSurfaceFromTheLarynxToThePalate();
+    void ripplesTowardsTheFront();
+    void hasEachFluidAtItsOwnLevel();
+    void liesBesideTheLarynxAndThenOverTheGlottis_data() { people(); }
+    void liesBesideTheLarynxAndThenOverTheGlottis();
+    void hasNothingWithoutAnEventOrALarynx();
+
+private:
+    static void people()
+    {
+        QTest::addColumn<BuiltinPatient>("who");
+        QTest::newRow("adult") << BuiltinPatient::Adult;
+        QTest::newRow("child") << BuiltinPatient::TwelveYears;
+    }
+};
+
+// To the front, which is up in who lies on the back, evenly.
+void TestAirwayContents::standsHigherWithTheSeverity()
+{
+    QFETCH(const BuiltinPatient, who);
+    const UpperAirway& airway = airwayOf(who);
+    for (const AirwayEventKind kind : kThroatFluids)
+        for (const double severity : {0.01, 0.375, 0.7, 1.0}) {
+            const auto fluids = fluidsIn(airway, {{kind, severity}});
+            QCOMPARE(fluids.size(), std::size_t{1});
+            QVERIFY(fluids.front().kind == kind);
+            const double behindNotch =
+                (fluids.front().p_AF - airway.p_A_notch).y() / airway.size();
+            QVERIFY(std::abs(behindNotch - (0.0075 - 0.02 * severity)) < kTolerance_m);
+        }
+}
+
+void TestAirwayContents::coversHalfOfTheGlottisAtTheWorst()
+{
+    QFETCH(const BuiltinPatient, who);
+    const UpperAirway& airway = airwayOf(who);
+    QCOMPARE(coveredShare(airway, 0.3), 0.0);
+    double last = 0.0;
+    for (const double severity : {0.5, 0.75, 1.0}) {
+        const double covered = coveredShare(airway, severity);
+        QVERIFY(covered > last);
+        last = covered;
+    }
+    QVERIFY2(last > 0.4 && last < 0.7, qPrintable(QString::number(last)));
+}
+
+void TestAirwayContents::hasAFlatSurfaceFromTheLarynxToThePalate()
+{
+    QFETCH(const BuiltinPatient, who);
+    const UpperAirway& airway = airwayOf(who);
+    const ThroatContent fluid = fluidsIn(airway, {{Vomit, 0.5}}).front();
+    Box box;
+    for (const Vec3f& p_F : fluidSurface().positions)
+        box.include(fluid.p_AF + fluid.size * p_F.cast<double>());
+    QCOMPARE(box.min.y(), box.max.y());
+    QVERIFY(box.min.z() < airway.p_A_notch.z() - 0.005 * airway.size());
+    QVERIFY(box.max.z() > airway.p_A_uvula.z());
+    QVERIFY(std::abs(box.centre().x() - airway.p_A_notch.x()) < 1e-6);
+    QVERIFY(box.max.x() - box.min.x() > 0.03 * airway.size()); // both piriform fossae
+}
+
+void TestAirwayContents::ripplesTowardsTheFront()
+{
+    const TriangleMesh surface = fluidSurface();
+    QCOMPARE(surface.normals.size(), surface.positions.size());
+    std::set<float> different;
+    for (const Vec3f& normal : surface.normals) {
+        QVERIFY(std::abs(normal.norm() - 1.0F) < 1e-5F);
+        QVERIFY(normal.y() < -0.5F);
+        different.insert(normal.x());
+    }
+    QVERIFY(different.size() > 100);
+    for (const Triangle& t : surface.triangles) {
+        const auto corner = [&](int n) { return surface.positions.at(t.at(n)); };
+        QVERIFY((corner(1) - corner(0)).cross(corner(2) - corner(0)).y() < 0.0F);
+    }
+}
+
+void TestAirwayContents::hasEachFluidAtItsOwnLevel()
+{
+    const auto fluids =
+        fluidsIn(airwayOf(BuiltinPatient::Adult), {{Secretions, 0.2}, {Blood, 0.6}, {Vomit, 0.4}});
+    QCOMPARE(fluids.size(), std::size_t{3});
+    QVERIFY(fluids[0].p_AF.y() > fluids[2].p_AF.y() && fluids[2].p_AF.y() > fluids[1].p_AF.y());
+}
+
+void TestAirwayContents::liesBesideTheLarynxAndThenOverTheGlottis()
+{
+    QFETCH(const BuiltinPatient, who);
+    const UpperAirway& airway = airwayOf(who);
+    const double half = 0.5 * kForeignBody.si * airway.size();
+    double last = 1.0;
+    for (const double severity : {0.01, 0.3, 0.7, 1.0}) {
+        const auto solid = foreignBodyIn(airway, {{ForeignBody, severity}});
+        QVERIFY(solid.has_value());
+        QCOMPARE(solid->size, airway.size());
+        const Beside at = besideGlottis(airway, solid->p_AF);
+        QVERIFY(at.right < last);
+        QVERIFY(at.up > 0.0);
+        last = at.right;
+    }
+    QVERIFY(std::abs(last) < 1e-6); // in the midplane
+    const auto first = foreignBodyIn(airway, {{ForeignBody, 0.01}});
+    QVERIFY(besideGlottis(airway, first->p_AF).right > half); // none of it there
+    const auto over = foreignBodyIn(airway, {{ForeignBody, 1.0}});
+    QVERIFY(besideGlottis(airway, over->p_AF).up > half); // above the cords
+}
+
+void TestAirwayContents::hasNothingWithoutAnEventOrALarynx()
+{
+    UpperAirway airway = airwayOf(BuiltinPatient::Adult);
+    QVERIFY(fluidsIn(airway, {}).empty());
+    QVERIFY(fluidsIn(airway, {{Laryngospasm, 1.0}, {Blood, 0.0}}).empty());
+    QVERIFY(!foreignBodyIn(airway, {{Vomit, 1.0}, {ForeignBody, 0.0}}));
+    airway.p_A_notch = airway.p_A_commissure;
+    QVERIFY(fluidsIn(airway, {{Blood, 1.0}}).empty());
+    QVERIFY(!foreignBodyIn(airway, {{ForeignBody, 1.0}}));
+}
+
+CARINA_TEST(TestAirwayContents)
+
+} // namespace carina::airway_contents_test
+
+#include "tst_airway_contents.moc"

@@ -36,6 +36,7 @@ public:
                 return tr("Not shown: this patient has no trachea of its own.");
             break;
         case AirwayEventKind::ProminentIncisors:
+        case AirwayEventKind::FragileTeeth:
             return tr("Not shown: this patient has no teeth where the upper incisors are.");
         default:
             break;

@@ -59,6 +59,8 @@ QString eventText(AirwayEventKind kind)
         return airwayWords(QT_TRANSLATE_NOOP("Airway", "Vomit"));
     case AirwayEventKind::ForeignBody:
         return airwayWords(QT_TRANSLATE_NOOP("Airway", "Foreign body"));
+    case AirwayEventKind::FragileTeeth:
+        return airwayWords(QT_TRANSLATE_NOOP("Airway", "Loose teeth"));
     }
     return {};
 }
@@ -129,18 +131,22 @@ QString eventEffect(AirwayEventKind kind)
     case AirwayEventKind::Secretions:
         return airwayWords(QT_TRANSLATE_NOOP(
             "Airway", "Saliva and mucus stand behind the larynx, at 100 % over half of the "
-                      "glottis; who sucks them off is acted by 0 % over a few seconds"));
+                      "glottis; for suction set 0 % over a few seconds"));
     case AirwayEventKind::Blood:
         return airwayWords(QT_TRANSLATE_NOOP(
-            "Airway", "Blood stands behind the larynx, at 100 % over half of the glottis; who "
-                      "sucks it off is acted by 0 % over a few seconds"));
+            "Airway", "Blood stands behind the larynx, at 100 % over half of the glottis; for "
+                      "suction set 0 % over a few seconds"));
     case AirwayEventKind::Vomit:
         return airwayWords(QT_TRANSLATE_NOOP(
-            "Airway", "Vomit stands behind the larynx, at 100 % over half of the glottis; who "
-                      "sucks it off is acted by 0 % over a few seconds"));
+            "Airway", "Vomit stands behind the larynx, at 100 % over half of the glottis; for "
+                      "suction set 0 % over a few seconds"));
     case AirwayEventKind::ForeignBody:
         return airwayWords(QT_TRANSLATE_NOOP(
             "Airway", "A solid of 15 mm lies beside the larynx, at 100 % over the glottis"));
+    case AirwayEventKind::FragileTeeth:
+        return airwayWords(QT_TRANSLATE_NOOP(
+            "Airway", "Nothing is drawn: beneath the laryngoscope's picture the teeth are called "
+                      "loose, and a blade near them is warned of, at 100 % from 3 mm on"));
     }
     return {};
 }

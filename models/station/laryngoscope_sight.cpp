@@ -48,10 +48,10 @@ public:
             .arg(std::lround(100.0 * view.opening));
     }
 
-    static QString of(const BladeEffort& effort)
+    static QString of(const BladeEffort& effort, double looseTeeth)
     {
         return tr("%1 · %2").arg(tongue(effort), epiglottis(effort.contact)) + QLatin1Char{'\n'}
-               + teeth(effort);
+               + (looseTeeth > 0.0 ? ofLooseTeeth(effort, looseTeeth) : teeth(effort));
     }
 
     static QString ungraded(const LaryngoscopeSight& sight)
@@ -105,6 +105,21 @@ private:
         if (!clearance)
             return tr("Teeth free");
         return tr("Teeth free (%1 mm)").arg(std::lround(inMillimetres(*clearance)));
+    }
+
+    static QString ofLooseTeeth(const BladeEffort& effort, double looseTeeth)
+    {
+        const std::optional<Length>& clearance = effort.contact.teethClearance;
+        if (effort.teeth > Force{})
+            return tr("▲ Loose teeth pressed: %1 (estimate)").arg(shownForce(effort.teeth));
+        if (effort.isOnTeeth)
+            return tr("▲ Loose teeth touched");
+        if (!clearance)
+            return tr("Loose teeth free");
+        const long shown_mm = std::lround(inMillimetres(*clearance));
+        return clearance->si < looseTeeth * kNearLooseTeeth.si
+                   ? tr("▲ Loose teeth near (%1 mm)").arg(shown_mm)
+                   : tr("Loose teeth free (%1 mm)").arg(shown_mm);
     }
 
     /// "Macintosh 3" of "macintosh-3".
@@ -192,7 +207,10 @@ LaryngoscopeSight StationLaryngoscope::sightAt(const StationMoment& moment,
             .blade = blade,
             .isBladeKnown = knownBladeOf(*tool).has_value(),
             .isOfWorker = isOfWorker(*tool, moment),
-            .isJawLost = moment.jaw && moment.jaw->validity == Validity::Lost};
+            .isJawLost = moment.jaw && moment.jaw->validity == Validity::Lost,
+            .looseTeeth = laryngoscopy->canShow(AirwayEventKind::FragileTeeth)
+                              ? severityOf(moment.airwayEvents, AirwayEventKind::FragileTeeth)
+                              : 0.0};
 }
 
 /// nullptr without what a laryngoscope is to show.
@@ -246,7 +264,10 @@ QString laryngoscopeText(LaryngoscopeState state) { return LaryngoscopeWords::of
 
 QString glotticViewText(const GlotticView& view) { return LaryngoscopeWords::of(view); }
 
-QString bladeEffortText(const BladeEffort& effort) { return LaryngoscopeWords::of(effort); }
+QString bladeEffortText(const BladeEffort& effort, double looseTeeth)
+{
+    return LaryngoscopeWords::of(effort, looseTeeth);
+}
 
 QString laryngoscopeText(const LaryngoscopeSight& sight, const std::optional<GlotticView>& seen)
 {
@@ -258,7 +279,7 @@ QString laryngoscopeText(const LaryngoscopeSight& sight, const std::optional<Glo
     else if (seen)
         lines.append(glotticViewText(*seen));
     if (sight.isGraded())
-        lines.append(bladeEffortText(sight.effort));
+        lines.append(bladeEffortText(sight.effort, sight.looseTeeth));
     if (!sight.isBladeKnown)
         lines.append(LaryngoscopeWords::assumed(sight.blade));
     return lines.join(QLatin1Char{'\n'});

@@ -34,6 +34,7 @@ struct LaryngoscopeSight {
     bool isBladeKnown = false; ///< touched, or told by its name; else the usual one is taken
     bool isOfWorker = false;   ///< of who is at work, or the own one while nobody is
     bool isJawLost = false;    ///< there is a probe on the chin, which is not seen
+    double looseTeeth = 0.0;   ///< severity of AirwayEventKind::FragileTeeth, where there are any
 
     /// No other one is graded: whose it is has the tube, and the jaw is moved by their probe. And
     /// none is while the mouth is drawn as nobody holds it.
@@ -130,7 +131,11 @@ inline constexpr Duration kCordsGo = std::chrono::milliseconds{150};
 
 /// What the blade does to tongue, epiglottis and teeth, in two lines: "Lifting · tongue about 38 N
 /// · epiglottis not touched", and "Teeth free (4 mm)" or "▲ Teeth pressed: about 12 N (estimate)".
-[[nodiscard]] QString bladeEffortText(const BladeEffort& effort);
+/// Loose teeth are called so, and a blade is near them within kNearLooseTeeth times how loose they
+/// are: "▲ Loose teeth near (2 mm)".
+/// @param looseTeeth 0 to 1, as LaryngoscopeSight::looseTeeth
+[[nodiscard]] QString bladeEffortText(const BladeEffort& effort, double looseTeeth = 0.0);
+inline constexpr Length kNearLooseTeeth = millimetres(3.0); ///< of ours
 
 /// What stands beneath the picture: why there is none; or its grade, if it was measured, and what
 /// the blade does, or why it has none, and in a last line which blade is assumed, where none is

@@ -178,7 +178,10 @@ std::vector<std::string> factBodies()
                                {AirwayEventKind::Laryngospasm, 1.0},
                                {AirwayEventKind::LaryngealWeb, 0.25},
                                {AirwayEventKind::Trismus, 0.75},
-                               {AirwayEventKind::StiffNeck, 0.5}},
+                               {AirwayEventKind::StiffNeck, 0.5},
+                               {AirwayEventKind::Burn, 0.75},
+                               {AirwayEventKind::Vomit, 1.0},
+                               {AirwayEventKind::FragileTeeth, 0.25}},
                               std::chrono::seconds{30}},
         fact::HeadPositionSet{kSniffing, std::chrono::seconds{30}}};
     static_assert(std::size(bodies) == std::variant_size_v<FactBody>, "one of each kind");

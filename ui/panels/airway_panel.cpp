@@ -54,7 +54,8 @@ constexpr std::array kEventLabels{
     QT_TRANSLATE_NOOP("carina::AirwayPanel", "Secretions"),
     QT_TRANSLATE_NOOP("carina::AirwayPanel", "Blood"),
     QT_TRANSLATE_NOOP("carina::AirwayPanel", "Vomit"),
-    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Foreign body")};
+    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Foreign body"),
+    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Loose teeth")};
 static_assert(kEventLabels.size() == kAirwayEventKinds);
 
 std::size_t placeOf(AirwayEventKind kind) { return static_cast<std::size_t>(kind); }

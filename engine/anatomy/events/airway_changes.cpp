@@ -474,6 +474,7 @@ bool canShow(const UpperAirway& airway, AirwayEventKind kind)
     case AirwayEventKind::StiffNeck:
         return hasWay;
     case AirwayEventKind::ProminentIncisors:
+    case AirwayEventKind::FragileTeeth:
         return hasWay && airway.hasIncisors;
     case AirwayEventKind::TrachealStenosis:
     case AirwayEventKind::TrachealDeviation:
@@ -510,6 +511,7 @@ std::string_view partNeeded(AirwayEventKind kind)
     case AirwayEventKind::Goitre:
         return "a trachea";
     case AirwayEventKind::ProminentIncisors:
+    case AirwayEventKind::FragileTeeth:
         return "upper incisors";
     default:
         return {};

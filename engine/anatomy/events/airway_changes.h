@@ -49,7 +49,8 @@ inline constexpr double kInspirationAsMade = 0.75;
 /// - Burn: tongue, pharynx, epiglottis and entrance of the larynx swell as of the first four, are
 ///   red, and black with soot in places;
 /// - Secretions, Blood, Vomit and ForeignBody: nothing of this; they lie in the throat
-///   (airway_contents.h).
+///   (airway_contents.h);
+/// - FragileTeeth: nothing of this; who presses them is warned earlier.
 ///
 /// Three also change colours: AngioOedema makes pale what it swells, Epiglottitis reddens, and so
 /// does Burn.

@@ -3,19 +3,12 @@
 #include "engine/anatomy/airway/pharynx_place.h"
 #include "engine/anatomy/events/airway_changes.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace carina
 {
 namespace
 {
-
-double severityIn(const AirwayEvents& events, AirwayEventKind kind)
-{
-    const auto found = std::ranges::find(events, kind, &AirwayEvent::kind);
-    return found == events.end() ? 0.0 : found->severity;
-}
 
 constexpr double kFluidFoot_mm = -8.0;
 constexpr double kFluidHead_mm = 52.0;
@@ -39,7 +32,7 @@ std::vector<ThroatContent> fluidsIn(const UpperAirway& airway, const AirwayEvent
     std::vector<ThroatContent> fluids;
     const double size = airway.size();
     for (const AirwayEventKind kind : kThroatFluids) {
-        const double severity = severityIn(events, kind);
+        const double severity = severityOf(events, kind);
         if (severity <= 0.0 || !canShow(airway, kind))
             continue;
         const double back = size * (kBackWall - severity * kDeepestFluid).si;
@@ -50,7 +43,7 @@ std::vector<ThroatContent> fluidsIn(const UpperAirway& airway, const AirwayEvent
 
 std::optional<ThroatContent> foreignBodyIn(const UpperAirway& airway, const AirwayEvents& events)
 {
-    const double severity = severityIn(events, AirwayEventKind::ForeignBody);
+    const double severity = severityOf(events, AirwayEventKind::ForeignBody);
     if (severity <= 0.0 || !canShow(airway, AirwayEventKind::ForeignBody))
         return std::nullopt;
     const double size = airway.size();

@@ -14,7 +14,7 @@ constexpr std::array<const char*, kAirwayEventKinds> kNames{
     "laryngeal_web", "external_pressure",   "tracheal_stenosis",  "tracheal_deviation",
     "goitre",        "neck_obesity",        "prominent_incisors", "trismus",
     "stiff_neck",    "burn",                "secretions",         "blood",
-    "vomit",         "foreign_body"};
+    "vomit",         "foreign_body",        "fragile_teeth"};
 
 } // namespace
 
@@ -26,6 +26,12 @@ std::optional<AirwayEventKind> eventNamed(std::string_view name)
     if (found == kNames.end())
         return std::nullopt;
     return static_cast<AirwayEventKind>(found - kNames.begin());
+}
+
+double severityOf(const AirwayEvents& events, AirwayEventKind kind)
+{
+    const auto found = std::ranges::find(events, kind, &AirwayEvent::kind);
+    return found == events.end() ? 0.0 : found->severity;
 }
 
 bool areProper(const AirwayEvents& events)

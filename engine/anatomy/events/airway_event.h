@@ -32,8 +32,9 @@ enum class AirwayEventKind : std::uint8_t {
     Blood,              ///< the same, blood
     Vomit,              ///< the same, what came up from the stomach
     ForeignBody,        ///< a solid lies beside or over the glottis
+    FragileTeeth,       ///< the upper incisors are loose: a warning comes earlier
 };
-inline constexpr int kAirwayEventKinds = 22;
+inline constexpr int kAirwayEventKinds = 23;
 
 /// One of them, and how severe it is.
 struct AirwayEvent {
@@ -49,6 +50,9 @@ using AirwayEvents = std::vector<AirwayEvent>;
 /// The name of a kind in files, JSON and options: "tongue_oedema".
 [[nodiscard]] const char* eventName(AirwayEventKind kind);
 [[nodiscard]] std::optional<AirwayEventKind> eventNamed(std::string_view name);
+
+/// How severe one of them is; 0 where it is not there.
+[[nodiscard]] double severityOf(const AirwayEvents& events, AirwayEventKind kind);
 
 /// Whether each kind is there once at most, in order, with a severity of 0 to 1.
 [[nodiscard]] bool areProper(const AirwayEvents& events);

@@ -226,7 +226,7 @@ template <>
 inline constexpr ConditionKind kLastEnumerator<ConditionKind> = ConditionKind::StiffChest;
 template <> inline constexpr ConditionSide kLastEnumerator<ConditionSide> = ConditionSide::Left;
 template <>
-inline constexpr AirwayEventKind kLastEnumerator<AirwayEventKind> = AirwayEventKind::ForeignBody;
+inline constexpr AirwayEventKind kLastEnumerator<AirwayEventKind> = AirwayEventKind::FragileTeeth;
 template <> inline constexpr BodyPosition kLastEnumerator<BodyPosition> = BodyPosition::LeftLateral;
 template <>
 inline constexpr VentilationMode kLastEnumerator<VentilationMode> =

@@ -350,9 +350,11 @@ void TestAirwayEventModel::saysThatATracheaIsMissing()
 void TestAirwayEventModel::saysThatIncisorsAreMissing()
 {
     const Console console{test::childWithout(PartRole::Tooth)};
-    QCOMPARE(console.model.limits().of(ProminentIncisors),
-             QStringLiteral("Not shown: this patient has no teeth where the upper incisors are."));
-    QCOMPARE(console.shownKinds().size(), std::size_t{kAirwayEventKinds - 1});
+    for (const AirwayEventKind kind : {ProminentIncisors, FragileTeeth})
+        QCOMPARE(console.model.limits().of(kind),
+                 QStringLiteral(
+                     "Not shown: this patient has no teeth where the upper incisors are."));
+    QCOMPARE(console.shownKinds().size(), std::size_t{kAirwayEventKinds - 2});
 }
 
 void TestAirwayEventModel::saysThatAnEpiglottisIsTooSmall()

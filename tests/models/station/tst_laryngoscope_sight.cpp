@@ -470,6 +470,74 @@ private Q_SLOTS:
                                 "Teeth free"));
     }
 
+    void warnsEarlierOfLooseTeeth_data()
+    {
+        QTest::addColumn<double>("clearance_mm");
+        QTest::addColumn<double>("looseTeeth");
+        QTest::addColumn<QString>("expected");
+        QTest::newRow("firm") << 2.0 << 0.0 << QStringLiteral("Teeth free (2 mm)");
+        QTest::newRow("near") << 2.0 << 1.0 << QStringLiteral("▲ Loose teeth near (2 mm)");
+        QTest::newRow("far") << 4.0 << 1.0 << QStringLiteral("Loose teeth free (4 mm)");
+        QTest::newRow("not so loose") << 2.0 << 0.5 << QStringLiteral("Loose teeth free (2 mm)");
+        QTest::newRow("not so loose, near") << 1.0 << 0.5
+                                            << QStringLiteral("▲ Loose teeth near (1 mm)");
+    }
+
+    void warnsEarlierOfLooseTeeth()
+    {
+        QFETCH(double, clearance_mm);
+        QFETCH(double, looseTeeth);
+        QFETCH(QString, expected);
+        BladeEffort effort{.contact = {.teethClearance = millimetres(clearance_mm)}};
+        const auto line = [&] {
+            return bladeEffortText(effort, looseTeeth).section(QLatin1Char{'\n'}, 1);
+        };
+        QCOMPARE(line(), expected);
+        const QString called =
+            looseTeeth > 0.0 ? QStringLiteral("Loose teeth") : QStringLiteral("Teeth");
+        effort.isOnTeeth = true;
+        QCOMPARE(line(), QStringLiteral("▲ %1 touched").arg(called));
+        effort.teeth = newtons(12.3);
+        QCOMPARE(line(), QStringLiteral("▲ %1 pressed: about 12 N (estimate)").arg(called));
+    }
+
+    void callsTeethLooseByTheEvent()
+    {
+        const LaryngoscopyPose lifted = poseIn(LaryngoscopyStep::Full);
+        Station station{"macintosh-3"};
+        station.node.sees(kFirst, lifted.X_AL, kNow);
+        QCOMPARE(station.at(kNow, lifted.X_AJ).looseTeeth, 0.0);
+        StationMoment moment = station.view.at(kNow, 0);
+        moment.airwayEvents = {{AirwayEventKind::FragileTeeth, 0.5}};
+        const LaryngoscopeSight sight =
+            station.laryngoscope.at(moment, patient().throat(lifted.X_AJ));
+        QCOMPARE(sight.looseTeeth, 0.5);
+        QVERIFY(laryngoscopeText(sight, std::nullopt).contains(QStringLiteral("Loose teeth")));
+    }
+
+    void hasWhatLiesInTheThroat()
+    {
+        const LaryngoscopyPose lifted = poseIn(LaryngoscopyStep::Full);
+        Station station{"macintosh-3"};
+        station.node.sees(kFirst, lifted.X_AL, kNow);
+        StationMoment moment = station.view.at(kNow, 0);
+        const FollowingThroat throat = patient().throat(lifted.X_AJ);
+        const auto contents = [&](const AirwayEvents& events) {
+            moment.airwayEvents = events;
+            const BladeField tissue = station.laryngoscope.at(moment, throat).tissue;
+            return station.laryngoscope.contentsAt(throat, tissue);
+        };
+        QVERIFY(contents({}).empty());
+        const AirwayEvents both{{AirwayEventKind::Blood, 0.5}, {AirwayEventKind::ForeignBody, 1.0}};
+        const auto found = contents(both);
+        QCOMPARE(found.size(), 2U);
+        const auto airway =
+            Laryngoscopy::of(patient(), bladeOf(BladeKind::Macintosh3))->script().airway;
+        QVERIFY(found[0].p_AF == fluidsIn(airway, both).front().p_AF); // stays level
+        const Vec3 lift = found[1].p_AF - foreignBodyIn(airway, both)->p_AF; // with the larynx
+        QVERIFY(lift.dot(airway.forward_A()) > 2e-3);
+    }
+
     /// Which teeth a blade has touched is forgotten while it is out of view.
     void watchesHowABladeIsHandled()
     {

@@ -734,14 +734,15 @@ void TestAirwayChanges::burnsNoTongueWhereThereIsNone()
     QVERIFY(mostOf(person, field, "Epiglottis") > 1.0 * kMillimetre);
 }
 
-// But trismus, which is of the jaw (tst_mouth_opening.cpp), a stiff neck (tst_neck_motion.cpp), and
-// what lies in the throat (tst_airway_contents.cpp).
+// But trismus, which is of the jaw (tst_mouth_opening.cpp), a stiff neck (tst_neck_motion.cpp),
+// what lies in the throat (tst_airway_contents.cpp), and loose teeth (tst_laryngoscope_sight.cpp).
 void TestAirwayChanges::movesMoreWithTheSeverity_data()
 {
     QTest::addColumn<AirwayEventKind>("kind");
     for (int kind = 0; kind < kAirwayEventKinds; ++kind) {
         const auto each = static_cast<AirwayEventKind>(kind);
         if (each != AirwayEventKind::Trismus && each != AirwayEventKind::StiffNeck
+            && each != AirwayEventKind::FragileTeeth
             && std::ranges::find(kThroatContents, each) == kThroatContents.end())
             QTest::newRow(eventName(each)) << each;
     }
@@ -813,12 +814,14 @@ void TestAirwayChanges::saysWhatASetCannotShow()
                             AirwayEventKind::ForeignBody})
         QVERIFY(!canShow(person.airway, kind));
     for (const auto kind : {AirwayEventKind::TrachealStenosis, AirwayEventKind::TrachealDeviation,
-                            AirwayEventKind::Goitre, AirwayEventKind::ProminentIncisors})
+                            AirwayEventKind::Goitre, AirwayEventKind::ProminentIncisors,
+                            AirwayEventKind::FragileTeeth})
         QVERIFY(canShow(person.airway, kind));
     person.airway.windpipe.reset();
     person.airway.hasIncisors = false;
     for (const auto kind : {AirwayEventKind::TrachealStenosis, AirwayEventKind::TrachealDeviation,
-                            AirwayEventKind::Goitre, AirwayEventKind::ProminentIncisors}) {
+                            AirwayEventKind::Goitre, AirwayEventKind::ProminentIncisors,
+                            AirwayEventKind::FragileTeeth}) {
         QVERIFY(!canShow(person.airway, kind));
         QVERIFY(!person.field(kind, 1.0).isThere());
     }

@@ -63,7 +63,7 @@ ScenePart contentPart(std::size_t place)
     const double half = 0.5 * kForeignBody.si;
     const bool isSolid = kind == AirwayEventKind::ForeignBody;
     TriangleMesh mesh = isSolid ? superellipsoid(Vec3::Zero(), {half, 0.85 * half, half}, kMorsel)
-                                : fluidSurface();
+                                : fluidMesh();
     return scopePart(eventName(kind), std::make_shared<const TriangleMesh>(std::move(mesh)),
                      kContentColors.at(place), eventName(kind));
 }

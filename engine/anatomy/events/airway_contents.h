@@ -43,9 +43,13 @@ inline constexpr Length kDeepestFluid = millimetres(20.0);
                                                          const AirwayEvents& events);
 inline constexpr Length kForeignBody = millimetres(15.0); ///< its length in a man
 
-/// The surface of a fluid in a man, in F: from below the notch, which is above or below the origin,
-/// to the palate, as wide as the pharynx is there (pharynxSectionAt). What would be outside is
-/// hidden by its walls. It is flat; its normals, which face the front, are those of ripples.
-[[nodiscard]] TriangleMesh fluidSurface();
+/// A fluid in a man, in F, closed: its surface from kFluidFoot below the origin, which is the notch
+/// but for the level, up to the palate, as wide as the pharynx is there (pharynxSectionAt), and
+/// kFluidBehind from there to the back. What of it would be outside the pharynx is hidden by the
+/// walls of that; an eye in the midst of it sees nothing else. The surface is flat, with the
+/// normals of ripples.
+[[nodiscard]] TriangleMesh fluidMesh();
+inline constexpr Length kFluidFoot = millimetres(8.0);
+inline constexpr Length kFluidBehind = millimetres(30.0);
 
 } // namespace carina

@@ -397,8 +397,8 @@ private Q_SLOTS:
             const auto* area = qobject_cast<QScrollArea*>(dock.widget());
             qInfo("%s: %d pixels of %d", name, area->viewport()->height(),
                   area->widget()->height());
-            // Of the many events of an airway three rows may be out of sight.
-            const int most = dock.objectName() == QLatin1String{"airwayDock"} ? 3 * kEventRow : 0;
+            // Of the many events of an airway nine rows may be out of sight.
+            const int most = dock.objectName() == QLatin1String{"airwayDock"} ? 9 * kEventRow : 0;
             QVERIFY2(area->verticalScrollBar()->maximum() <= most, name);
         }
         QVERIFY(shown.share() >= 2.0 / 3.0);

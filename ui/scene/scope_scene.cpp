@@ -62,8 +62,8 @@ ScenePart contentPart(std::size_t place)
     const AirwayEventKind kind = kThroatContents.at(place);
     const double half = 0.5 * kForeignBody.si;
     const bool isSolid = kind == AirwayEventKind::ForeignBody;
-    TriangleMesh mesh = isSolid ? superellipsoid(Vec3::Zero(), {half, 0.85 * half, half}, kMorsel)
-                                : fluidMesh();
+    TriangleMesh mesh =
+        isSolid ? superellipsoid(Vec3::Zero(), {half, 0.85 * half, half}, kMorsel) : fluidMesh();
     return scopePart(eventName(kind), std::make_shared<const TriangleMesh>(std::move(mesh)),
                      kContentColors.at(place), eventName(kind));
 }

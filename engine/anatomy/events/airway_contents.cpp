@@ -118,8 +118,8 @@ TriangleMesh fluidMesh()
     }
     addFlat(mesh, {corner(0, -1.0, behind_mm), corner(0, 1.0, behind_mm), corner(0, 1.0, 0.0),
                    corner(0, -1.0, 0.0)});
-    addFlat(mesh, {corner(kRows, -1.0, 0.0), corner(kRows, 1.0, 0.0),
-                   corner(kRows, 1.0, behind_mm), corner(kRows, -1.0, behind_mm)});
+    addFlat(mesh, {corner(kRows, -1.0, 0.0), corner(kRows, 1.0, 0.0), corner(kRows, 1.0, behind_mm),
+                   corner(kRows, -1.0, behind_mm)});
     return mesh;
 }
 

@@ -8,13 +8,29 @@ namespace carina
 namespace
 {
 
-constexpr std::array<const char*, kAirwayEventKinds> kNames{
-    "tongue_oedema", "pharyngeal_swelling", "epiglottitis",       "laryngeal_oedema",
-    "laryngospasm",  "floppy_epiglottis",   "anterior_larynx",    "angio_oedema",
-    "laryngeal_web", "external_pressure",   "tracheal_stenosis",  "tracheal_deviation",
-    "goitre",        "neck_obesity",        "prominent_incisors", "trismus",
-    "stiff_neck",    "burn",                "secretions",         "blood",
-    "vomit",         "foreign_body",        "fragile_teeth"};
+constexpr std::array<const char*, kAirwayEventKinds> kNames{"tongue_oedema",
+                                                            "pharyngeal_swelling",
+                                                            "epiglottitis",
+                                                            "laryngeal_oedema",
+                                                            "laryngospasm",
+                                                            "floppy_epiglottis",
+                                                            "anterior_larynx",
+                                                            "angio_oedema",
+                                                            "laryngeal_web",
+                                                            "external_pressure",
+                                                            "tracheal_stenosis",
+                                                            "tracheal_deviation",
+                                                            "goitre",
+                                                            "neck_obesity",
+                                                            "prominent_incisors",
+                                                            "trismus",
+                                                            "stiff_neck",
+                                                            "burn",
+                                                            "secretions",
+                                                            "blood",
+                                                            "vomit",
+                                                            "foreign_body",
+                                                            "fragile_teeth"};
 
 } // namespace
 

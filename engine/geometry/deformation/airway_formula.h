@@ -206,8 +206,7 @@ template <class T>
 
 /// How much of a tint's colour a place has: its share in the middle, and less from 0.7 of its
 /// reach on (AirwayField).
-template <class T>
-[[nodiscard]] T tintShare(const TintFrame<T>& tint, const Vector3<T>& p)
+template <class T> [[nodiscard]] T tintShare(const TintFrame<T>& tint, const Vector3<T>& p)
 {
     const Vector3<T> from = p - tint.centre;
     const T along = tint.axis.dot(from);

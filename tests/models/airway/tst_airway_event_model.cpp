@@ -351,9 +351,9 @@ void TestAirwayEventModel::saysThatIncisorsAreMissing()
 {
     const Console console{test::childWithout(PartRole::Tooth)};
     for (const AirwayEventKind kind : {ProminentIncisors, FragileTeeth})
-        QCOMPARE(console.model.limits().of(kind),
-                 QStringLiteral(
-                     "Not shown: this patient has no teeth where the upper incisors are."));
+        QCOMPARE(
+            console.model.limits().of(kind),
+            QStringLiteral("Not shown: this patient has no teeth where the upper incisors are."));
     QCOMPARE(console.shownKinds().size(), std::size_t{kAirwayEventKinds - 2});
 }
 

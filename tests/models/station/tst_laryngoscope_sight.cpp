@@ -479,8 +479,8 @@ private Q_SLOTS:
         QTest::newRow("near") << 2.0 << 1.0 << QStringLiteral("▲ Loose teeth near (2 mm)");
         QTest::newRow("far") << 4.0 << 1.0 << QStringLiteral("Loose teeth free (4 mm)");
         QTest::newRow("not so loose") << 2.0 << 0.5 << QStringLiteral("Loose teeth free (2 mm)");
-        QTest::newRow("not so loose, near") << 1.0 << 0.5
-                                            << QStringLiteral("▲ Loose teeth near (1 mm)");
+        QTest::newRow("not so loose, near")
+            << 1.0 << 0.5 << QStringLiteral("▲ Loose teeth near (1 mm)");
     }
 
     void warnsEarlierOfLooseTeeth()
@@ -533,7 +533,7 @@ private Q_SLOTS:
         QCOMPARE(found.size(), 2U);
         const auto airway =
             Laryngoscopy::of(patient(), bladeOf(BladeKind::Macintosh3))->script().airway;
-        QVERIFY(found[0].p_AF == fluidsIn(airway, both).front().p_AF); // stays level
+        QVERIFY(found[0].p_AF == fluidsIn(airway, both).front().p_AF);       // stays level
         const Vec3 lift = found[1].p_AF - foreignBodyIn(airway, both)->p_AF; // with the larynx
         QVERIFY(lift.dot(airway.forward_A()) > 2e-3);
     }

@@ -21,7 +21,7 @@ namespace
 constexpr double kMillimetre = 1e-3;
 const Vec3 kMucosa{0.6, 0.2, 0.2}; ///< linear light
 constexpr double kRounding = 1e-9;
-constexpr double kNearly = 0.01; ///< of light: not to be seen
+constexpr double kNearly = 0.01;         ///< of light: not to be seen
 constexpr double kWidthTolerance = 0.03; ///< in shares; vertices are 0.65 mm apart
 
 /// By the name of a row.
@@ -808,10 +808,10 @@ void TestAirwayChanges::saysWhatASetCannotShow()
     QVERIFY(canShow(person.airway, AirwayEventKind::Laryngospasm));
     person.airway.p_A_notch = person.airway.p_A_commissure;
     QVERIFY(!airwayChanges(person.airway, {{AirwayEventKind::Laryngospasm, 1.0}}, 0.0).isThere());
-    for (const auto kind : {AirwayEventKind::AnteriorLarynx, AirwayEventKind::AngioOedema,
-                            AirwayEventKind::LaryngealWeb, AirwayEventKind::ExternalPressure,
-                            AirwayEventKind::Burn, AirwayEventKind::Blood,
-                            AirwayEventKind::ForeignBody})
+    for (const auto kind :
+         {AirwayEventKind::AnteriorLarynx, AirwayEventKind::AngioOedema,
+          AirwayEventKind::LaryngealWeb, AirwayEventKind::ExternalPressure, AirwayEventKind::Burn,
+          AirwayEventKind::Blood, AirwayEventKind::ForeignBody})
         QVERIFY(!canShow(person.airway, kind));
     for (const auto kind : {AirwayEventKind::TrachealStenosis, AirwayEventKind::TrachealDeviation,
                             AirwayEventKind::Goitre, AirwayEventKind::ProminentIncisors,

@@ -95,8 +95,7 @@ void TestAirwayContents::standsHigherWithTheSeverity()
             const auto fluids = fluidsIn(airway, {{kind, severity}});
             QCOMPARE(fluids.size(), std::size_t{1});
             QVERIFY(fluids.front().kind == kind);
-            const double behindNotch =
-                (fluids.front().p_AF - airway.p_A_notch).y() / airway.size();
+            const double behindNotch = (fluids.front().p_AF - airway.p_A_notch).y() / airway.size();
             QVERIFY(std::abs(behindNotch - (0.0075 - 0.02 * severity)) < kTolerance_m);
         }
 }

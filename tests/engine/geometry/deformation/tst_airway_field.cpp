@@ -441,9 +441,9 @@ void TestAirwayField::colorsWithinItsReach()
     const TintFrame<double>& frame = field.frame().tints.front();
     for (const auto& [dir_A, reach_m] :
          {std::pair{Vec3{Vec3::UnitX()}, 0.04}, std::pair{Vec3{Vec3::UnitZ()}, 0.02}})
-        for (const auto& [u2, share] : {std::pair{0.0, 0.6}, std::pair{0.49, 0.6},
-                                        std::pair{0.75, 0.3}, std::pair{1.0, 0.0},
-                                        std::pair{4.0, 0.0}}) {
+        for (const auto& [u2, share] :
+             {std::pair{0.0, 0.6}, std::pair{0.49, 0.6}, std::pair{0.75, 0.3}, std::pair{1.0, 0.0},
+              std::pair{4.0, 0.0}}) {
             const Vec3 p_A = Vec3{0.0, 0.01, 0.0} + std::sqrt(u2) * reach_m * dir_A;
             QVERIFY(std::abs(tintShare(frame, p_A) - share) < 1e-9);
         }
@@ -461,8 +461,7 @@ void TestAirwayField::mixesColorsOneOverTheOther()
                     .color = color,
                     .share = 0.5});
     const Vec3 own{0.2, 0.4, 0.6};
-    const Vec3 light =
-        airwayLight<double>(field.frame(), AirwayTissue::Throat, Vec3::Zero(), own);
+    const Vec3 light = airwayLight<double>(field.frame(), AirwayTissue::Throat, Vec3::Zero(), own);
     QVERIFY((light - Vec3{0.25 * 0.2 + 0.25, 0.25 * 0.4, 0.25 * 0.6 + 0.5}).norm() < 1e-12);
     const Vec3 beyond =
         airwayLight<double>(field.frame(), AirwayTissue::Throat, {0.0, 0.03, 0.0}, own);

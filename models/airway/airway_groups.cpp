@@ -1,0 +1,49 @@
+#include "models/airway/airway_groups.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+
+namespace carina
+{
+namespace
+{
+
+constexpr std::array kMouth{AirwayEventKind::TongueOedema, AirwayEventKind::AngioOedema,
+                            AirwayEventKind::ProminentIncisors, AirwayEventKind::Trismus};
+/// With the epiglottis, which is seen before the larynx is.
+constexpr std::array kThroat{AirwayEventKind::PharyngealSwelling, AirwayEventKind::Epiglottitis,
+                             AirwayEventKind::FloppyEpiglottis};
+constexpr std::array kLarynx{AirwayEventKind::LaryngealOedema, AirwayEventKind::Laryngospasm,
+                             AirwayEventKind::AnteriorLarynx, AirwayEventKind::LaryngealWeb};
+constexpr std::array kNeck{AirwayEventKind::TrachealStenosis, AirwayEventKind::TrachealDeviation,
+                           AirwayEventKind::Goitre, AirwayEventKind::NeckObesity,
+                           AirwayEventKind::StiffNeck};
+constexpr std::array kHelper{AirwayEventKind::ExternalPressure};
+static_assert(kMouth.size() + kThroat.size() + kLarynx.size() + kNeck.size() + kHelper.size()
+              == kAirwayEventKinds);
+
+constexpr std::array kAirwayGroups{
+    AirwayGroup{"mouth", QT_TRANSLATE_NOOP("Airway", "Mouth"), kMouth},
+    AirwayGroup{"throat", QT_TRANSLATE_NOOP("Airway", "Throat"), kThroat},
+    AirwayGroup{"larynx", QT_TRANSLATE_NOOP("Airway", "Larynx"), kLarynx},
+    AirwayGroup{"neck", QT_TRANSLATE_NOOP("Airway", "Neck"), kNeck},
+    AirwayGroup{"helper", QT_TRANSLATE_NOOP("Airway", "Helper"), kHelper}};
+
+} // namespace
+
+std::span<const AirwayGroup> airwayGroups() { return kAirwayGroups; }
+
+const AirwayGroup* airwayGroupNamed(std::string_view name)
+{
+    const auto* found = std::ranges::find(kAirwayGroups, name, &AirwayGroup::name);
+    return found == kAirwayGroups.end() ? nullptr : found;
+}
+
+QString groupText(const AirwayGroup& group)
+{
+    return QCoreApplication::translate("Airway", group.text);
+}
+
+} // namespace carina

@@ -12,6 +12,7 @@ namespace
 {
 
 const QString kPanels = QStringLiteral("panels");
+const QString kAirwayGroup = QStringLiteral("airwayGroup");
 const QString kViews = QStringLiteral("views");
 
 QVariantList numbers(const SavedView& view)
@@ -43,17 +44,25 @@ KeptConsole::KeptConsole(const QString& folder)
 {
 }
 
-QByteArray KeptConsole::panels() const
+QByteArray KeptConsole::bytes(const QString& key) const
 {
     return m_file.isEmpty() ? QByteArray{}
-                            : QSettings{m_file, QSettings::IniFormat}.value(kPanels).toByteArray();
+                            : QSettings{m_file, QSettings::IniFormat}.value(key).toByteArray();
 }
 
-void KeptConsole::keepPanels(const QByteArray& panels)
+void KeptConsole::keep(const QString& key, const QByteArray& value)
 {
     if (!m_file.isEmpty())
-        QSettings{m_file, QSettings::IniFormat}.setValue(kPanels, panels);
+        QSettings{m_file, QSettings::IniFormat}.setValue(key, value);
 }
+
+QByteArray KeptConsole::panels() const { return bytes(kPanels); }
+
+void KeptConsole::keepPanels(const QByteArray& panels) { keep(kPanels, panels); }
+
+QByteArray KeptConsole::airwayGroup() const { return bytes(kAirwayGroup); }
+
+void KeptConsole::keepAirwayGroup(const QByteArray& name) { keep(kAirwayGroup, name); }
 
 std::vector<SavedView> KeptConsole::views() const
 {

@@ -18,10 +18,16 @@ public:
     /// Where the panels are, as QMainWindow::saveState has it; empty where nothing is kept.
     [[nodiscard]] QByteArray panels() const;
     void keepPanels(const QByteArray& panels);
+    /// The group whose events the panel Airway has in sight; empty where nothing is kept.
+    [[nodiscard]] QByteArray airwayGroup() const;
+    void keepAirwayGroup(const QByteArray& name);
     [[nodiscard]] std::vector<SavedView> views() const;
     void keepViews(const std::vector<SavedView>& views);
 
 private:
+    [[nodiscard]] QByteArray bytes(const QString& key) const;
+    void keep(const QString& key, const QByteArray& value);
+
     QString m_file;
 };
 

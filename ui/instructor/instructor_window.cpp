@@ -90,6 +90,9 @@ void InstructorWindow::fillPanels(const ProgramTracker& tracker)
     m_ui->condition->setModel(m_models.respiration);
     m_models.airway.setPatient(m_models.patient);
     m_ui->airway->setModels(m_models.airway, m_models.head);
+    m_ui->airway->showGroup(m_kept.airwayGroup());
+    connect(m_ui->airway, &AirwayPanel::groupChosen, this,
+            [this](const QByteArray& name) { m_kept.keepAirwayGroup(name); });
     m_ui->waveforms->setTrace(m_models.trace);
     m_ui->laryngoscope->setStation(stationScene());
     m_ui->participants->setModel(m_models.participants, m_models.conduct, m_models.stations,

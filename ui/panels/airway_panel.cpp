@@ -1,8 +1,10 @@
 #include "ui/panels/airway_panel.h"
 
+#include "models/airway/airway_groups.h"
 #include "models/airway/airway_presets.h"
 #include "models/airway/airway_words.h"
 #include "models/text/shown_as_is.h"
+#include "ui/panels/airway_group_bar.h"
 #include "ui/panels/head_position_row.h"
 #include "ui/refusal_line.h"
 #include "widgets/checked_spin_box.h"
@@ -17,6 +19,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <vector>
 
 namespace carina
 {
@@ -26,39 +29,19 @@ namespace
 constexpr int kSeverityStep_percent = 10;
 constexpr int kMostPercent = 100;
 constexpr int kChangeStep_s = 5;
-constexpr int kEventGap = 2; ///< pixels, so that a window of 800 holds all rows
+constexpr int kEventGap = 2; ///< pixels, so that a window of 800 holds a group
 constexpr int kPresetLetters = 16;
 constexpr int kLeastSlider = 60; ///< pixels
 
-/// The kinds in the order of the enumerators, with their keys as far as letters of the console's
-/// window are left.
-constexpr std::array kEventLabels{
-    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Tong&ue oedema"),
-    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Pharyngeal &swelling"),
-    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Epig&lottitis"),
-    QT_TRANSLATE_NOOP("carina::AirwayPanel", "La&ryngeal oedema"),
-    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Lary&ngospasm"),
-    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Floppy epiglo&ttis"),
-    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Anterior laryn&x"),
-    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Ang&io-oedema"),
-    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Laryngeal we&b"),
-    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Pressure on the\nlarynx (BURP)"),
-    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Tracheal stenosis"),
-    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Tracheal deviation"),
-    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Goitre"),
-    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Obesity of the neck"),
-    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Prominent incisors"),
-    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Trismus"),
-    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Stiff neck"),
-    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Burn"),
-    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Secretions"),
-    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Blood"),
-    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Vomit"),
-    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Foreign body"),
-    QT_TRANSLATE_NOOP("carina::AirwayPanel", "Loose teeth")};
-static_assert(kEventLabels.size() == kAirwayEventKinds);
-
 std::size_t placeOf(AirwayEventKind kind) { return static_cast<std::size_t>(kind); }
+
+/// The longest stands in two lines.
+QString labelOf(AirwayEventKind kind)
+{
+    return kind == AirwayEventKind::ExternalPressure
+               ? AirwayPanel::tr("Pressure on the\nlarynx (BURP)")
+               : eventText(kind);
+}
 
 QString textOfPresent(int percent) { return AirwayPanel::tr("now %1\u00a0%").arg(percent); }
 
@@ -86,6 +69,15 @@ void sayOrHide(QLabel& label, const QString& text)
     label.setVisible(!text.isEmpty());
 }
 
+/// As they are offered.
+std::vector<AirwayEventKind> kindsByGroup()
+{
+    std::vector<AirwayEventKind> kinds;
+    for (const AirwayGroup& group : airwayGroups())
+        kinds.insert(kinds.end(), group.kinds.begin(), group.kinds.end());
+    return kinds;
+}
+
 } // namespace
 
 AirwayPanel::AirwayPanel(QWidget* parent)
@@ -96,6 +88,8 @@ AirwayPanel::AirwayPanel(QWidget* parent)
       m_presets{new QComboBox},
       m_over{new CheckedSpinBox},
       m_head{new HeadPositionRow},
+      m_groups{new AirwayGroupBar},
+      m_events{new QWidget},
       m_clear{new QPushButton{tr("&Clear airway")}},
       m_refused{new RefusalLine},
       m_travelling{new PlainLabel}
@@ -104,7 +98,13 @@ AirwayPanel::AirwayPanel(QWidget* parent)
     m_refused->watch(*m_over);
     for (const Row& row : m_rows)
         m_refused->watch(*row.severity);
-    setFocusProxy(m_rows.front().severity);
+    connect(m_groups, &AirwayGroupBar::chosenByHand, this, [this] {
+        showRows();
+        if (m_events->isAncestorOf(focusProxy())) // the first event of the group
+            focusProxy()->setFocus(Qt::TabFocusReason);
+        Q_EMIT groupChosen(m_groups->chosen());
+    });
+    showRows();
 }
 
 void AirwayPanel::layOut()
@@ -115,11 +115,7 @@ void AirwayPanel::layOut()
     addPresets(*controls);
     addTimeAndClear(*controls);
     controls->addWidget(m_head);
-    auto* rows = new QGridLayout;
-    rows->setVerticalSpacing(kEventGap);
-    controls->addLayout(rows);
-    for (std::size_t place = 0; place < m_rows.size(); ++place)
-        m_rows[place] = addRow(*rows, static_cast<AirwayEventKind>(place));
+    addRows();
     m_travelling->setObjectName(QStringLiteral("airwayTravelling"));
     m_travelling->setWordWrap(true);
     m_travelling->setAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -129,9 +125,11 @@ void AirwayPanel::layOut()
     m_notShown->setObjectName(QStringLiteral("airwayNotShown"));
     m_notShown->setWordWrap(true);
     auto* column = new QVBoxLayout{this};
+    column->setSpacing(kEventGap);
     for (QWidget* widget :
          {static_cast<QWidget*>(m_obstacle), static_cast<QWidget*>(m_notShown), m_controls,
-          static_cast<QWidget*>(m_refused), static_cast<QWidget*>(m_travelling)})
+          static_cast<QWidget*>(m_groups), m_events, static_cast<QWidget*>(m_refused),
+          static_cast<QWidget*>(m_travelling)})
         column->addWidget(widget);
     column->addStretch(1);
 }
@@ -179,11 +177,25 @@ void AirwayPanel::addTimeAndClear(QBoxLayout& column)
     column.addLayout(row);
 }
 
+void AirwayPanel::addRows()
+{
+    auto* rows = new QGridLayout{m_events};
+    rows->setContentsMargins({});
+    rows->setVerticalSpacing(kEventGap);
+    int widest = 0;
+    for (const AirwayEventKind kind : kindsByGroup()) {
+        const Row& row = m_rows[placeOf(kind)] = addRow(*rows, kind);
+        widest = std::max(widest, row.label->sizeHint().width());
+    }
+    rows->setColumnMinimumWidth(0, widest); // whichever group is in sight
+}
+
 /// Name, box and slider, and room for the present severity, so that nothing moves when it appears;
 /// below, what the patient does not show of it.
 AirwayPanel::Row AirwayPanel::addRow(QGridLayout& rows, AirwayEventKind kind)
 {
-    const Row row{new PlainLabel, new CheckedSpinBox, new QSlider{Qt::Horizontal}, new PlainLabel};
+    const Row row{new PlainLabel{labelOf(kind)}, new PlainLabel, new CheckedSpinBox,
+                  new QSlider{Qt::Horizontal}, new PlainLabel};
     const QString name = QLatin1String{eventName(kind)};
     const QString effect = eventEffect(kind);
     row.severity->setObjectName(name);
@@ -206,11 +218,10 @@ AirwayPanel::Row AirwayPanel::addRow(QGridLayout& rows, AirwayEventKind kind)
         row.present->fontMetrics().horizontalAdvance(textOfPresent(kMostPercent)));
     row.notShown->setObjectName(name + QStringLiteral("NotShown"));
     row.notShown->setWordWrap(true);
-    auto* label = new PlainLabel{tr(kEventLabels[placeOf(kind)])};
-    label->setBuddy(row.severity);
-    label->setToolTip(shownAsIs(effect));
-    const int line = 2 * int(placeOf(kind));
-    rows.addWidget(label, line, 0);
+    row.label->setBuddy(row.severity);
+    row.label->setToolTip(shownAsIs(effect));
+    const int line = rows.rowCount();
+    rows.addWidget(row.label, line, 0);
     rows.addWidget(row.severity, line, 1);
     rows.addWidget(row.slider, line, 2);
     rows.addWidget(row.present, line, 3);
@@ -223,6 +234,7 @@ void AirwayPanel::setModels(AirwayEventModel& events, HeadPositionModel& head)
     m_model = &events;
     m_headModel = &head;
     m_head->setModel(head);
+    m_groups->setModel(events);
     connect(m_presets, &QComboBox::activated, this, &AirwayPanel::choosePreset);
     connect(m_over, &QSpinBox::valueChanged, this, [this](int seconds) {
         m_model->setChangeTime(std::chrono::seconds{seconds});
@@ -253,16 +265,36 @@ void AirwayPanel::choosePreset(int place)
     refreshPreset();
 }
 
+void AirwayPanel::showGroup(const QByteArray& name)
+{
+    m_groups->choose(name);
+    showRows();
+}
+
+void AirwayPanel::showRows()
+{
+    for (const AirwayEventKind kind : kindsByGroup()) {
+        const Row& row = m_rows[placeOf(kind)];
+        const bool isShown = m_groups->shows(kind);
+        for (QWidget* of : {static_cast<QWidget*>(row.label), static_cast<QWidget*>(row.severity),
+                            static_cast<QWidget*>(row.slider), static_cast<QWidget*>(row.present)})
+            of->setVisible(isShown);
+        row.notShown->setVisible(isShown && !row.notShown->text().isEmpty());
+    }
+    offerWhatCanBeSet();
+}
+
 void AirwayPanel::refresh()
 {
     const QString obstacle = m_model->obstacle();
     sayOrHide(*m_obstacle, obstacle);
     sayOrHide(*m_notShown, m_model->limits().all);
     m_controls->setEnabled(obstacle.isEmpty());
+    m_events->setEnabled(obstacle.isEmpty()); // the groups can be looked at
     refreshPreset();
     for (std::size_t place = 0; place < m_rows.size(); ++place)
         refreshRow(static_cast<AirwayEventKind>(place));
-    offerWhatCanBeSet();
+    showRows();
     m_clear->setEnabled(!m_model->isClear());
     QStringList travelling{m_model->travellingText(), m_headModel->travellingText()};
     travelling.removeAll(QString{});
@@ -289,16 +321,24 @@ void AirwayPanel::refreshRow(AirwayEventKind kind)
         control->setEnabled(m_model->canBeSet(kind));
         control->setAccessibleDescription(notShown);
     }
-    sayOrHide(*row.notShown, notShown);
+    row.notShown->setText(notShown);
 }
 
-/// Presets where any event can be set. The keyboard comes to the first event that can.
+/// Presets where any event can be set. The keyboard comes to the first event in sight that can be,
+/// else to the heading of its group.
 void AirwayPanel::offerWhatCanBeSet()
 {
-    const auto row = std::ranges::find_if(
-        m_rows, [this](const Row& at) { return at.severity->isEnabledTo(m_controls); });
-    m_presets->setEnabled(row != m_rows.end());
-    setFocusProxy(row == m_rows.end() ? m_over : row->severity);
+    const auto boxOf = [this](AirwayEventKind kind) { return m_rows[placeOf(kind)].severity; };
+    const auto canBeSet = [&](AirwayEventKind kind) { return boxOf(kind)->isEnabledTo(m_events); };
+    const std::vector<AirwayEventKind> kinds = kindsByGroup();
+    const auto first = std::ranges::find_if(
+        kinds, [&](AirwayEventKind kind) { return m_groups->shows(kind) && canBeSet(kind); });
+    const bool isAny = std::ranges::any_of(kinds, canBeSet);
+    m_presets->setEnabled(isAny);
+    if (first != kinds.end())
+        setFocusProxy(boxOf(*first));
+    else
+        setFocusProxy(isAny ? static_cast<QWidget*>(m_groups) : m_over);
 }
 
 } // namespace carina

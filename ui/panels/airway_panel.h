@@ -17,6 +17,7 @@ class QSlider;
 namespace carina
 {
 
+class AirwayGroupBar;
 class CheckedSpinBox;
 class HeadPositionRow;
 class RefusalLine;
@@ -24,7 +25,8 @@ class RefusalLine;
 /// Shows and sets the events that make the patient's airway difficult, and how the head lies: of
 /// each kind of event its severity in per cent, for all of them and the head the time over which a
 /// change comes, a choice of presets, which says "Custom" where the severities are those of none,
-/// and a button that ends the events. A control shows
+/// and a button that ends the events. In sight are the events of one group, or all
+/// (AirwayGroupBar), below the headings of the groups, which stay where they are. A control shows
 /// the value that is set or, while a change is pending, the requested one; beside it stands the
 /// severity that is to be seen, as long as that is another. An event that the patient does not show
 /// says why, and cannot be set unless it is to be ended, or is for other patients too. For a person
@@ -39,8 +41,17 @@ public:
     /// @pre both models outlive the panel.
     void setModels(AirwayEventModel& events, HeadPositionModel& head);
 
+    /// Has the events of this group in sight, or of all (AirwayGroupBar::kAll). Nothing where no
+    /// group is called so.
+    void showGroup(const QByteArray& name);
+
+Q_SIGNALS:
+    /// A person chose it.
+    void groupChosen(const QByteArray& name);
+
 private:
     struct Row {
+        QLabel* label;
         QLabel* present; ///< "now 35 %"
         CheckedSpinBox* severity;
         QSlider* slider;
@@ -50,9 +61,11 @@ private:
     void layOut();
     void addPresets(QBoxLayout& column);
     void addTimeAndClear(QBoxLayout& column);
-    [[nodiscard]] Row addRow(QGridLayout& rows, AirwayEventKind kind);
+    [[nodiscard]] static Row addRow(QGridLayout& rows, AirwayEventKind kind);
     void connectRow(AirwayEventKind kind);
     void choosePreset(int place);
+    void addRows();
+    void showRows();
     void refresh();
     void refreshPreset();
     void refreshRow(AirwayEventKind kind);
@@ -62,10 +75,12 @@ private:
     HeadPositionModel* m_headModel = nullptr;
     QLabel* m_obstacle;
     QLabel* m_notShown; ///< why the patient shows no event at all
-    QWidget* m_controls;
+    QWidget* m_controls; ///< above the groups
     QComboBox* m_presets; ///< each with its name as data
     CheckedSpinBox* m_over;
     HeadPositionRow* m_head;
+    AirwayGroupBar* m_groups;
+    QWidget* m_events; ///< the rows
     std::array<Row, kAirwayEventKinds> m_rows{}; ///< by kind
     QPushButton* m_clear;
     RefusalLine* m_refused;

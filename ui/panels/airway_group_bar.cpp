@@ -1,0 +1,137 @@
+#include "ui/panels/airway_group_bar.h"
+
+#include "models/airway/airway_words.h"
+#include "models/text/shown_as_is.h"
+
+#include <QGridLayout>
+#include <QPushButton>
+
+#include <algorithm>
+#include <iterator>
+
+namespace carina
+{
+namespace
+{
+
+constexpr int kHeadingColumns = 3;
+constexpr int kHeadingGap = 2; ///< pixels
+
+/// In the order of the groups, with keys that nothing else of the console's window has.
+constexpr std::array kHeadings{QT_TRANSLATE_NOOP("carina::AirwayGroupBar", "Mo&uth"),
+                               QT_TRANSLATE_NOOP("carina::AirwayGroupBar", "&Throat"),
+                               QT_TRANSLATE_NOOP("carina::AirwayGroupBar", "&Larynx"),
+                               QT_TRANSLATE_NOOP("carina::AirwayGroupBar", "&Neck"),
+                               QT_TRANSLATE_NOOP("carina::AirwayGroupBar", "Helpe&r")};
+
+QByteArray nameOf(const AirwayGroup& group)
+{
+    return {group.name.data(), qsizetype(group.name.size())};
+}
+
+const AirwayGroup* groupCalled(const QByteArray& name)
+{
+    return airwayGroupNamed({name.constData(), static_cast<std::size_t>(name.size())});
+}
+
+/// "Tongue oedema, Trismus"
+QString listed(std::span<const AirwayEventKind> kinds)
+{
+    QStringList words;
+    std::ranges::transform(kinds, std::back_inserter(words), eventText);
+    return words.join(QStringLiteral(", "));
+}
+
+} // namespace
+
+AirwayGroupBar::AirwayGroupBar(QWidget* parent)
+    : QWidget{parent}, m_chosen{nameOf(airwayGroups().front())}
+{
+    static_assert(kHeadings.size() == kGroups);
+    auto* grid = new QGridLayout{this};
+    grid->setContentsMargins({});
+    grid->setSpacing(kHeadingGap);
+    for (std::size_t place = 0; place < m_headings.size(); ++place) {
+        m_headings[place] = addHeading(nameOf(airwayGroups()[place]), int(place));
+        m_headings[place]->setText(tr(kHeadings[place]));
+    }
+    m_all = addHeading(kAll, int(m_headings.size()));
+    m_all->setText(tr("All event&s"));
+    m_all->setToolTip(tr("Every event of the airway, one group below the other"));
+    choose(m_chosen);
+}
+
+/// In columns of one width, so that none moves when the words of another grow.
+QPushButton* AirwayGroupBar::addHeading(const QByteArray& name, int place)
+{
+    auto* heading = new QPushButton;
+    heading->setObjectName(QStringLiteral("airwayGroup_") + QString::fromLatin1(name));
+    heading->setProperty("isHeading", true); // the style sheet has it low
+    heading->setCheckable(true);
+    connect(heading, &QPushButton::clicked, this, [this, name] {
+        choose(name);
+        Q_EMIT chosenByHand();
+    });
+    auto* grid = static_cast<QGridLayout*>(layout());
+    grid->addWidget(heading, place / kHeadingColumns, place % kHeadingColumns);
+    grid->setColumnStretch(place % kHeadingColumns, 1);
+    return heading;
+}
+
+void AirwayGroupBar::setModel(const AirwayEventModel& model)
+{
+    m_model = &model;
+    connect(&model, &AirwayEventModel::changed, this, &AirwayGroupBar::refresh);
+    refresh();
+}
+
+void AirwayGroupBar::choose(const QByteArray& name)
+{
+    if (name == kAll || groupCalled(name))
+        m_chosen = name;
+    for (std::size_t place = 0; place < m_headings.size(); ++place) {
+        const bool isChosen = nameOf(airwayGroups()[place]) == m_chosen;
+        m_headings[place]->setChecked(isChosen);
+        if (isChosen)
+            setFocusProxy(m_headings[place]);
+    }
+    m_all->setChecked(m_chosen == kAll);
+    if (m_all->isChecked())
+        setFocusProxy(m_all);
+}
+
+bool AirwayGroupBar::shows(AirwayEventKind kind) const
+{
+    if (m_chosen == kAll)
+        return true;
+    const auto kinds = groupCalled(m_chosen)->kinds;
+    return std::ranges::find(kinds, kind) != kinds.end();
+}
+
+void AirwayGroupBar::refresh()
+{
+    for (std::size_t place = 0; place < m_headings.size(); ++place)
+        refreshHeading(place);
+}
+
+/// What is set is told where the rows are out of sight, too.
+void AirwayGroupBar::refreshHeading(std::size_t place)
+{
+    const AirwayGroup& group = airwayGroups()[place];
+    AirwayEvents set = m_model->events();
+    std::erase_if(set, [&group](const AirwayEvent& event) {
+        return std::ranges::find(group.kinds, event.kind) == group.kinds.end();
+    });
+    QPushButton& heading = *m_headings[place];
+    QString words = tr(kHeadings[place]);
+    QStringList told{listed(group.kinds)};
+    if (!set.empty()) {
+        words = tr("%1 · %2 set", "group of events; how many are set").arg(words).arg(set.size());
+        told += tr("Set: %1").arg(eventsText(set));
+    }
+    heading.setText(words);
+    heading.setToolTip(shownAsIs(told.join(QLatin1Char{'\n'})));
+    heading.setAccessibleDescription(told.join(QStringLiteral(". ")));
+}
+
+} // namespace carina

@@ -4,18 +4,12 @@
 #include "models/airway/airway_words.h"
 #include "models/patient/session_patient.h"
 
-#include <QTimer>
-
 #include <algorithm>
-#include <utility>
 
 namespace carina
 {
 namespace
 {
-
-/// How often a change under way is looked for; nothing signals the moment a fact takes effect.
-constexpr int kAirwayLook_ms = 50;
 
 double severityIn(const AirwayEvents& events, AirwayEventKind kind)
 {
@@ -36,47 +30,31 @@ AirwayEvents withSeverity(AirwayEvents events, AirwayEventKind kind, double seve
 } // namespace
 
 AirwayEventModel::AirwayEventModel(SessionModel& session, StationId station, QObject* parent)
-    : QObject{parent}, m_session{session}, m_changes{session, station, *this, quantities()}
+    : GradualDecisionOf{session, station, howDecided(), parent}
 {
-    connect(&m_session, &SessionModel::changed, this, &AirwayEventModel::refresh);
-    auto* timer = new QTimer{this};
-    connect(timer, &QTimer::timeout, this, &AirwayEventModel::refresh);
-    timer->start(kAirwayLook_ms);
 }
 
-AirwayEventModel::Changes::Quantities AirwayEventModel::quantities()
+AirwayEventModel::Kind AirwayEventModel::howDecided()
 {
-    return {
-        .decidedAt =
-            [this](StationId id, std::size_t /*airway*/, SessionTime t) {
-                const auto state = m_session.node().state();
-                const auto station = state->stations().find(id);
-                return station == state->stations().end()
-                           ? AirwayEvents{}
-                           : station->second.airwayEvents.decidedAt(t);
+    return {.decidedAt =
+                [](const Station& station, SessionTime t) {
+                    return station.airwayEvents.decidedAt(t);
+                },
+            .presentAt = [](const Station& station,
+                            SessionTime t) { return station.airwayEvents.at(t); },
+            .factOf = [](const AirwayEvents& events, Duration over) -> FactBody {
+                return fact::AirwayEventsSet{events, over};
             },
-        .propose =
-            [this](std::size_t /*airway*/, const Changes::Setting& setting) {
-                m_session.node().propose(setting.station,
-                                         fact::AirwayEventsSet{setting.value, setting.over});
-            },
-        .textOf = [](std::size_t /*airway*/, const AirwayEvents& events) { return textOf(events); },
-        .requested = [this] { Q_EMIT changed(); }};
-}
-
-void AirwayEventModel::setStation(StationId station)
-{
-    if (!m_changes.setStation(station))
-        return;
-    refresh();
-    Q_EMIT changed();
+            .textOf = [](const AirwayEvents& events) {
+                return tr("Airway → %1").arg(eventsText(events));
+            }};
 }
 
 void AirwayEventModel::setForAll(bool all)
 {
-    if (m_changes.stations().all == all)
+    if (stations().all == all)
         return;
-    m_changes.setForAll(all);
+    setAddressed(all);
     Q_EMIT changed();
 }
 
@@ -90,12 +68,12 @@ double AirwayEventModel::severity(AirwayEventKind kind) const { return severityI
 
 double AirwayEventModel::present(AirwayEventKind kind) const
 {
-    return severityIn(presentEvents(), kind);
+    return severityIn(presentValue(), kind);
 }
 
 bool AirwayEventModel::canBeSet(AirwayEventKind kind) const
 {
-    return m_changes.stations().all || m_limits.canShow(kind) || severity(kind) > 0.0;
+    return stations().all || m_limits.canShow(kind) || severity(kind) > 0.0;
 }
 
 void AirwayEventModel::setSeverity(AirwayEventKind kind, double severity)
@@ -103,57 +81,28 @@ void AirwayEventModel::setSeverity(AirwayEventKind kind, double severity)
     setEvents(withSeverity(events(), kind, severity));
 }
 
-QString AirwayEventModel::inForceText() const { return eventsText(presentEvents()); }
-
-QString AirwayEventModel::travellingText() const
-{
-    const auto& pending = m_changes.pending(kAirway);
-    return pending ? textOf(pending->value) : QString{};
-}
-
-QString AirwayEventModel::textOf(const AirwayEvents& events)
-{
-    return tr("Airway → %1").arg(eventsText(events));
-}
-
-AirwayEvents AirwayEventModel::presentEvents() const
-{
-    const auto state = m_session.node().state();
-    const auto station = state->stations().find(m_changes.stations().shown);
-    const SessionTime now = m_session.node().now().value_or(SessionTime{});
-    return station == state->stations().end() ? AirwayEvents{}
-                                              : station->second.airwayEvents.at(now);
-}
+QString AirwayEventModel::inForceText() const { return eventsText(presentValue()); }
 
 void AirwayEventModel::setEvents(const AirwayEvents& events)
 {
     CARINA_EXPECTS(areProper(events));
-    if (obstacle().isEmpty())
-        m_changes.set(kAirway, events, m_over);
+    request(events);
 }
 
-void AirwayEventModel::lookAtPatient()
+bool AirwayEventModel::refreshMore()
 {
     if (!m_patient)
-        return;
+        return false;
+    const AirwayLimits before = m_limits;
     const PatientModel& patient = *m_patient->patient();
-    if (!liesAt(*m_session.node().state(), m_changes.stations().shown, patient)) {
+    if (!liesAt(*session().node().state(), stations().shown, patient)) {
         m_limits = {};
         m_limitsOf.reset();
     } else if (m_limitsOf != patient.contentHash()) {
         m_limits = airwayLimitsOf(patient);
         m_limitsOf = patient.contentHash();
     }
-}
-
-void AirwayEventModel::refresh()
-{
-    m_changes.follow();
-    lookAtPatient();
-    Shown shownNow{events(),   presentEvents(), m_changes.pending(kAirway).has_value(),
-                   obstacle(), canUndo(),       m_limits};
-    if (std::exchange(m_shown, shownNow) != shownNow)
-        Q_EMIT changed();
+    return m_limits != before;
 }
 
 } // namespace carina

@@ -133,34 +133,42 @@ std::vector<NetworkFiguresModel::Row> NetworkFiguresModel::rowsOf(const NetworkF
         addActions(figures, rows);
         return rows;
     }
-    addPath(figures, rows);
+    addDelay(figures, rows);
+    for (const ObjectFigures& object : figures.objects)
+        addObject(object, rows);
+    addProbes(figures, rows);
     if (figures.traffic)
         addTraffic(*figures.traffic, rows);
     addActions(figures, rows);
     addClock(figures, rows);
-    for (const ObjectFigures& object : figures.objects)
-        addObject(object, rows);
     return rows;
 }
 
-void NetworkFiguresModel::addPath(const NetworkFigures& figures, std::vector<Row>& rows)
+QString NetworkFiguresModel::proberOf(const NetworkFigures& figures)
+{
+    return figures.isOfStrategy
+               ? tr("Measured by the probes of the session's strategy (ASA), which goes by it")
+               : tr("Measured by the probes of the session clock");
+}
+
+void NetworkFiguresModel::addDelay(const NetworkFigures& figures, std::vector<Row>& rows)
 {
     rows.push_back(
         {tr("Round-trip time"), withUnit(figures.roundTrip_ms, 2, tr("%1 ms")),
          tr("Time that a datagram takes to the participant and back; the newest measurement")});
-    const QString whose =
-        figures.isOfStrategy
-            ? tr("Measured by the probes of the session's strategy (ASA), which goes by it")
-            : tr("Measured by the probes of the session clock");
     rows.push_back({tr("One-way delay ± σ"), delayText(figures),
                     tr("Latency: half the round-trip time. Mean, and standard deviation (jitter), "
                        "of the delays in the plot. %1.")
-                        .arg(whose)});
+                        .arg(proberOf(figures))});
+}
+
+void NetworkFiguresModel::addProbes(const NetworkFigures& figures, std::vector<Row>& rows)
+{
     rows.push_back(
         {figures.isOfStrategy ? tr("ASA's probe rate, γ₀") : tr("Clock's probe rate, γ₀"),
          withUnit(figures.probes_per_s, 0, tr("%1 per s")),
          tr("How often the delay has to be measured: more often, the more it varies. %1.")
-             .arg(whose)});
+             .arg(proberOf(figures))});
     rows.push_back({tr("Datagram loss"), lossText(figures.loss_percent),
                     tr("Share of the participant's last %1 datagrams that did not arrive; not "
                        "known for fewer than %2")

@@ -8,7 +8,8 @@ namespace carina
 {
 
 /// The network figures of one participant as a table of two columns: quantity, and value with its
-/// unit. An unknown value is shown as unknown.
+/// unit; first the delay and what it makes of shared objects, their drift. An unknown value is
+/// shown as unknown.
 class NetworkFiguresModel : public QAbstractTableModel
 {
     Q_OBJECT
@@ -37,12 +38,15 @@ private:
     };
 
     [[nodiscard]] static std::vector<Row> rowsOf(const NetworkFigures& figures);
-    static void addPath(const NetworkFigures& figures, std::vector<Row>& rows);
+    static void addDelay(const NetworkFigures& figures, std::vector<Row>& rows);
+    static void addProbes(const NetworkFigures& figures, std::vector<Row>& rows);
     static void addTraffic(const TrafficReport& traffic, std::vector<Row>& rows);
     static void addActions(const NetworkFigures& figures, std::vector<Row>& rows);
     static void addClock(const NetworkFigures& figures, std::vector<Row>& rows);
     static void addObject(const ObjectFigures& object, std::vector<Row>& rows);
 
+    /// A sentence, without its full stop: by what delays are measured.
+    [[nodiscard]] static QString proberOf(const NetworkFigures& figures);
     /// The text of a row for a screen reader: without the state mark.
     [[nodiscard]] static QString spoken(const Row& row);
 

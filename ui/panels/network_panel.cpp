@@ -24,6 +24,7 @@ constexpr int kRowGap = 4;           ///< pixels between rows, so that most figu
 NetworkPanel::NetworkPanel(QWidget* parent)
     : QWidget{parent},
       m_participant{new QComboBox},
+      m_curve{new QPushButton{tr("Curve")}},
       m_legend{new PlainLabel{tr("One-way delay, newest right; band: mean ± σ")}},
       m_plot{new HistoryPlot},
       m_table{new QTableView},
@@ -34,6 +35,11 @@ NetworkPanel::NetworkPanel(QWidget* parent)
     setFocusProxy(m_participant);
     m_strategy->setObjectName(QStringLiteral("strategyShown"));
     m_strategy->setToolTip(tr("The strategy by which objects that people act on are kept alike"));
+    m_curve->setObjectName(QStringLiteral("delayCurve"));
+    m_curve->setAccessibleName(tr("One-way delays as a curve"));
+    m_curve->setToolTip(tr("Shows the one-way delays as a curve, below their figures"));
+    m_curve->setCheckable(true);
+    connect(m_curve, &QPushButton::toggled, this, &NetworkPanel::unfold);
     m_research->setObjectName(QStringLiteral("research"));
     m_research->setToolTip(tr("Choose the strategy by which shared objects are kept alike"));
     connect(m_research, &QPushButton::clicked, this, &NetworkPanel::askStrategy);
@@ -61,18 +67,20 @@ void NetworkPanel::layOut()
     auto* row = new QHBoxLayout;
     row->addWidget(label);
     row->addWidget(m_participant, 1);
+    row->addWidget(m_curve);
     m_legend->setWordWrap(true);
     m_legend->setToolTip(tr("One-way delay (latency): half the round-trip time. σ: its standard "
                             "deviation (jitter)"));
     auto* column = new QVBoxLayout{this};
     column->addLayout(row);
+    column->addWidget(m_table, 1);
     column->addWidget(m_legend);
     column->addWidget(m_plot);
-    column->addWidget(m_table, 1);
     auto* research = new QHBoxLayout;
     research->addWidget(m_strategy, 1);
     research->addWidget(m_research);
     column->addLayout(research);
+    unfold();
 }
 
 void NetworkPanel::setModel(NetworkModel& model)
@@ -127,10 +135,16 @@ void NetworkPanel::refresh()
     plot(figures.value_or(NetworkFigures{}));
 }
 
+void NetworkPanel::unfold()
+{
+    for (QWidget* ofCurve : {static_cast<QWidget*>(m_legend), static_cast<QWidget*>(m_plot)})
+        ofCurve->setVisible(m_curve->isChecked() && m_curve->isEnabledTo(this));
+}
+
 void NetworkPanel::plot(const NetworkFigures& figures)
 {
-    for (QWidget* ofPath : {static_cast<QWidget*>(m_legend), static_cast<QWidget*>(m_plot)})
-        ofPath->setVisible(!figures.isOwn); // no path leads there
+    m_curve->setEnabled(!figures.isOwn); // no path leads there
+    unfold();
     std::optional<HistoryPlot::Band> band;
     if (figures.meanDelay_ms && figures.sigma_ms) {
         band = {*figures.meanDelay_ms, *figures.sigma_ms};

@@ -15,7 +15,8 @@ namespace carina
 
 class HistoryPlot;
 
-/// The network path to one participant: the delays as a curve, and all figures with their units.
+/// The network path to one participant: all figures with their units, and on demand the delays as
+/// a curve. Without it a window of 800 pixels has the drift of shared objects in sight, too.
 class NetworkPanel : public QWidget
 {
     Q_OBJECT
@@ -36,8 +37,10 @@ private:
     void showStrategy();
     void askStrategy();
     void plot(const NetworkFigures& figures);
+    void unfold();
 
     QComboBox* m_participant;
+    QPushButton* m_curve;
     QLabel* m_legend;
     HistoryPlot* m_plot;
     QTableView* m_table;

@@ -1,5 +1,6 @@
 #include "models/airway/airway_groups.h"
 #include "models/airway/airway_presets.h"
+#include "models/network/network_figures_model.h"
 #include "tests/models/lacking_patient.h"
 #include "tests/support/soon.h"
 #include "tests/support/test_class.h"
@@ -437,6 +438,38 @@ private Q_SLOTS:
             const char* first = eventName(group.kinds.front());
             QVERIFY2(below(first) <= port.height(), first);
         }
+    }
+
+    /// And what leads to the strategies.
+    void keepsTheDriftInSight()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        PathReport path;
+        path.peer = kTom;
+        path.traffic = TrafficReport{};
+        path.external = ExternalVerdict{};
+        shown.node.pathReports = {path};
+        shown.node.reports = {{FakeSessionNode::kTube, std::chrono::milliseconds{21}, 0.14, 0.8}};
+        shown.node.announce();
+        shown.action("showNetwork").trigger();
+        Shown::settle();
+        QDockWidget& dock = shown.dock("networkDock");
+        const QWidget& port = *qobject_cast<QScrollArea*>(dock.widget())->viewport();
+        const auto& table = *dock.findChild<QTableView*>();
+        const auto& research = shown.find<QPushButton>("research");
+        int drifts = 0;
+        for (int row = 0; row < table.model()->rowCount(); ++row) {
+            const QModelIndex what = table.model()->index(row, NetworkFiguresModel::What);
+            if (!what.data().toString().contains(QStringLiteral("drift (limit)")))
+                continue;
+            const QRect place = table.visualRect(what);
+            QVERIFY(table.viewport()->rect().contains(place));
+            QVERIFY(table.viewport()->mapTo(&port, place.bottomLeft()).y() < port.height());
+            ++drifts;
+        }
+        QCOMPARE(drifts, 1);
+        QVERIFY(research.mapTo(&port, QPoint{0, research.height()}).y() <= port.height());
     }
 
     /// In the next session, too.

@@ -40,6 +40,7 @@ struct Shown {
     QComboBox* participant = panel.findChild<QComboBox*>();
     HistoryPlot* plot = panel.findChild<HistoryPlot*>();
     QTableView* table = panel.findChild<QTableView*>();
+    QPushButton* curve = panel.findChild<QPushButton*>(QStringLiteral("delayCurve"));
 
     Shown() { panel.setModel(model); }
     void deliver(std::vector<PathReport> paths)
@@ -107,15 +108,32 @@ private Q_SLOTS:
         shown.deliver({pathOf(kTrainee, 10ms)});
         QCOMPARE(shown.participant->count(), 2);
         QCOMPARE(shown.participant->currentText(), QStringLiteral("Tom"));
+        shown.curve->click();
         QVERIFY(!shown.plot->isHidden());
         shown.panel.choose(FakeSessionNode::kInstructor);
         QCOMPARE(shown.participant->currentText(), QStringLiteral("Ina (you)"));
         QVERIFY(shown.plot->isHidden());
+        QVERIFY(!shown.curve->isEnabled());
         QCOMPARE(shown.table->model()->rowCount(), 1);
         QCOMPARE(shown.table->model()->index(0, NetworkFiguresModel::HowMuch).data().toString(),
                  QStringLiteral("4.0 (100) per s, ✓ below upshot"));
         shown.panel.choose(kTrainee);
         QVERIFY(!shown.plot->isHidden());
+    }
+
+    /// In a console of 800 pixels it would leave the figures no room.
+    void showsTheCurveOnDemand()
+    {
+        Shown shown;
+        shown.deliver({pathOf(kTrainee, 10ms)});
+        shown.panel.show();
+        QVERIFY(shown.plot->isHidden());
+        QTest::keyClick(shown.curve, Qt::Key_Space);
+        QVERIFY(shown.plot->isVisible());
+        shown.deliver({pathOf(kTrainee, 11ms)});
+        QVERIFY(shown.plot->isVisible());
+        QTest::keyClick(shown.curve, Qt::Key_Space);
+        QVERIFY(shown.plot->isHidden());
     }
 
     void aResearcherChoosesTheStrategy()
@@ -147,8 +165,8 @@ private Q_SLOTS:
     {
         const Shown shown;
         for (const QWidget* widget :
-             {static_cast<QWidget*>(shown.participant), static_cast<QWidget*>(shown.plot),
-              static_cast<QWidget*>(shown.table)}) {
+             {static_cast<QWidget*>(shown.participant), static_cast<QWidget*>(shown.curve),
+              static_cast<QWidget*>(shown.plot), static_cast<QWidget*>(shown.table)}) {
             QVERIFY(!widget->accessibleName().isEmpty());
             QVERIFY(widget->focusPolicy() & Qt::TabFocus);
         }

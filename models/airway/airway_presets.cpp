@@ -28,6 +28,13 @@ const auto& presets()
         AirwayPreset{"swollen_lips",
                      QT_TRANSLATE_NOOP("Airway", "Swollen lips and tongue"),
                      {{TongueOedema, 0.4}, {AngioOedema, 0.9}}},
+        // By an ACE inhibitor. Of 108 patients those who were intubated had a massive tongue and
+        // floor of the mouth (Ann Otol Rhinol Laryngol 2001;110:834); of 311, tongue, soft palate
+        // and aryepiglottic folds went with an intervention, lips alone did not (Kieu et al.,
+        // Otolaryngol Head Neck Surg 2015;153:544). The event itself has the folds swell.
+        AirwayPreset{"angio_oedema",
+                     QT_TRANSLATE_NOOP("Airway", "Angio-oedema, tongue and palate"),
+                     {{TongueOedema, 0.8}, {PharyngealSwelling, 0.4}, {AngioOedema, 0.7}}},
         AirwayPreset{"acute_epiglottitis",
                      QT_TRANSLATE_NOOP("Airway", "Acute epiglottitis"),
                      {{Epiglottitis, 0.9}, {LaryngealOedema, 0.4}}},
@@ -50,6 +57,17 @@ const auto& presets()
         AirwayPreset{"obese",
                      QT_TRANSLATE_NOOP("Airway", "Obese"),
                      {{TongueOedema, 0.1}, {NeckObesity, 0.8}}},
+        // At the end of labour the airway's class was one grade higher than before in 20 of 61
+        // women, and two in 3; volume of the mouth and area of the pharynx were smaller (Kodali et
+        // al., Anesthesiology 2008;108:357). Mucosa is engorged along the airway (Clinical
+        // Anesthesia Procedures, 9th ed. 2019, table 32.1), fat and fluid are gained (Khan, Anaesth
+        // Pain Intensive Care 2014;18:387).
+        AirwayPreset{"pregnant",
+                     QT_TRANSLATE_NOOP("Airway", "Pregnant, late in labour"),
+                     {{TongueOedema, 0.2},
+                      {PharyngealSwelling, 0.4},
+                      {LaryngealOedema, 0.2},
+                      {NeckObesity, 0.3}}},
         AirwayPreset{
             "trauma_collar",
             QT_TRANSLATE_NOOP("Airway", "Trauma with collar"),

@@ -11,17 +11,22 @@ namespace
 {
 
 constexpr std::array kMouth{AirwayEventKind::TongueOedema, AirwayEventKind::AngioOedema,
-                            AirwayEventKind::ProminentIncisors, AirwayEventKind::Trismus};
+                            AirwayEventKind::ProminentIncisors, AirwayEventKind::FragileTeeth,
+                            AirwayEventKind::Trismus};
 /// With the epiglottis, which is seen before the larynx is.
 constexpr std::array kThroat{AirwayEventKind::PharyngealSwelling, AirwayEventKind::Epiglottitis,
-                             AirwayEventKind::FloppyEpiglottis};
+                             AirwayEventKind::FloppyEpiglottis, AirwayEventKind::Burn};
 constexpr std::array kLarynx{AirwayEventKind::LaryngealOedema, AirwayEventKind::Laryngospasm,
-                             AirwayEventKind::AnteriorLarynx, AirwayEventKind::LaryngealWeb};
+                             AirwayEventKind::AnteriorLarynx, AirwayEventKind::LaryngealWeb,
+                             AirwayEventKind::ForeignBody};
 constexpr std::array kNeck{AirwayEventKind::TrachealStenosis, AirwayEventKind::TrachealDeviation,
                            AirwayEventKind::Goitre, AirwayEventKind::NeckObesity,
                            AirwayEventKind::StiffNeck};
+constexpr std::array kFluids{AirwayEventKind::Secretions, AirwayEventKind::Blood,
+                             AirwayEventKind::Vomit};
 constexpr std::array kHelper{AirwayEventKind::ExternalPressure};
-static_assert(kMouth.size() + kThroat.size() + kLarynx.size() + kNeck.size() + kHelper.size()
+static_assert(kMouth.size() + kThroat.size() + kLarynx.size() + kNeck.size() + kFluids.size()
+                  + kHelper.size()
               == kAirwayEventKinds);
 
 constexpr std::array kAirwayGroups{
@@ -29,6 +34,7 @@ constexpr std::array kAirwayGroups{
     AirwayGroup{"throat", QT_TRANSLATE_NOOP("Airway", "Throat"), kThroat},
     AirwayGroup{"larynx", QT_TRANSLATE_NOOP("Airway", "Larynx"), kLarynx},
     AirwayGroup{"neck", QT_TRANSLATE_NOOP("Airway", "Neck"), kNeck},
+    AirwayGroup{"fluids", QT_TRANSLATE_NOOP("Airway", "Fluids"), kFluids},
     AirwayGroup{"helper", QT_TRANSLATE_NOOP("Airway", "Helper"), kHelper}};
 
 } // namespace

@@ -22,6 +22,7 @@ constexpr std::array kHeadings{QT_TRANSLATE_NOOP("carina::AirwayGroupBar", "Mo&u
                                QT_TRANSLATE_NOOP("carina::AirwayGroupBar", "&Throat"),
                                QT_TRANSLATE_NOOP("carina::AirwayGroupBar", "&Larynx"),
                                QT_TRANSLATE_NOOP("carina::AirwayGroupBar", "&Neck"),
+                               QT_TRANSLATE_NOOP("carina::AirwayGroupBar", "Flu&ids"),
                                QT_TRANSLATE_NOOP("carina::AirwayGroupBar", "Helpe&r")};
 
 QByteArray nameOf(const AirwayGroup& group)

@@ -1,5 +1,6 @@
 #include "models/airway/airway_event_model.h"
 
+#include "engine/anatomy/events/airway_contents.h"
 #include "engine/core/expects.h"
 #include "models/airway/airway_words.h"
 #include "models/patient/session_patient.h"
@@ -36,18 +37,16 @@ AirwayEventModel::AirwayEventModel(SessionModel& session, StationId station, QOb
 
 AirwayEventModel::Kind AirwayEventModel::howDecided()
 {
-    return {.decidedAt =
-                [](const Station& station, SessionTime t) {
-                    return station.airwayEvents.decidedAt(t);
-                },
-            .presentAt = [](const Station& station,
-                            SessionTime t) { return station.airwayEvents.at(t); },
-            .factOf = [](const AirwayEvents& events, Duration over) -> FactBody {
-                return fact::AirwayEventsSet{events, over};
-            },
-            .textOf = [](const AirwayEvents& events) {
-                return tr("Airway → %1").arg(eventsText(events));
-            }};
+    return {
+        .decidedAt = [](const Station& station,
+                        SessionTime t) { return station.airwayEvents.decidedAt(t); },
+        .presentAt = [](const Station& station,
+                        SessionTime t) { return station.airwayEvents.at(t); },
+        .factOf = [](const AirwayEvents& events, Duration over) -> FactBody {
+            return fact::AirwayEventsSet{events, over};
+        },
+        .textOf =
+            [](const AirwayEvents& events) { return tr("Airway → %1").arg(eventsText(events)); }};
 }
 
 void AirwayEventModel::setForAll(bool all)
@@ -79,6 +78,20 @@ bool AirwayEventModel::canBeSet(AirwayEventKind kind) const
 void AirwayEventModel::setSeverity(AirwayEventKind kind, double severity)
 {
     setEvents(withSeverity(events(), kind, severity));
+}
+
+bool AirwayEventModel::hasFluid() const
+{
+    return std::ranges::any_of(kThroatFluids,
+                               [this](AirwayEventKind kind) { return severity(kind) > 0.0; });
+}
+
+void AirwayEventModel::suction()
+{
+    AirwayEvents left = events();
+    for (const AirwayEventKind kind : kThroatFluids)
+        left = withSeverity(left, kind, 0.0);
+    request(left, kSuction);
 }
 
 QString AirwayEventModel::inForceText() const { return eventsText(presentValue()); }

@@ -14,6 +14,9 @@ namespace carina
 
 class SessionPatient;
 
+/// How long suction takes until no fluid is left; of ours.
+inline constexpr Duration kSuction = std::chrono::seconds{5};
+
 /// The events of one station's airway. The airway is one thing of the patient, whichever of its
 /// events is changed.
 class AirwayEventModel : public GradualDecisionOf<AirwayEvents>
@@ -50,6 +53,12 @@ public:
     void setEvents(const AirwayEvents& events);
     /// Sets no event at all.
     void clear() { setEvents({}); }
+
+    /// Whether a fluid stands in the throat.
+    [[nodiscard]] bool hasFluid() const;
+    /// Takes all fluids away, as who works there does with suction, over kSuction instead of the
+    /// time of a change; all else stays.
+    void suction();
 
     /// The events to be seen now: "Tongue oedema 60 %"; "Clear".
     [[nodiscard]] QString inForceText() const;

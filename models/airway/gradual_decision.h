@@ -101,10 +101,11 @@ protected:
         const SessionTime now = session().node().now().value_or(SessionTime{});
         return at(stations().shown, m_kind.presentAt, now);
     }
-    void request(const Value& value)
+    void request(const Value& value) { request(value, over()); }
+    void request(const Value& value, Duration over)
     {
         if (obstacle().isEmpty())
-            m_changes.set(kOnly, value, over());
+            m_changes.set(kOnly, value, over);
     }
     /// Looks for what else is told. @returns whether that changed
     virtual bool refreshMore() { return false; }

@@ -38,7 +38,7 @@ Q_SIGNALS:
     void chosenByHand();
 
 private:
-    static constexpr std::size_t kGroups = 5;
+    static constexpr std::size_t kGroups = 6;
 
     QPushButton* addHeading(const QByteArray& name, int place);
     void refresh();

@@ -90,6 +90,7 @@ AirwayPanel::AirwayPanel(QWidget* parent)
       m_head{new HeadPositionRow},
       m_groups{new AirwayGroupBar},
       m_events{new QWidget},
+      m_suction{new QPushButton{tr("Suction of all fluids")}},
       m_clear{new QPushButton{tr("&Clear airway")}},
       m_refused{new RefusalLine},
       m_travelling{new PlainLabel}
@@ -126,10 +127,9 @@ void AirwayPanel::layOut()
     m_notShown->setWordWrap(true);
     auto* column = new QVBoxLayout{this};
     column->setSpacing(kEventGap);
-    for (QWidget* widget :
-         {static_cast<QWidget*>(m_obstacle), static_cast<QWidget*>(m_notShown), m_controls,
-          static_cast<QWidget*>(m_groups), m_events, static_cast<QWidget*>(m_refused),
-          static_cast<QWidget*>(m_travelling)})
+    for (QWidget* widget : {static_cast<QWidget*>(m_obstacle), static_cast<QWidget*>(m_notShown),
+                            m_controls, static_cast<QWidget*>(m_groups), m_events,
+                            static_cast<QWidget*>(m_refused), static_cast<QWidget*>(m_travelling)})
         column->addWidget(widget);
     column->addStretch(1);
 }
@@ -188,6 +188,17 @@ void AirwayPanel::addRows()
         widest = std::max(widest, row.label->sizeHint().width());
     }
     rows->setColumnMinimumWidth(0, widest); // whichever group is in sight
+    addSuction();
+}
+
+void AirwayPanel::addSuction()
+{
+    m_suction->setObjectName(QStringLiteral("suction"));
+    m_suction->setToolTip(tr("Secretions, blood and vomit go within %1 seconds, as when who works "
+                             "there uses suction; all else stays")
+                              .arg(toSeconds(kSuction)));
+    auto* rows = static_cast<QGridLayout*>(m_events->layout());
+    rows->addWidget(m_suction, rows->rowCount(), 1, 1, -1);
 }
 
 /// Name, box and slider, and room for the present severity, so that nothing moves when it appears;
@@ -242,6 +253,7 @@ void AirwayPanel::setModels(AirwayEventModel& events, HeadPositionModel& head)
     });
     for (std::size_t place = 0; place < m_rows.size(); ++place)
         connectRow(static_cast<AirwayEventKind>(place));
+    connect(m_suction, &QPushButton::clicked, &events, &AirwayEventModel::suction);
     connect(m_clear, &QPushButton::clicked, &events, &AirwayEventModel::clear);
     connect(&events, &AirwayEventModel::changed, this, &AirwayPanel::refresh);
     connect(&head, &HeadPositionModel::changed, this, &AirwayPanel::refresh);
@@ -281,6 +293,7 @@ void AirwayPanel::showRows()
             of->setVisible(isShown);
         row.notShown->setVisible(isShown && !row.notShown->text().isEmpty());
     }
+    m_suction->setVisible(m_groups->shows(AirwayEventKind::Secretions));
     offerWhatCanBeSet();
 }
 
@@ -295,6 +308,7 @@ void AirwayPanel::refresh()
     for (std::size_t place = 0; place < m_rows.size(); ++place)
         refreshRow(static_cast<AirwayEventKind>(place));
     showRows();
+    m_suction->setEnabled(m_model->hasFluid());
     m_clear->setEnabled(!m_model->isClear());
     QStringList travelling{m_model->travellingText(), m_headModel->travellingText()};
     travelling.removeAll(QString{});

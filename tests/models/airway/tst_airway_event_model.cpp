@@ -26,6 +26,7 @@ private Q_SLOTS:
     void setsAllEventsAsOneChange();
     void tellsTheSeverityToBeSeenWhileItChanges();
     void clearsAllOverTheTime();
+    void takesFluidsAwayBySuction();
     void keepsOneProposalUnderWayWhileASeverityIsDragged();
     void doesNotProposeWhatIsAlreadySo();
     void undoesADragAtOnceAndThenWhatWasBefore();
@@ -194,6 +195,27 @@ void TestAirwayEventModel::clearsAllOverTheTime()
     QVERIFY(console.showsNow(TongueOedema, 0.5) && console.showsNow(Epiglottitis, 0.25));
     console.settle(std::chrono::seconds{5});
     QCOMPARE(console.model.inForceText(), QStringLiteral("Clear"));
+}
+
+void TestAirwayEventModel::takesFluidsAwayBySuction()
+{
+    Console console;
+    console.node.decide(
+        fact::AirwayEventsSet{{{TongueOedema, 0.5}, {Secretions, 0.3}, {Blood, 1.0}}, {}});
+    console.settle();
+    QVERIFY(console.model.hasFluid());
+    console.model.setChangeTime(std::chrono::seconds{60});
+    console.model.suction();
+    console.settle();
+    QVERIFY(!console.model.hasFluid());
+    console.settle(std::chrono::milliseconds{2500});
+    QVERIFY(console.showsNow(Blood, 0.5) && console.showsNow(Secretions, 0.15));
+    console.settle(std::chrono::milliseconds{2500});
+    QVERIFY(console.showsNow(Blood, 0.0) && console.showsNow(TongueOedema, 0.5));
+    QCOMPARE(console.decided(), (AirwayEvents{{TongueOedema, 0.5}}));
+    console.model.undo();
+    console.settle();
+    QVERIFY(console.showsNow(Blood, 1.0) && console.showsNow(Secretions, 0.3));
 }
 
 void TestAirwayEventModel::keepsOneProposalUnderWayWhileASeverityIsDragged()

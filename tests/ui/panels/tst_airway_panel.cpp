@@ -48,6 +48,7 @@ private Q_SLOTS:
     void setsSeverityBySliderAndBox();
     void tellsTheSeverityOfNowWhileItChanges();
     void clearsTheAirwayByItsButton();
+    void takesFluidsAwayByTheButtonOfTheirGroup();
     void setsAPresetAsOneChange();
     void saysCustomWhereItIsNoPreset();
     void laysTheHeadByKeyboardOverTheTimeOfAChange();
@@ -267,8 +268,8 @@ void TestAirwayPanel::keepsItsHeadingsWhereTheyAre()
         QCoreApplication::sendPostedEvents();
         QList<QRect> all;
         for (const AirwayGroup& group : airwayGroups())
-            all += QRect{desk.heading(group).mapTo(&desk.panel, QPoint{}),
-                         desk.heading(group).size()};
+            all +=
+                QRect{desk.heading(group).mapTo(&desk.panel, QPoint{}), desk.heading(group).size()};
         return all;
     };
     const QList<QRect> before = places();
@@ -376,6 +377,23 @@ void TestAirwayPanel::clearsTheAirwayByItsButton()
     QVERIFY(!clear.isEnabled());
 }
 
+void TestAirwayPanel::takesFluidsAwayByTheButtonOfTheirGroup()
+{
+    Desk desk;
+    const auto& suction = desk.find<QPushButton>("suction");
+    desk.panel.showGroup("larynx");
+    QVERIFY(!suction.isVisible());
+    desk.panel.showGroup("fluids");
+    QVERIFY(suction.isVisible() && !suction.isEnabled());
+    desk.node.decide(fact::AirwayEventsSet{{{Laryngospasm, 1.0}, {Vomit, 0.5}}, {}});
+    desk.settle();
+    QVERIFY(suction.isEnabled());
+    QTest::keyClick(&desk.find<QPushButton>("suction"), Qt::Key_Space);
+    desk.settle();
+    QCOMPARE(desk.decided(), (AirwayEvents{{Laryngospasm, 1.0}}));
+    QVERIFY(!suction.isEnabled());
+}
+
 // By keyboard: the letter chooses it.
 void TestAirwayPanel::setsAPresetAsOneChange()
 {
@@ -481,8 +499,8 @@ void TestAirwayPanel::leadsFromTheTimeOverTheHeadToTheEventsByTab()
     desk.box("airwayOver").setFocus();
     for (const char* name :
          {"airwayOver", "clearAirway", "headPosition", "airwayGroup_mouth", "airwayGroup_throat",
-          "airwayGroup_larynx", "airwayGroup_neck", "airwayGroup_helper", "airwayGroup_all",
-          "tongue_oedema"}) {
+          "airwayGroup_larynx", "airwayGroup_neck", "airwayGroup_fluids", "airwayGroup_helper",
+          "airwayGroup_all", "tongue_oedema"}) {
         QCOMPARE(QApplication::focusWidget()->objectName(), QLatin1String{name});
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
     }

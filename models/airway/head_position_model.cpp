@@ -13,10 +13,8 @@ HeadPositionModel::HeadPositionModel(SessionModel& session, StationId station, Q
 
 HeadPositionModel::Kind HeadPositionModel::howDecided()
 {
-    return {.decidedAt =
-                [](const Station& station, SessionTime t) {
-                    return station.headPosition.decidedAt(t);
-                },
+    return {.decidedAt = [](const Station& station,
+                            SessionTime t) { return station.headPosition.decidedAt(t); },
             .presentAt = headPositionAt,
             .factOf = [](const HeadPosition& position, Duration over) -> FactBody {
                 return fact::HeadPositionSet{position, over};

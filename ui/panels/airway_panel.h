@@ -75,13 +75,13 @@ private:
     AirwayEventModel* m_model = nullptr;
     HeadPositionModel* m_headModel = nullptr;
     QLabel* m_obstacle;
-    QLabel* m_notShown; ///< why the patient shows no event at all
-    QWidget* m_controls; ///< above the groups
+    QLabel* m_notShown;   ///< why the patient shows no event at all
+    QWidget* m_controls;  ///< above the groups
     QComboBox* m_presets; ///< each with its name as data
     CheckedSpinBox* m_over;
     HeadPositionRow* m_head;
     AirwayGroupBar* m_groups;
-    QWidget* m_events; ///< the rows
+    QWidget* m_events;                           ///< the rows
     std::array<Row, kAirwayEventKinds> m_rows{}; ///< by kind
     QPushButton* m_suction; ///< below the rows, with the fluids
     QPushButton* m_clear;

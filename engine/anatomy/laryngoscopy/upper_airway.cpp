@@ -231,7 +231,11 @@ double UpperAirway::size() const
     return way / kReferenceWay.si / drawnOut;
 }
 
-double UpperAirway::larynxSize() const { return std::min(size(), glottis() / kReferenceGlottis); }
+double UpperAirway::larynxSize() const
+{
+    constexpr double kLeastShare = 0.25; // of surfaces whose cords are not found well
+    return std::clamp(glottis() / kReferenceGlottis, kLeastShare * size(), size());
+}
 
 Result<UpperAirway> upperAirwayOf(std::span<const AnatomyPart> parts,
                                   const AirwayLandmarks& landmarks)

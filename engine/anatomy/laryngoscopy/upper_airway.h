@@ -54,7 +54,7 @@ struct UpperAirway {
     /// kReferenceWay being 1.
     [[nodiscard]] double size() const;
     /// Of the larynx with its epiglottis: by the length of the glottis, kReferenceGlottis being 1,
-    /// and at most size(). A child's is small for the way to it.
+    /// between a quarter of size() and size(). A child's is small for the way to it.
     [[nodiscard]] double larynxSize() const;
     /// Of the way from the middle of the glottis to the carina, kReferenceWindpipe being 1.
     [[nodiscard]] double windpipeSize() const { return toCarina / kReferenceWindpipe; }

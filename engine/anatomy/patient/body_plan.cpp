@@ -94,8 +94,7 @@ BodyPlan bodyPlanOf(const PatientDimensions& dimensions, Posture posture)
                                     / (kHisGlottisBehind - BodyPlan::kBehindPalate_mm));
     plan.infancy = std::exp(-dimensions.ageInYears / 2.0);
     plan.youth = youthAt(dimensions.ageInYears);
-    const double below =
-        plan.inFace(BodyPlan::kAtlas_mm).z() - atlasHeight(dimensions, plan.chest);
+    const double below = plan.inFace(BodyPlan::kAtlas_mm).z() - atlasHeight(dimensions, plan.chest);
     plan.atlasBelow = std::min(2.0 * plan.youth, 1.0) * std::max(below, 0.0);
     return plan;
 }

@@ -30,7 +30,7 @@ struct BodyPlan {
     /// more in children, whose larynx lies high behind a long tongue.
     double throat = 1.0;
     double infancy =
-        0.0; ///< 1 in a newborn child, 0 in grown people: of forms that change with age
+        0.0;            ///< 1 in a newborn child, 0 in grown people: of forms that change with age
     double youth = 0.0; ///< 1 in a newborn child, 0 from school age on
     /// How far the atlas lies below the level of the palate, where it is in older children: so that
     /// the glottis of an infant is at its vertebra. Metres.

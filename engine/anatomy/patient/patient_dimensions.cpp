@@ -31,8 +31,7 @@ double onLines(const std::array<std::array<double, 2>, kCount>& knots, double x)
 {
     for (std::size_t i = 1; i < kCount; ++i)
         if (x < knots[i][0])
-            return mix(knots[i - 1][1], knots[i][1],
-                       shareBetween(knots[i - 1][0], knots[i][0], x));
+            return mix(knots[i - 1][1], knots[i][1], shareBetween(knots[i - 1][0], knots[i][0], x));
     return knots.back()[1];
 }
 

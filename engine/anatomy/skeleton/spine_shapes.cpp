@@ -104,8 +104,7 @@ Vec3 middleOf(const VertebraFigures& v, bool cervical, const BodyPlan& plan)
     const double up = (v.z - first.z) / (kAtlas.z - first.z);
     const Vec3 bow =
         here - base - up * (top - base) + 4.0 * up * (1.0 - up) * kBehindPharynx * Vec3::UnitY();
-    const Vec3 atlas_A =
-        plan.inThroat(BodyPlan::kAtlas_mm) - plan.atlasBelow * Vec3::UnitZ();
+    const Vec3 atlas_A = plan.inThroat(BodyPlan::kAtlas_mm) - plan.atlasBelow * Vec3::UnitZ();
     return (1.0 - up) * plan.inChest(base) + up * atlas_A + plan.airway * bow;
 }
 

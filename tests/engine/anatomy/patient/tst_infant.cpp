@@ -128,9 +128,15 @@ void TestInfant::hasTheLarynxAtItsVertebra_data()
     QTest::addColumn<QString>("above");
     QTest::addColumn<QString>("below");
     // At the third and fourth cervical vertebra in infants, at the fourth and fifth in children.
-    QTest::newRow("newborn") << "newborn, 50 cm, girl" << "Third" << "Fourth";
-    QTest::newRow("1 year") << "1 year, 75 cm, girl" << "Third" << "Fourth";
-    QTest::newRow("3 years") << "3 years, 96 cm, boy" << "Third" << "Fifth";
+    QTest::newRow("newborn") << "newborn, 50 cm, girl"
+                             << "Third"
+                             << "Fourth";
+    QTest::newRow("1 year") << "1 year, 75 cm, girl"
+                            << "Third"
+                            << "Fourth";
+    QTest::newRow("3 years") << "3 years, 96 cm, boy"
+                             << "Third"
+                             << "Fifth";
 }
 
 void TestInfant::hasTheLarynxAtItsVertebra()
@@ -167,7 +173,8 @@ void TestInfant::hasAGlottisOfPublishedLength()
 void TestInfant::hasAnOmegaForAnEpiglottis()
 {
     const auto depthToWidth = [](const Anatomy& anatomy) {
-        const auto leaf = std::ranges::find(anatomy.parts, PartRole::Epiglottis, &AnatomyPart::role);
+        const auto leaf =
+            std::ranges::find(anatomy.parts, PartRole::Epiglottis, &AnatomyPart::role);
         const Vec3 p_A_glottis = anatomy.landmarks.p_A_glottis;
         const Vec3 up = p_A_glottis.normalized();
         const Box box = boundsOf(leaf->levels[0]);

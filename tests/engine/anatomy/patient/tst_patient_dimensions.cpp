@@ -309,8 +309,7 @@ void TestPatientDimensions::infantsHoldTheGasThatWasMeasured()
     QFETCH(double, least_ml);
     QFETCH(double, usual_ml);
     QFETCH(double, most_ml);
-    const double made_ml =
-        inMillilitres(of(months / 12.0, length_cm).functionalResidualCapacity);
+    const double made_ml = inMillilitres(of(months / 12.0, length_cm).functionalResidualCapacity);
     QVERIFY(made_ml > least_ml && made_ml < most_ml);
     QVERIFY2(std::abs(made_ml / usual_ml - 1.0) < kTolerance, qPrintable(QString::number(made_ml)));
 }
@@ -333,8 +332,8 @@ void TestPatientDimensions::nothingJumpsAtSchoolAge()
         const PatientDimensions at = of(6.0, height_cm, Sex::Male, habitus);
         for (const double ratio :
              {before.cordsToCarina / at.cordsToCarina, before.tracheaLength / at.tracheaLength,
-              before.tracheaSagittal / at.tracheaSagittal, before.tracheaCoronal / at.tracheaCoronal,
-              before.teethToCarina / at.teethToCarina,
+              before.tracheaSagittal / at.tracheaSagittal,
+              before.tracheaCoronal / at.tracheaCoronal, before.teethToCarina / at.teethToCarina,
               before.rightBronchus.length / at.rightBronchus.length,
               before.weightInKilograms / at.weightInKilograms,
               before.functionalResidualCapacity / at.functionalResidualCapacity,
@@ -368,8 +367,8 @@ void TestPatientDimensions::tubeFitsTheAge()
     QFETCH(bool, female);
     QFETCH(double, inner_mm);
     const LengthRange heights = heightRange(age);
-    const PatientDimensions d = of(age, 50.0 * (heights.least.si + heights.most.si),
-                                   female ? Sex::Female : Sex::Male);
+    const PatientDimensions d =
+        of(age, 50.0 * (heights.least.si + heights.most.si), female ? Sex::Female : Sex::Male);
     QVERIFY(std::abs(inMillimetres(d.tubeInnerDiameter) - inner_mm) < 1e-9);
 }
 

@@ -205,8 +205,8 @@ void TestPatientName::takesNothingElseForAHash_data()
           "builtin-182cm-45y-male-obese-5", "builtin-45y-182cm-male-5",
           "builtin-5y-182cm-male-obese-5", "builtin-0y-50cm-male-normal-5",
           "builtin-12mo-75cm-male-normal-5", "builtin-03mo-60cm-male-normal-5",
-          "builtin-45y-182cm-male-obese-2",
-          "builtin-45y-182cm-male-obese-5x", "../builtin-45y-182cm-male-obese-5"})
+          "builtin-45y-182cm-male-obese-2", "builtin-45y-182cm-male-obese-5x",
+          "../builtin-45y-182cm-male-obese-5"})
         QTest::newRow(text) << QByteArray{text};
 }
 

@@ -103,7 +103,7 @@ TriangleMesh fluidMesh()
     };
     addRippledSurface(mesh, rowAt);
     const auto corner = [&rowAt](int row, double side, double back_mm) {
-        return 1e-3 * Vec3{side * rowAt(row).half_mm, back_mm, rowAt(row).z_mm};
+        return Vec3{1e-3 * Vec3{side * rowAt(row).half_mm, back_mm, rowAt(row).z_mm}};
     };
     const double behind_mm = inMillimetres(kFluidBehind);
     for (int row = 0; row < kRows; ++row) {

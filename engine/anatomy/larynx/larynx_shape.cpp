@@ -1,5 +1,6 @@
 #include "engine/anatomy/larynx/larynx_shape.h"
 
+#include "engine/anatomy/larynx/hyoid_shape.h"
 #include "engine/anatomy/larynx/laryngeal_mucosa.h"
 #include "engine/anatomy/larynx/larynx_frame.h"
 
@@ -97,7 +98,8 @@ std::vector<PartPlan> larynx(const BodyPlan& plan)
         onSide("Left vocal ligament", "FMA55246", frame, 1.0, cord),
         onSide("Right vocal ligament", "FMA55245", frame, -1.0, cord),
         planOf("Epiglottis", PartRole::Epiglottis, "FMA55130", frame, leaf.bounds(),
-               [leaf](const Vec3& p) { return leaf.distance(p); })};
+               [leaf](const Vec3& p) { return leaf.distance(p); }),
+        hyoid(plan, frame, leaf)};
     for (PartPlan& part : laryngealMucosa(plan, frame, leaf))
         parts.push_back(std::move(part));
     return parts;

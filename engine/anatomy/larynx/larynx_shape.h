@@ -8,7 +8,7 @@ namespace carina
 {
 
 /// Thyroid and cricoid cartilage, both arytenoid cartilages, both vocal ligaments, the epiglottis,
-/// and what lines them (laryngealMucosa).
+/// the hyoid bone, and what lines them (laryngealMucosa).
 /// The cricoid sits on the trachea's upper end; the cords lie at cordsToCarina above the carina,
 /// abducted as for breathing, on both sides of the extended axis of the trachea. In
 /// Posture::Laryngoscopy the epiglottis is raised; at rest it leans over the entrance of the

@@ -82,6 +82,7 @@ private Q_SLOTS:
         row("Left vocalis", "larynx");
         row("Lower lip", "mucosa");
         row("Gingiva of lower jaw", "mucosa");
+        row("Hyoid bone", "larynx");
         row("Diaphragm", "diaphragm");
         row("", "other");
     }

@@ -497,16 +497,10 @@ void TestAirwayPanel::leadsFromTheTimeOverTheHeadToTheEventsByTab()
     desk.node.decide(fact::AirwayEventsSet{{{Laryngospasm, 1.0}}, {}}); // there is one to clear
     desk.settle();
     desk.box("airwayOver").setFocus();
-<<<<<<< ours
     for (const char* name :
          {"airwayOver", "clearAirway", "headPosition", "airwayGroup_mouth", "airwayGroup_throat",
           "airwayGroup_larynx", "airwayGroup_neck", "airwayGroup_fluids", "airwayGroup_helper",
           "airwayGroup_all", "tongue_oedema"}) {
-=======
-    for (const char* name : {"airwayOver", "clearAirway", "headPosition", "airwayGroup_mouth",
-                             "airwayGroup_throat", "airwayGroup_larynx", "airwayGroup_neck",
-                             "airwayGroup_helper", "airwayGroup_all", "tongue_oedema"}) {
->>>>>>> theirs
         QCOMPARE(QApplication::focusWidget()->objectName(), QLatin1String{name});
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
     }

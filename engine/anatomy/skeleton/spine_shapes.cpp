@@ -104,8 +104,7 @@ Vec3 middleOf(const VertebraFigures& v, bool cervical, const BodyPlan& plan)
     const double up = (v.z - first.z) / (kAtlas.z - first.z);
     const Vec3 bow =
         here - base - up * (top - base) + 4.0 * up * (1.0 - up) * kBehindPharynx * Vec3::UnitY();
-    const Vec3 atlas_A = plan.inThroat(BodyPlan::kAtlas_mm) - plan.atlasBelow * Vec3::UnitZ();
-    return (1.0 - up) * plan.inChest(base) + up * atlas_A + plan.airway * bow;
+    return (1.0 - up) * plan.inChest(base) + up * atlasOf(plan) + plan.airway * bow;
 }
 
 Box boundsOf(const VertebraFigures& v)
@@ -133,6 +132,18 @@ PartPlan planOf(const VertebraFigures& v, const Vec3& middle_A, double unit, Dis
 }
 
 } // namespace
+
+/// A child's throat is drawn out between palate and glottis, which its neck is not: so the way back
+/// from the glottis counts, of which the pharynx has one share and half the atlas the other.
+Vec3 atlasOf(const BodyPlan& plan)
+{
+    constexpr double kThroughPharynx = 17.1; // reference millimetres of the face
+    constexpr double kHalfAtlas = 22.5;      // and of the neck
+    return {0.0,
+            plan.landmarks.p_A_glottis.y() + kThroughPharynx * plan.face
+                + kHalfAtlas * plan.airway,
+            plan.inFace(BodyPlan::kAtlas_mm).z() - plan.atlasBelow};
+}
 
 std::vector<PartPlan> spine(const BodyPlan& plan)
 {

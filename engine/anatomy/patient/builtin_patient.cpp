@@ -12,6 +12,7 @@
 #include "engine/anatomy/patient/patient_name.h"
 #include "engine/anatomy/patient/skin_shape.h"
 #include "engine/anatomy/shapes/surface_mesher.h"
+#include "engine/anatomy/skeleton/cranium_shape.h"
 #include "engine/anatomy/skeleton/mandible_shape.h"
 #include "engine/anatomy/skeleton/maxilla_shape.h"
 #include "engine/anatomy/skeleton/rib_shapes.h"
@@ -69,6 +70,7 @@ std::vector<PartPlan> partPlans(const BodyPlan& plan)
     add(all, mouth(plan));
     add(all, teeth(plan));
     all.push_back(maxilla(plan));
+    all.push_back(cranium(plan));
     const ImplicitShape jaw = mandibleShape(plan.inFace(kUpperToLowerIncisors), 1e3 * plan.face);
     all.push_back({"Mandible", PartRole::Mandible, "FMA52748", onJaw(plan, jaw),
                    1e3 * plan.face * kMandibleVoxel});

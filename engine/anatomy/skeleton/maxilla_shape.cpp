@@ -1,6 +1,7 @@
 #include "engine/anatomy/skeleton/maxilla_shape.h"
 
 #include "engine/anatomy/shapes/strand.h"
+#include "engine/anatomy/skeleton/cranium_shape.h"
 
 #include <array>
 #include <cmath>
@@ -28,18 +29,23 @@ double half(const Vec3& p)
     const double frontal = rodDistance(p, {17.0, 9.0, 34.0}, {8.0, 5.0, 66.0}, 5.5, 3.5);
     const double spine = rodDistance(p, {0.0, 4.0, 27.0}, {0.0, -0.5, 29.5}, 3.2, 1.6);
     const double bone = roundedMin(roundedMin(alveolar, body, 8.0), frontal, 6.0);
-    return roundedMin(bone, spine, 4.0);
+    // Its body is the floor of the orbit.
+    return roundedMax(roundedMin(bone, spine, 4.0), -orbitDistance(p), 3.0);
 }
 
 } // namespace
+
+double maxillaDistance(const Vec3& p_mm)
+{
+    return 0.9 * half({std::abs(p_mm.x()), p_mm.y(), p_mm.z()});
+}
 
 PartPlan maxilla(const BodyPlan& plan)
 {
     const Box bounds{plan.inFace({-40.0, -8.0, 8.0}), plan.inFace({40.0, 60.0, 72.0})};
     const Vec3 origin = plan.inFace(Vec3::Zero());
     const auto distance = [origin, unit = plan.face](const Vec3& p_A) {
-        const Vec3 p = (p_A - origin) / unit;
-        return 0.9 * unit * half({std::abs(p.x()), p.y(), p.z()});
+        return unit * maxillaDistance((p_A - origin) / unit);
     };
     return {
         "Maxilla", PartRole::Skull, "FMA9711", {bounds, distance}, 1e3 * plan.face * kMaxillaVoxel};

@@ -9,4 +9,7 @@ namespace carina
 /// bodies beside the nose, up to the floor of the orbits.
 [[nodiscard]] PartPlan maxilla(const BodyPlan& plan);
 
+/// Approximate signed distance to it, point and result in reference millimetres of the face.
+[[nodiscard]] double maxillaDistance(const Vec3& p_mm);
+
 } // namespace carina

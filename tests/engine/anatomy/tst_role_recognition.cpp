@@ -83,6 +83,7 @@ private Q_SLOTS:
         row("Lower lip", "mucosa");
         row("Gingiva of lower jaw", "mucosa");
         row("Hyoid bone", "larynx");
+        row("Cranium", "skull");
         row("Diaphragm", "diaphragm");
         row("", "other");
     }

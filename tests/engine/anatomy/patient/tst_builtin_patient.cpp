@@ -66,7 +66,7 @@ const std::map<PartRole, std::size_t> kRoles{
     // The lining, two vestibular and two aryepiglottic folds and four tubercles.
     {PartRole::LaryngealMucosa, 9},
     {PartRole::VocalFold, 2},
-    {PartRole::Skull, 1}, // maxilla
+    {PartRole::Skull, 2}, // cranium and maxilla
     {PartRole::Oesophagus, 1},
     {PartRole::Spine, 19},            // seven cervical, twelve thoracic
     {PartRole::Rib, 24 + 14 + 3 + 2}, // ribs, cartilages, sternum, clavicles

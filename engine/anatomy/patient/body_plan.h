@@ -79,6 +79,7 @@ struct PartPlan {
     std::string conceptId; ///< FMA id
     ImplicitShape shape;   ///< in A
     Length voxel;          ///< edge of the grid cells of its mesh
+    FinePlace fine{};      ///< where they are smaller
 };
 
 } // namespace carina

@@ -126,7 +126,7 @@ struct Made {
 
 Made surfaceOf(const PartPlan& plan, double finer)
 {
-    const TriangleMesh mesh = meshOf(plan.shape, (1.0 - finer) * plan.voxel);
+    const TriangleMesh mesh = meshOf(plan.shape, (1.0 - finer) * plan.voxel, plan.fine);
     Made made{{plan.name, plan.role, plan.conceptId, {}}};
     for (const double more : {1.0, 1.03, 1.06, 1.09, 1.4, 1.9, 2.7, 3.8}) {
         LevelsOfDetail levels =

@@ -20,6 +20,15 @@ struct ImplicitShape {
     Implicit distance; ///< Lipschitz constant at most 2
 };
 
+/// A place around which the grid of a mesh has smaller cells: `share` of their size there, of all
+/// directions alike, and growing towards their size over about `reach` metres. A share of 1 is an
+/// even grid.
+struct FinePlace {
+    Vec3 p = Vec3::Zero();
+    double share = 1.0;
+    double reach = 1.0;
+};
+
 /// Smooth maximum and minimum of two distances, which are blended where they differ by less than
 /// `blend` (Quilez' polynomial blend): intersection and union of two solids with a fillet.
 [[nodiscard]] double roundedMax(double a, double b, double blend);

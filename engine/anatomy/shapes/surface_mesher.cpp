@@ -68,11 +68,40 @@ openvdb::FloatGrid::Ptr sampled(const ImplicitShape& shape, double voxel)
     return grid;
 }
 
+/// From the place in the even grid to that in space. Nowhere does it lengthen, so the shape stays as
+/// flat there as an Implicit has to be.
+Vec3 drawnTogether(const FinePlace& fine, const Vec3& p_grid)
+{
+    const Vec3 from = p_grid - fine.p;
+    const double r = from.norm();
+    if (!(r > 0.0))
+        return p_grid;
+    const double nearer = (1.0 - fine.share) * fine.reach * -std::expm1(-r / fine.reach);
+    return fine.p + (1.0 - nearer / r) * from;
+}
+
+/// The shape in the even grid.
+ImplicitShape spread(const ImplicitShape& shape, const FinePlace& fine)
+{
+    const Vec3 most = Vec3::Constant((1.0 - fine.share) * fine.reach);
+    return {{shape.bounds.min - most, shape.bounds.max + most},
+            [distance = shape.distance, fine](const Vec3& p_grid) {
+                return distance(drawnTogether(fine, p_grid));
+            }};
+}
+
 } // namespace
 
-TriangleMesh meshOf(const ImplicitShape& shape, Length voxel)
+TriangleMesh meshOf(const ImplicitShape& shape, Length voxel, const FinePlace& fine)
 {
     CARINA_EXPECTS(voxel.si > 0.0 && !shape.bounds.empty());
+    CARINA_EXPECTS(fine.share > 0.0 && fine.share <= 1.0 && fine.reach > 0.0);
+    if (fine.share < 1.0) {
+        TriangleMesh mesh = meshOf(spread(shape, fine), voxel);
+        for (Vec3f& p : mesh.positions)
+            p = drawnTogether(fine, p.cast<double>()).cast<float>();
+        return mesh;
+    }
     openvdb::initialize();
     std::vector<openvdb::Vec3s> points;
     std::vector<openvdb::Vec3I> threes;

@@ -3,6 +3,7 @@
 #include "tests/engine/anatomy/shapes/surface_checks.h"
 #include "tests/support/test_class.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -24,6 +25,7 @@ private Q_SLOTS:
     void cutCornersStayBetweenTheirNeighbours();
     void aBallIsMeshedClosedOutwardAndInPlace();
     void twoBallsApartAreBothMeshed();
+    void cellsAreSmallerAtAFinePlace();
 };
 
 namespace
@@ -149,6 +151,24 @@ void TestImplicitShape::twoBallsApartAreBothMeshed()
     QCOMPARE(test::edgesWithoutPartner(balls), 0);
     const double volume = 8.0 / 3.0 * kPi * std::pow(kRadius, 3);
     QVERIFY(std::abs(signedVolume(balls) / volume - 1.0) < 0.02);
+}
+
+/// Still closed and in place, with more and smaller triangles where it is fine.
+void TestImplicitShape::cellsAreSmallerAtAFinePlace()
+{
+    constexpr double kRadius = 0.05;
+    const Box bounds{Vec3::Constant(-kRadius), Vec3::Constant(kRadius)};
+    const FinePlace fine{{0.0, -kRadius, 0.0}, 0.5, 0.04};
+    const TriangleMesh ball = meshOf(
+        {bounds, [](const Vec3& p) { return p.norm() - kRadius; }}, millimetres(3.0), fine);
+    QCOMPARE(test::edgesWithoutPartner(ball), 0);
+    QVERIFY(std::abs(signedVolume(ball) / (4.0 / 3.0 * kPi * std::pow(kRadius, 3)) - 1.0) < 0.01);
+    const auto near = [&](double y) {
+        return std::ranges::count_if(ball.positions, [y](const Vec3f& p) {
+            return (p - Vec3f{0.0F, float(y), 0.0F}).norm() < 0.02F;
+        });
+    };
+    QVERIFY(near(-kRadius) > 2 * near(kRadius));
 }
 
 CARINA_TEST(TestImplicitShape)

@@ -4,6 +4,7 @@
 #include "engine/anatomy/airway/jaw_hinge.h"
 #include "engine/anatomy/airway/pharynx_shapes.h"
 #include "engine/anatomy/chest/diaphragm_shape.h"
+#include "engine/anatomy/chest/heart_shape.h"
 #include "engine/anatomy/chest/lung_shape.h"
 #include "engine/anatomy/chest/segment_shapes.h"
 #include "engine/anatomy/detail.h"
@@ -66,7 +67,11 @@ std::vector<PartPlan> partPlans(const BodyPlan& plan)
                                airway.bronchus(Side::Left), voxel}};
     add(all, segmentalBronchi(plan, airway));
     add(all, larynx(plan));
-    add(all, lobes(plan, [airway](const Vec3& p_A) { return airway.outsideLungs(p_A); }));
+    const Implicit mainAirway = [airway](const Vec3& p_A) { return airway.outsideLungs(p_A); };
+    add(all, lobes(plan, [mainAirway, heart = heartAndVesselsRegion(plan)](const Vec3& p_A) {
+            return std::min(mainAirway(p_A), heart(p_A));
+        }));
+    add(all, heartAndVessels(plan, mainAirway));
     add(all, mouth(plan));
     add(all, teeth(plan));
     all.push_back(maxilla(plan));

@@ -11,8 +11,8 @@ namespace carina
 
 /// Makes a patient from formulas: mouth with teeth, tongue and palate, pharynx, larynx with vocal
 /// cords and hyoid bone, epiglottis, trachea with its rings, bronchi to the segments, five lobes,
-/// diaphragm, ribs, sternum, clavicles, spine, skull, mandible, oesophagus and
-/// skin with a face. Each surface is closed in each of
+/// heart and great vessels, diaphragm, ribs, sternum, clavicles, spine, skull, mandible, oesophagus
+/// and skin with a face. Each surface is closed in each of
 /// three levels of detail (all, about a quarter and about a sixteenth of the triangles). No file is
 /// read; the same build makes the same patient.
 ///

@@ -84,6 +84,10 @@ private Q_SLOTS:
         row("Gingiva of lower jaw", "mucosa");
         row("Hyoid bone", "larynx");
         row("Cranium", "skull");
+        row("Heart", "heart");
+        row("Aorta", "vessel");
+        row("Inferior vena cava", "vessel");
+        row("Pulmonary trunk", "vessel");
         row("Diaphragm", "diaphragm");
         row("", "other");
     }

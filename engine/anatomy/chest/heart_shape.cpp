@@ -21,7 +21,7 @@ constexpr double kFarFromHeart = 20.0;
 double ventricles(const Vec3& p)
 {
     const double right = rodDistance(p, {4, -56, -52}, {44, -67, -80}, 31.0, 17.0);
-    const double left = rodDistance(p, {24, -44, -54}, {56, -60, -82}, 33.0, 19.0);
+    const double left = rodDistance(p, {24, -44, -54}, {53.5, -59.5, -82}, 33.0, 17.5);
     return roundedMin(right, left, 2.5);
 }
 
@@ -44,30 +44,27 @@ struct VesselPoint {
 
 /// From the left ventricle, before the trachea and over the left main bronchus, down beside the
 /// vertebrae to the diaphragm.
-const std::array kAorta{
-    VesselPoint{{13, -40, -44}, 13.5}, VesselPoint{{8, -43, -25}, 13.8},
-    VesselPoint{{6, -41, -4}, 13.2},   VesselPoint{{10, -31, 12}, 12.8},
-    VesselPoint{{20, -15, 19}, 12.0},  VesselPoint{{25, 5, 16}, 11.0},
-    VesselPoint{{27, 19, 4}, 10.8},    VesselPoint{{27, 24.5, -12}, 10.5},
-    VesselPoint{{25, 19, -30}, 10.5},  VesselPoint{{21.5, 12, -50}, 10.5},
-    VesselPoint{{20.5, 9, -75}, 10.2}, VesselPoint{{20.5, 8, -99}, 10.0}};
+const std::array kAorta{VesselPoint{{13, -40, -44}, 13.5}, VesselPoint{{8, -43, -25}, 13.8},
+                        VesselPoint{{6, -41, -4}, 13.2},   VesselPoint{{10, -31, 12}, 12.8},
+                        VesselPoint{{20, -15, 19}, 12.0},  VesselPoint{{25, 5, 16}, 11.0},
+                        VesselPoint{{27, 19, 4}, 10.8},    VesselPoint{{27, 24.5, -12}, 10.5},
+                        VesselPoint{{25, 19, -30}, 10.5},  VesselPoint{{21.5, 12, -50}, 10.5},
+                        VesselPoint{{20.5, 9, -75}, 10.2}, VesselPoint{{20.5, 8, -99}, 10.0}};
 
 /// From the right ventricle to the left of the ascending aorta; its left artery over the left main
 /// bronchus, its right one behind the ascending aorta and the vena cava.
-const std::array kPulmonaryTrunk{VesselPoint{{27, -64, -38}, 12.0},
-                                 VesselPoint{{33, -57, -18}, 11.8},
-                                 VesselPoint{{33.5, -43, -7}, 10.5},
-                                 VesselPoint{{30, -25, -6}, 9.5}};
+const std::array kPulmonaryTrunk{
+    VesselPoint{{27, -64, -38}, 12.0}, VesselPoint{{33, -57, -18}, 11.8},
+    VesselPoint{{33.5, -43, -7}, 10.5}, VesselPoint{{30, -25, -6}, 9.5}};
 const std::array kLeftPulmonaryArtery{VesselPoint{{30, -25, -6}, 9.0},
                                       VesselPoint{{34, -9, -9}, 7.5}};
 const std::array kRightPulmonaryArtery{VesselPoint{{30, -25, -6}, 8.0},
                                        VesselPoint{{8, -17, -12}, 7.0},
                                        VesselPoint{{-14, -12, -14}, 6.0}};
 
-const std::array kSuperiorVenaCava{VesselPoint{{-13, -27, 30}, 8.0},
-                                   VesselPoint{{-14.5, -29, 10}, 8.3},
-                                   VesselPoint{{-15.8, -32, -12}, 8.3},
-                                   VesselPoint{{-13, -36, -30}, 9.0}};
+const std::array kSuperiorVenaCava{
+    VesselPoint{{-13, -27, 30}, 8.0}, VesselPoint{{-14.5, -29, 10}, 8.3},
+    VesselPoint{{-15.8, -32, -12}, 8.3}, VesselPoint{{-13, -36, -30}, 9.0}};
 const std::array kInferiorVenaCava{VesselPoint{{-13, -37, -64}, 8.5},
                                    VesselPoint{{-13, -33, -87}, 8.5}};
 

@@ -15,7 +15,7 @@ namespace
 /// Written in the millimetres of LarynxFrame.
 constexpr Length kHyoidVoxel = millimetres(1.0);
 constexpr double kBeforeEpiglottis = 13.6; ///< of the middle of the body
-constexpr double kHalfBody = 6.0; ///< of its middle line; its ends are round
+constexpr double kHalfBody = 6.0;          ///< of its middle line; its ends are round
 constexpr double kHornRoot = 9.0;
 constexpr double kBodyHigh = 4.8;
 constexpr double kBodyThick = 2.7;
@@ -32,8 +32,8 @@ constexpr double kHighestHorn = 42.0;
 constexpr double kFootOfArches = -24.5;
 constexpr double kBesideArches = 22.2;
 
-/// How high the body lies above the cords: at rest as in the man of BodyParts3D; lower with the mouth
-/// held open, below its floor (Muto and Kanazawa 1994: down and back).
+/// How high the body lies above the cords: at rest as in the man of BodyParts3D; lower with the
+/// mouth held open, below its floor (Muto and Kanazawa 1994: down and back).
 double hyoidLevel(Posture posture) { return posture == Posture::Rest ? 28.0 : 21.5; }
 
 /// Lengthens the way from the midline so that a rod of this radius keeps clear of the pharynx and
@@ -60,8 +60,7 @@ struct Hyoid {
     double unit;
 
     Hyoid(const BodyPlan& plan, const LarynxFrame& frame, const Epiglottis& epiglottis)
-        : Hyoid(plan, frame,
-                epiglottis.middleAt(hyoidLevel(plan.posture)) - kBeforeEpiglottis,
+        : Hyoid(plan, frame, epiglottis.middleAt(hyoidLevel(plan.posture)) - kBeforeEpiglottis,
                 hyoidLevel(plan.posture))
     {
     }
@@ -101,13 +100,11 @@ private:
             return frame.inAnatomy(Vec3{x, front + back, level + up});
         };
         const Vec3 root = at(kHornRoot, 1.4, 0.4);
-        const Vec3 side = besidePharynx(plan, at(15.0, 12.0, 0.4), radius);
+        const Vec3 side = besidePharynx(plan, at(15.0, 9.0, 0.3), radius);
         const Vec3 bend = 0.5 * (root + side) + 1.5 * unit * Vec3{1.0, -1.0, 0.0};
         const Vec3 tip = besidePharynx(plan, at(16.5, 31.0, 0.5), kTipRadius * unit);
         horn = smoothThrough(
-            std::array{root, bend, side,
-                       besidePharynx(plan, at(16.0, 22.0, 0.2), radius), tip},
-            4);
+            std::array{root, bend, side, besidePharynx(plan, at(16.0, 22.0, 0.2), radius), tip}, 4);
         hornRadii.assign(horn.size(), radius);
         hornRadii.back() = kTipRadius * unit;
     }
@@ -119,8 +116,8 @@ private:
         for (const double x : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
             const Vec3 p{kHalfBody * x, front + 1.4 * x * x, level + 0.4 * x * x};
             const Vec3 ahead = frame.inAnatomy(p - Vec3::UnitY()) - frame.inAnatomy(p);
-            points.push_back({frame.inAnatomy(p), kBodyHigh * u, kBodyThick * u,
-                              ahead.normalized()});
+            points.push_back(
+                {frame.inAnatomy(p), kBodyHigh * u, kBodyThick * u, ahead.normalized()});
         }
         return Strand{std::move(points)};
     }

@@ -68,8 +68,8 @@ openvdb::FloatGrid::Ptr sampled(const ImplicitShape& shape, double voxel)
     return grid;
 }
 
-/// From the place in the even grid to that in space. Nowhere does it lengthen, so the shape stays as
-/// flat there as an Implicit has to be.
+/// From the place in the even grid to that in space. Nowhere does it lengthen, so the shape stays
+/// as flat there as an Implicit has to be.
 Vec3 drawnTogether(const FinePlace& fine, const Vec3& p_grid)
 {
     const Vec3 from = p_grid - fine.p;

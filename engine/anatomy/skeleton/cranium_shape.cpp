@@ -49,9 +49,9 @@ double rods(const Vec3& p, std::span<const RodPoint> points)
 /// The upper and outer edge of an orbit, down to the zygomatic bone.
 double orbitEdge(const Vec3& p)
 {
-    static const std::array edge{RodPoint{{0, 11, 79}, 7.5},   RodPoint{{14, 11, 84}, 7.0},
-                                 RodPoint{{30, 14, 88}, 6.5},  RodPoint{{45, 20, 85}, 6.0},
-                                 RodPoint{{52, 28, 75}, 5.2},  RodPoint{{53, 30, 62}, 5.0},
+    static const std::array edge{RodPoint{{0, 11, 79}, 7.5},  RodPoint{{14, 11, 84}, 7.0},
+                                 RodPoint{{30, 14, 88}, 6.5}, RodPoint{{45, 20, 85}, 6.0},
+                                 RodPoint{{52, 28, 75}, 5.2}, RodPoint{{53, 30, 62}, 5.0},
                                  RodPoint{{49, 27, 50}, 6.5}};
     return rods(p, edge);
 }
@@ -79,10 +79,7 @@ double temporalFossa(const Vec3& p)
     return ellipsoidDistance(p - Vec3{70.0, 50.0, 64.0}, {22.0, 24.0, 28.0});
 }
 
-double mastoid(const Vec3& p)
-{
-    return rodDistance(p, {51, 104, 58}, {50, 108, 31}, 12.0, 6.0);
-}
+double mastoid(const Vec3& p) { return rodDistance(p, {51, 104, 58}, {50, 108, 31}, 12.0, 6.0); }
 
 } // namespace
 
@@ -131,8 +128,8 @@ double Cranium::onAtlas(const Vec3& p) const
     const double u = m_vertebra;
     const double foot = m_atlas.z() + 9.0 * u + kApart + kRadius;
     const Vec3 condyle{16.0 * u, m_atlas.y() - 5.0 * u, foot};
-    const double condyles = rodDistance(p, condyle, {17.0, m_atlas.y() - 1.0, foot + 16.0},
-                                        kRadius, 9.0);
+    const double condyles =
+        rodDistance(p, condyle, {17.0, m_atlas.y() - 1.0, foot + 16.0}, kRadius, 9.0);
     const double plate =
         ellipsoidDistance(p - Vec3{0.0, m_atlas.y() + 6.0, foot + 8.0}, {28.0, 25.0, 11.0});
     return roundedMin(condyles, plate, 6.0);
@@ -152,8 +149,7 @@ double Cranium::distance(const Vec3& p_mm) const
     const double foramen = std::max(ellipseDistance(inForamen, {15.0, 17.5}),
                                     p.z() - m_atlas.z() - 9.0 * m_vertebra - 20.0);
     d = roundedMax(d, -foramen, 3.0);
-    const double throat =
-        std::max({p.x() - 30.0, p.y() - m_vault, p.z() - kAbovePharynx});
+    const double throat = std::max({p.x() - 30.0, p.y() - m_vault, p.z() - kAbovePharynx});
     d = roundedMax(d, -throat, 4.0);
     return roundedMax(d, kBesideMaxilla - maxillaDistance(p), 2.0);
 }

@@ -35,11 +35,11 @@ private:
     [[nodiscard]] double onAtlas(const Vec3& p_mm) const;
 
     double m_share;
-    Vec3 m_centre;   ///< of the braincase
+    Vec3 m_centre; ///< of the braincase
     Vec3 m_radii;
-    Vec3 m_atlas;    ///< middle of the atlas
+    Vec3 m_atlas;      ///< middle of the atlas
     double m_vertebra; ///< millimetres of the neck's bones in those of the face
-    double m_vault;  ///< how far back the pharynx reaches below the base
+    double m_vault;    ///< how far back the pharynx reaches below the base
 };
 
 /// The space of an orbit, of both by symmetry; reference millimetres of the face.

@@ -140,8 +140,7 @@ Vec3 atlasOf(const BodyPlan& plan)
     constexpr double kThroughPharynx = 17.1; // reference millimetres of the face
     constexpr double kHalfAtlas = 22.5;      // and of the neck
     return {0.0,
-            plan.landmarks.p_A_glottis.y() + kThroughPharynx * plan.face
-                + kHalfAtlas * plan.airway,
+            plan.landmarks.p_A_glottis.y() + kThroughPharynx * plan.face + kHalfAtlas * plan.airway,
             plan.inFace(BodyPlan::kAtlas_mm).z() - plan.atlasBelow};
 }
 

@@ -40,9 +40,9 @@ const std::vector<std::string> kVessels{"Aorta", "Superior vena cava", "Inferior
 
 Vec3 farthest(const TriangleMesh& mesh, const Vec3& direction)
 {
-    return std::ranges::max(mesh.positions, {}, [&](const Vec3f& p) {
-               return p.cast<double>().dot(direction);
-           }).cast<double>();
+    return std::ranges::max(mesh.positions, {},
+                            [&](const Vec3f& p) { return p.cast<double>().dot(direction); })
+        .cast<double>();
 }
 
 double diameterAt(const TriangleMesh& mesh, const Vec3& p_A, const Vec3& along)

@@ -89,10 +89,10 @@ void TestHyoidShape::entersNeitherBoneNorAir()
     QFETCH(QString, name);
     const Anatomy& anatomy = test::personCalled(name.toStdString());
     const TriangleMesh& hyoid = named(anatomy, "Hyoid bone");
-    for (const char* other :
-         {"Mandible", "Thyroid cartilage", "Epiglottis", "Laryngeal mucosa",
-          "Middle pharyngeal constrictor", "Inferior pharyngeal constrictor",
-          "Median glosso-epiglottic fold", "Third cervical vertebra", "Left palatopharyngeal arch", "Right palatopharyngeal arch"})
+    for (const char* other : {"Mandible", "Thyroid cartilage", "Epiglottis", "Laryngeal mucosa",
+                              "Middle pharyngeal constrictor", "Inferior pharyngeal constrictor",
+                              "Median glosso-epiglottic fold", "Third cervical vertebra",
+                              "Left palatopharyngeal arch", "Right palatopharyngeal arch"})
         QCOMPARE(test::verticesWithin(hyoid, named(anatomy, other)), 0);
     // The way of a tube keeps clear of it.
     const SurfaceTree bone{hyoid};
@@ -103,8 +103,7 @@ void TestHyoidShape::entersNeitherBoneNorAir()
 /// At rest the epiglottis leans back, and the hyoid bone lies as far in front of it as held.
 void TestHyoidShape::restsWithTheEpiglottis()
 {
-    const Anatomy rest =
-        patientFor(parametersOf(BuiltinPatient::Adult), Posture::Rest).value();
+    const Anatomy rest = patientFor(parametersOf(BuiltinPatient::Adult), Posture::Rest).value();
     const Anatomy& held = test::personCalled("man");
     QVERIFY(hyoidOf(rest).min.y() > hyoidOf(held).min.y() + 5.0 * kMm);
     const double level = cervicalLevel(rest, hyoidOf(rest).centre().z());

@@ -69,7 +69,7 @@ const std::map<PartRole, std::size_t> kRoles{
     {PartRole::Skull, 2}, // cranium and maxilla
     {PartRole::Oesophagus, 1},
     {PartRole::Heart, 1},
-    {PartRole::Vessel, 4}, // aorta, venae cavae, pulmonary trunk
+    {PartRole::Vessel, 4},            // aorta, venae cavae, pulmonary trunk
     {PartRole::Spine, 19},            // seven cervical, twelve thoracic
     {PartRole::Rib, 24 + 14 + 3 + 2}, // ribs, cartilages, sternum, clavicles
     {PartRole::Skin, 1}};

@@ -41,8 +41,7 @@ double unitOfFace(const Anatomy& anatomy)
 
 bool isInside(const Anatomy& anatomy, double x, double y, double z)
 {
-    const Vec3 p_A =
-        anatomy.landmarks.p_A_incisors + unitOfFace(anatomy) * Vec3{x, y, z};
+    const Vec3 p_A = anatomy.landmarks.p_A_incisors + unitOfFace(anatomy) * Vec3{x, y, z};
     return test::windingNumber(named(anatomy, "Skin"), p_A) > 0.5;
 }
 

@@ -159,8 +159,8 @@ void TestImplicitShape::cellsAreSmallerAtAFinePlace()
     constexpr double kRadius = 0.05;
     const Box bounds{Vec3::Constant(-kRadius), Vec3::Constant(kRadius)};
     const FinePlace fine{{0.0, -kRadius, 0.0}, 0.5, 0.04};
-    const TriangleMesh ball = meshOf(
-        {bounds, [](const Vec3& p) { return p.norm() - kRadius; }}, millimetres(3.0), fine);
+    const TriangleMesh ball =
+        meshOf({bounds, [](const Vec3& p) { return p.norm() - kRadius; }}, millimetres(3.0), fine);
     QCOMPARE(test::edgesWithoutPartner(ball), 0);
     QVERIFY(std::abs(signedVolume(ball) / (4.0 / 3.0 * kPi * std::pow(kRadius, 3)) - 1.0) < 0.01);
     const auto near = [&](double y) {

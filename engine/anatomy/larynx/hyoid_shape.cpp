@@ -100,7 +100,8 @@ private:
             return frame.inAnatomy(Vec3{x, front + back, level + up});
         };
         const Vec3 root = at(kHornRoot, 1.4, 0.4);
-        const Vec3 side = besidePharynx(plan, at(15.0, 9.0, 0.3), radius);
+        // The arches of a throat that is drawn out reach farther forward.
+        const Vec3 side = besidePharynx(plan, at(15.0, 9.0 / plan.throat, 0.3), radius);
         const Vec3 bend = 0.5 * (root + side) + 1.5 * unit * Vec3{1.0, -1.0, 0.0};
         const Vec3 tip = besidePharynx(plan, at(16.5, 31.0, 0.5), kTipRadius * unit);
         horn = smoothThrough(

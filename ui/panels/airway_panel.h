@@ -83,7 +83,7 @@ private:
     AirwayGroupBar* m_groups;
     QWidget* m_events;                           ///< the rows
     std::array<Row, kAirwayEventKinds> m_rows{}; ///< by kind
-    QPushButton* m_suction; ///< below the rows, with the fluids
+    QPushButton* m_suction;                      ///< below the rows, with the fluids
     QPushButton* m_clear;
     RefusalLine* m_refused;
     QLabel* m_travelling;

@@ -34,7 +34,7 @@ constexpr std::string_view kInfants =
     "CT of 56 up to 3 years: Anesth Analg 2013;117(2), length of the subglottic airway";
 constexpr std::string_view kGriscom =
     "CT of 34 up to 6 years, by height: Griscom and Wohl, dimensions of the trachea to age 6";
-constexpr std::string_view kLobes = "CT of 32, supine: PMC7490509";
+constexpr std::string_view kLobesSource = "CT of 32, supine: PMC7490509";
 
 constexpr std::array kAll{
     PublishedDimension{.name = "trachea_length_mm",
@@ -230,7 +230,7 @@ constexpr std::array kAll{
         .name = "sternal_body_mm", .sex = Sex::Male, .mean = 101.1, .source = kSternum},
     PublishedDimension{
         .name = "sternal_body_mm", .sex = Sex::Female, .mean = 87.5, .source = kSternum},
-    PublishedDimension{.name = "right_lung_percent", .mean = 53.6, .source = kLobes}};
+    PublishedDimension{.name = "right_lung_percent", .mean = 53.6, .source = kLobesSource}};
 
 } // namespace
 

@@ -12,12 +12,6 @@ namespace carina
 namespace
 {
 
-double severityIn(const AirwayEvents& events, AirwayEventKind kind)
-{
-    const auto found = std::ranges::find(events, kind, &AirwayEvent::kind);
-    return found == events.end() ? 0.0 : found->severity;
-}
-
 /// The same events but for one, which is left out where it has no severity.
 AirwayEvents withSeverity(AirwayEvents events, AirwayEventKind kind, double severity)
 {
@@ -63,11 +57,11 @@ void AirwayEventModel::setPatient(const SessionPatient& patient)
     refresh();
 }
 
-double AirwayEventModel::severity(AirwayEventKind kind) const { return severityIn(events(), kind); }
+double AirwayEventModel::severity(AirwayEventKind kind) const { return severityOf(events(), kind); }
 
 double AirwayEventModel::present(AirwayEventKind kind) const
 {
-    return severityIn(presentValue(), kind);
+    return severityOf(presentValue(), kind);
 }
 
 bool AirwayEventModel::canBeSet(AirwayEventKind kind) const

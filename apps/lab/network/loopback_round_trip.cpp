@@ -17,7 +17,7 @@ namespace
 constexpr std::size_t kExchanges = 400;
 constexpr Duration kPause = std::chrono::milliseconds{2};
 constexpr int kPatience_ms = 1000;
-constexpr int kLook_ms = 50;
+constexpr int kEchoWait_ms = 50;
 constexpr qint64 kBytes = 16;
 
 /// Answers each datagram with its own bytes. Its port is 0 where it has no socket.
@@ -40,7 +40,7 @@ private:
         m_bound.set_value(socket.bind(QHostAddress::LocalHost) ? socket.localPort() : 0);
         QByteArray bytes(kBytes, '\0');
         while (!stopping.stop_requested()) {
-            if (!socket.waitForReadyRead(kLook_ms))
+            if (!socket.waitForReadyRead(kEchoWait_ms))
                 continue;
             QHostAddress from;
             quint16 port = 0;

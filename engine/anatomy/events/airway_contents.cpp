@@ -36,8 +36,10 @@ template <class RowAt> void addRippledSurface(TriangleMesh& mesh, RowAt rowAt)
         for (int column = 0; column <= kColumns; ++column) {
             const auto [z_mm, half_mm] = rowAt(row);
             const double x_mm = std::lerp(-half_mm, half_mm, column / double(kColumns));
-            mesh.positions.emplace_back(Vec3{1e-3 * x_mm, 0.0, 1e-3 * z_mm}.cast<float>());
-            mesh.normals.emplace_back(rippled(x_mm, z_mm).cast<float>());
+            const Vec3 p{1e-3 * x_mm, 0.0, 1e-3 * z_mm};
+            mesh.positions.emplace_back(p.cast<float>());
+            const Vec3 normal = rippled(x_mm, z_mm);
+            mesh.normals.emplace_back(normal.cast<float>());
         }
     for (int row = 0; row < kRows; ++row)
         for (int column = 0; column < kColumns; ++column) {

@@ -25,7 +25,7 @@ constexpr double kHalfLength = 97.0;
 constexpr double kHalfHeight = 78.5;
 constexpr double kForehead = 4.0;
 constexpr double kFoot = 26.0;
-constexpr double kCorners = 2.4; ///< exponent of its sections
+constexpr double kSectionExponent = 2.4; ///< exponent of its sections
 
 /// Height of the base in front of the occipital bone, above the joints of the jaw.
 constexpr double kBase = 56.0;
@@ -102,9 +102,9 @@ Cranium::Cranium(const BodyPlan& plan)
 double Cranium::braincase(const Vec3& p) const
 {
     const Vec3 q = (p - m_centre).cwiseQuotient(m_radii).cwiseAbs();
-    const double sum =
-        std::pow(q.x(), kCorners) + std::pow(q.y(), kCorners) + std::pow(q.z(), kCorners);
-    return (std::pow(sum, 1.0 / kCorners) - 1.0) * m_radii.x();
+    const double sum = std::pow(q.x(), kSectionExponent) + std::pow(q.y(), kSectionExponent)
+                       + std::pow(q.z(), kSectionExponent);
+    return (std::pow(sum, 1.0 / kSectionExponent) - 1.0) * m_radii.x();
 }
 
 /// The braincase above the base: in front level with the roofs of the orbits' backs and the joints

@@ -61,7 +61,7 @@ void decide(AirwayEventTimeline& timeline, const Decided& change)
     timeline.set(atSeconds(change.from_s), change.events, fromSeconds(change.over_s));
 }
 
-double severityOf(const AirwayEvents& events, AirwayEventKind kind)
+double severityAmong(const AirwayEvents& events, AirwayEventKind kind)
 {
     const auto found = std::ranges::find(events, kind, &AirwayEvent::kind);
     return found == events.end() ? 0.0 : found->severity;
@@ -110,9 +110,9 @@ void TestAirwayEvents::comeOnEvenlyOverTheTime()
          {std::pair{15.0, 0.2}, {20.0, 0.4}, {29.0, 0.76}, {30.0, 0.8}, {1000.0, 0.8}}) {
         const AirwayEvents events = timeline.at(atSeconds(t));
         QVERIFY(areProper(events) && events.size() == 1);
-        QVERIFY(isNear(severityOf(events, TongueOedema), severity));
+        QVERIFY(isNear(severityAmong(events, TongueOedema), severity));
     }
-    QCOMPARE(severityOf(timeline.at(atSeconds(30.0)), TongueOedema), 0.8);
+    QCOMPARE(severityAmong(timeline.at(atSeconds(30.0)), TongueOedema), 0.8);
 }
 
 void TestAirwayEvents::takeTheirPlaceAtOnceWhereNoTimeIsGiven()
@@ -134,11 +134,11 @@ void TestAirwayEvents::goOnFromTheSeverityThatTheyHaveReached()
     decide(timeline, {10.0, {{TongueOedema, 0.8}, {Laryngospasm, 1.0}}, 20.0});
     decide(timeline, {15.0, {{TongueOedema, 0.7}}, 10.0});
     const AirwayEvents begin = timeline.at(atSeconds(15.0));
-    QVERIFY(isNear(severityOf(begin, TongueOedema), 0.2));
-    QVERIFY(isNear(severityOf(begin, Laryngospasm), 0.25));
+    QVERIFY(isNear(severityAmong(begin, TongueOedema), 0.2));
+    QVERIFY(isNear(severityAmong(begin, Laryngospasm), 0.25));
     const AirwayEvents later = timeline.at(atSeconds(19.0));
-    QVERIFY(isNear(severityOf(later, TongueOedema), 0.4));
-    QVERIFY(isNear(severityOf(later, Laryngospasm), 0.15));
+    QVERIFY(isNear(severityAmong(later, TongueOedema), 0.4));
+    QVERIFY(isNear(severityAmong(later, Laryngospasm), 0.15));
     QVERIFY(timeline.at(atSeconds(25.0)) == (AirwayEvents{{TongueOedema, 0.7}}));
 }
 
@@ -169,8 +169,8 @@ void TestAirwayEvents::holdTheLastOfTwoAtOneTime()
     decide(timeline, {10.0, {{TongueOedema, 1.0}}, 0.0});
     decide(timeline, {10.0, {{Epiglottitis, 1.0}}, 10.0});
     const AirwayEvents half = timeline.at(atSeconds(15.0));
-    QVERIFY(isNear(severityOf(half, TongueOedema), 0.25)); // of the half before both
-    QVERIFY(isNear(severityOf(half, Epiglottitis), 0.5));
+    QVERIFY(isNear(severityAmong(half, TongueOedema), 0.25)); // of the half before both
+    QVERIFY(isNear(severityAmong(half, Epiglottitis), 0.5));
 }
 
 void TestAirwayEvents::tellWhereTheChangeLeads()

@@ -65,8 +65,9 @@ struct UpperAirway {
 /// That way in the reference man.
 inline constexpr Length kReferenceWay = millimetres(87.6);
 
-/// The open glottis of a man (Miller, 6th edition).
-inline constexpr Length kReferenceGlottis = millimetres(23.0);
+/// A glottis that is in proportion to the way from the incisors: a little shorter than a man's open
+/// one (23 mm, Miller, 6th edition), so that his larynx has the size of his airway.
+inline constexpr Length kReferenceGlottis = millimetres(22.0);
 
 /// Height of the vallecula's floor, as a share of the way from the epiglottis' base to its tip: of
 /// ours. Its free part is about two thirds of its length.

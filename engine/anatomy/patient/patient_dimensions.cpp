@@ -96,12 +96,12 @@ Windpipe childsAt(Length height)
 /// 2013;117:460). The trachea begins 9.2 mm below the cords at 50 cm (5.04 less 4.12 cm, the same
 /// infants), and as far as in childsAt at 116 cm. Its air is 0.0070 h + 0.05 cm from front to back
 /// and 0.0065 h + 0.18 cm from side to side (Griscom et al., 34 children up to six years, CT); the
-/// wall around it, of ours, takes 1.1 mm.
+/// wall around it, of ours, takes 1.6 mm.
 Windpipe infantsAt(Length height)
 {
     constexpr Length kNewborn = centimetres(50.0);
     constexpr Length kSchoolChild = centimetres(116.0);
-    constexpr Length kWallOfTrachea = millimetres(1.1);
+    constexpr Length kWallOfTrachea = millimetres(1.6);
     const Windpipe school = childsAt(kSchoolChild);
     const double grown = (height - kNewborn) / (kSchoolChild - kNewborn);
     const Length cords = mix(centimetres(5.1), school.cordsToCarina, grown);

@@ -339,7 +339,7 @@ void AirwayPanel::refreshRow(AirwayEventKind kind)
 }
 
 /// Presets where any event can be set. The keyboard comes to the first event in sight that can be,
-/// else to the heading of its group.
+/// else, and where this person can set none, to the heading of its group.
 void AirwayPanel::offerWhatCanBeSet()
 {
     const auto boxOf = [this](AirwayEventKind kind) { return m_rows[placeOf(kind)].severity; };
@@ -349,7 +349,9 @@ void AirwayPanel::offerWhatCanBeSet()
         kinds, [&](AirwayEventKind kind) { return m_groups->shows(kind) && canBeSet(kind); });
     const bool isAny = std::ranges::any_of(kinds, canBeSet);
     m_presets->setEnabled(isAny);
-    if (first != kinds.end())
+    if (!m_events->isEnabled())
+        setFocusProxy(m_groups); // which can be looked through
+    else if (first != kinds.end())
         setFocusProxy(boxOf(*first));
     else
         setFocusProxy(isAny ? static_cast<QWidget*>(m_groups) : m_over);

@@ -548,6 +548,7 @@ void TestAirwayPanel::changesNothingForAnObserver()
     for (const char* name : {"airwayPreset", "airwayOver", "headPosition", "tongue_oedema",
                              "tongue_oedemaSlider", "clearAirway"})
         QVERIFY2(!desk.find<QWidget>(name).isEnabled(), name);
+    QCOMPARE(desk.first(), QStringLiteral("airwayGroup_all"));
     desk.node.decide(fact::AirwayEventsSet{{{Laryngospasm, 1.0}}, {}});
     desk.settle();
     QCOMPARE(desk.box("laryngospasm").value(), 100);

@@ -94,11 +94,11 @@ void AirwayGroupBar::choose(const QByteArray& name)
         const bool isChosen = nameOf(airwayGroups()[place]) == m_chosen;
         m_headings[place]->setChecked(isChosen);
         if (isChosen)
-            setFocusProxy(m_headings[place]);
+            m_heading = m_headings[place];
     }
     m_all->setChecked(m_chosen == kAll);
     if (m_all->isChecked())
-        setFocusProxy(m_all);
+        m_heading = m_all;
 }
 
 bool AirwayGroupBar::shows(AirwayEventKind kind) const

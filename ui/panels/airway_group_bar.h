@@ -26,6 +26,8 @@ public:
 
     /// The name of the group that is chosen; kAll of all of them. The first group at first.
     [[nodiscard]] const QByteArray& chosen() const { return m_chosen; }
+    /// The heading of what is chosen.
+    [[nodiscard]] QPushButton* heading() const { return m_heading; }
     /// Nothing where no group is called so.
     void choose(const QByteArray& name);
     /// Whether events of this kind are to be in sight.
@@ -48,6 +50,7 @@ private:
     QByteArray m_chosen;
     std::array<QPushButton*, kGroups> m_headings{}; ///< in the order of the groups
     QPushButton* m_all = nullptr;
+    QPushButton* m_heading = nullptr; ///< one of these
 };
 
 } // namespace carina

@@ -350,11 +350,11 @@ void AirwayPanel::offerWhatCanBeSet()
     const bool isAny = std::ranges::any_of(kinds, canBeSet);
     m_presets->setEnabled(isAny);
     if (!m_events->isEnabled())
-        setFocusProxy(m_groups); // which can be looked through
+        setFocusProxy(m_groups->heading()); // which can be looked through
     else if (first != kinds.end())
         setFocusProxy(boxOf(*first));
     else
-        setFocusProxy(isAny ? static_cast<QWidget*>(m_groups) : m_over);
+        setFocusProxy(isAny ? static_cast<QWidget*>(m_groups->heading()) : m_over);
 }
 
 } // namespace carina

@@ -157,7 +157,9 @@ double Cranium::distance(const Vec3& p_mm) const
 Box Cranium::bounds() const
 {
     const double side = m_radii.x() + 4.0;
-    return {Vec3{-side, -12.0, 18.0},
+    // In infants the condyles follow the atlas down.
+    const double foot = std::min(18.0, m_atlas.z() + 9.0 * m_vertebra - 4.0);
+    return {Vec3{-side, -12.0, foot},
             Vec3{side, m_centre.y() + m_radii.y() + 4.0, m_centre.z() + m_radii.z() + 4.0}};
 }
 

@@ -1,4 +1,7 @@
+#include "engine/anatomy/skeleton/cranium_shape.h"
+
 #include "engine/anatomy/patient/builtin_patient.h"
+#include "engine/anatomy/patient/patient_name.h"
 #include "engine/geometry/mesh/surface_tree.h"
 #include "tests/engine/anatomy/shapes/people.h"
 #include "tests/engine/anatomy/shapes/section.h"
@@ -29,6 +32,8 @@ private Q_SLOTS:
     void holdsTheJawsJointsAndMeetsTheMaxilla();
     void isWithinNothingElse_data() { test::people(); }
     void isWithinNothingElse();
+    void endsWithinItsBounds_data();
+    void endsWithinItsBounds();
 };
 
 namespace
@@ -65,6 +70,26 @@ double lengthOf(const Anatomy& anatomy)
         if (double(p.z()) > anatomy.landmarks.p_A_incisors.z() + 0.5 * box.size().z())
             brow = std::min(brow, double(p.y()));
     return box.max.y() - brow;
+}
+
+/// The least of what is 0 on the surface, on the six faces of the bounds; reference millimetres.
+double leastOnFaces(const Cranium& bone)
+{
+    constexpr int kSteps = 60;
+    const Box box = bone.bounds();
+    double least = 1e3;
+    for (int axis = 0; axis < 3; ++axis)
+        for (int i = 0; i <= kSteps; ++i)
+            for (int j = 0; j <= kSteps; ++j)
+                for (const double end : {0.0, 1.0}) {
+                    Vec3 share;
+                    share[axis] = end;
+                    share[(axis + 1) % 3] = double(i) / kSteps;
+                    share[(axis + 2) % 3] = double(j) / kSteps;
+                    least = std::min(
+                        least, bone.distance(box.min + share.cwiseProduct(box.max - box.min)));
+                }
+    return least;
 }
 
 } // namespace
@@ -171,6 +196,25 @@ void TestCraniumShape::isWithinNothingElse()
         QVERIFY2(test::verticesWithin(craniumOf(anatomy), named(anatomy, other)) == 0, other);
         QVERIFY2(test::verticesWithin(named(anatomy, other), craniumOf(anatomy)) == 0, other);
     }
+}
+
+void TestCraniumShape::endsWithinItsBounds_data()
+{
+    QTest::addColumn<QString>("words");
+    for (const char* words : {"newborn, 50 cm, girl", "3 months, 60 cm, boy", "1 year, 75 cm, girl",
+                              "2 years, 87 cm, boy", "6 years, 116 cm, boy", "child",
+                              "30 years, 162 cm, woman", "adult"})
+        QTest::newRow(words) << QString::fromLatin1(words);
+}
+
+/// Or its mesh would be cut off there.
+void TestCraniumShape::endsWithinItsBounds()
+{
+    QFETCH(QString, words);
+    const PatientParameters who = patientFromWords(words.toStdString()).value();
+    const double least =
+        leastOnFaces(Cranium{bodyPlanOf(dimensionsFor(who).value(), Posture::Laryngoscopy)});
+    QVERIFY2(least > 0.0, qPrintable(QString::number(least)));
 }
 
 CARINA_TEST(TestCraniumShape)

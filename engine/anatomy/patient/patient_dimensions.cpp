@@ -222,7 +222,11 @@ LengthRange heightRange(double age)
         {{0.0, 0.45}, {1.0, 0.65}, {kSchoolAge_years, kLeastHeight.si}}};
     constexpr std::array<std::array<double, 2>, 3> kMost_m{
         {{0.0, 0.60}, {1.0, 0.90}, {kSchoolAge_years, 1.40}}};
-    return {metres(onLines(kLeast_m, age)), metres(onLines(kMost_m, age))};
+    // A line that meets a whole centimetre may miss it by rounding.
+    constexpr double kRounding_cm = 1e-6;
+    const double least_cm = std::ceil(100.0 * onLines(kLeast_m, age) - kRounding_cm);
+    const double most_cm = std::floor(100.0 * onLines(kMost_m, age) + kRounding_cm);
+    return {metres(least_cm / 100.0), metres(most_cm / 100.0)};
 }
 
 double usualBodyMassIndex(double age)

@@ -94,7 +94,8 @@ struct LengthRange {
 
 /// The heights that are taken at an age: 45 to 60 cm in the newborn, 65 to 90 cm at one year, and
 /// from kSchoolAge_years on kLeastHeight to kGreatestHeight; in between on straight lines, up to
-/// 1.4 m. Lengths of healthy children lie well within (WHO growth standards).
+/// 1.4 m, the whole centimetres within them. Lengths of healthy children lie well within (WHO growth
+/// standards).
 [[nodiscard]] LengthRange heightRange(double ageInYears);
 
 /// Inner diameter of a fitting cuffed tube: 3.0 mm below eight months, 3.5 below two years, 4.0

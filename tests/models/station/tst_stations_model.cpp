@@ -200,6 +200,9 @@ void TestStationsModel::saysWhatIsWrongWithAPatient()
     QCOMPARE(fault("newborn, 50 cm, girl"), QString{});
     QCOMPARE(fault("newborn, 75 cm, girl"),
              QStringLiteral("75 cm are out of range: a height is 45 to 60 cm."));
+    QCOMPARE(fault("2 months, 48 cm, boy"),
+             QStringLiteral("48 cm are out of range: a height is 49 to 65 cm."));
+    QCOMPARE(fault("2 months, 49 cm, boy"), QString{});
     const QString both = fault("91 years, 300 cm, man");
     QVERIFY2(both.contains(QStringLiteral("0 to 90 years"))
                  && both.contains(QStringLiteral("100 to 210 cm")),

@@ -35,6 +35,7 @@ private Q_SLOTS:
     void tubeFitsTheAge();
     void refusesWhomTheFormulasDoNotReach_data();
     void refusesWhomTheFormulasDoNotReach();
+    void takesTheHeightsThatItNames();
 };
 
 namespace
@@ -404,6 +405,32 @@ void TestPatientDimensions::refusesWhomTheFormulasDoNotReach()
     QCOMPARE(d.has_value(), good);
     if (!good)
         QVERIFY(d.error().code == Errc::OutOfRange);
+}
+
+/// What is named as a limit is taken, and a centimetre beyond it is not.
+void TestPatientDimensions::takesTheHeightsThatItNames()
+{
+    const auto isTaken = [](double age, int height_cm) {
+        return dimensionsFor({age, metres(height_cm / 100.0), Sex::Female, Habitus::Normal})
+            .has_value();
+    };
+    for (int months = 0; months <= 72; ++months) {
+        const double age = months / 12.0;
+        const LengthRange heights = heightRange(age);
+        const int least_cm = int(std::lround(100.0 * heights.least.si));
+        const int most_cm = int(std::lround(100.0 * heights.most.si));
+        const QByteArray month = QByteArray::number(months);
+        QVERIFY2(isTaken(age, least_cm) && !isTaken(age, least_cm - 1), month);
+        QVERIFY2(isTaken(age, most_cm) && !isTaken(age, most_cm + 1), month);
+        const std::string refusal =
+            dimensionsFor({age, metres(3.0), Sex::Female, Habitus::Normal}).error().detail;
+        const std::string named =
+            std::to_string(least_cm) + " to " + std::to_string(most_cm) + " cm";
+        QVERIFY2(refusal.find(named) != std::string::npos, refusal.c_str());
+    }
+    // On the line from 45 cm at birth to 65 cm at one year.
+    QCOMPARE(std::lround(100.0 * heightRange(2.0 / 12.0).least.si), 49L);
+    QCOMPARE(std::lround(100.0 * heightRange(0.25).least.si), 50L);
 }
 
 CARINA_TEST(TestPatientDimensions)

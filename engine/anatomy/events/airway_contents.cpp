@@ -68,13 +68,12 @@ void addFlat(TriangleMesh& mesh, const std::array<Vec3, 4>& corners)
 std::vector<ThroatContent> fluidsIn(const UpperAirway& airway, const AirwayEvents& events)
 {
     std::vector<ThroatContent> fluids;
-    const double size = airway.size();
     for (const AirwayEventKind kind : kThroatFluids) {
         const double severity = severityOf(events, kind);
         if (severity <= 0.0 || !canShow(airway, kind))
             continue;
-        const double back = size * (kBackWall - severity * kDeepestFluid).si;
-        fluids.push_back({kind, airway.p_A_notch + back * Vec3::UnitY(), size});
+        const double back = airway.larynxSize() * (kBackWall - severity * kDeepestFluid).si;
+        fluids.push_back({kind, airway.p_A_notch + back * Vec3::UnitY(), airway.size()});
     }
     return fluids;
 }
@@ -84,7 +83,7 @@ std::optional<ThroatContent> foreignBodyIn(const UpperAirway& airway, const Airw
     const double severity = severityOf(events, AirwayEventKind::ForeignBody);
     if (severity <= 0.0 || !canShow(airway, AirwayEventKind::ForeignBody))
         return std::nullopt;
-    const double size = airway.size();
+    const double size = airway.larynxSize();
     const Vec3 right = -airway.up_A.cross(airway.forward_A()); // the patient's
     const Vec3 p_A_fossa =
         airway.p_A_notch

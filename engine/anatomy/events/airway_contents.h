@@ -29,7 +29,8 @@ struct ThroatContent {
 /// larynx and in the piriform fossae first, whatever head and neck do, and its surface is the plane
 /// y = 0 of F. In a man it is kDeepestFluid times the severity before the back wall, which is taken
 /// to be kBackWall behind the interarytenoid notch: at 0.4 it reaches the notch, at 1 it covers
-/// half of the glottis. All lengths are of ours.
+/// half of the glottis. Levels go with the size of the larynx, the surface's breadth with that of
+/// the airway. All lengths are of ours.
 /// @param airway as head and neck lie, but neither changed by events nor lifted
 [[nodiscard]] std::vector<ThroatContent> fluidsIn(const UpperAirway& airway,
                                                   const AirwayEvents& events);
@@ -37,7 +38,8 @@ inline constexpr Length kBackWall = millimetres(7.5);
 inline constexpr Length kDeepestFluid = millimetres(20.0);
 
 /// A solid: at a severity near 0 in the right piriform fossa, at 1 over the middle of the glottis,
-/// evenly between. It is to be moved as the larynx is. Both places are of ours.
+/// evenly between. It is to be moved as the larynx is. Both places and its size go with the size of
+/// the larynx, and are of ours.
 /// @param airway as in the surfaces
 [[nodiscard]] std::optional<ThroatContent> foreignBodyIn(const UpperAirway& airway,
                                                          const AirwayEvents& events);

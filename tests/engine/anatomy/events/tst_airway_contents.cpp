@@ -1,11 +1,15 @@
 #include "engine/anatomy/events/airway_contents.h"
 
 #include "engine/anatomy/patient/builtin_patient.h"
+#include "engine/anatomy/patient/patient_name.h"
+#include "tests/engine/anatomy/shapes/people.h"
 #include "tests/support/test_class.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
+#include <utility>
 
 namespace carina::airway_contents_test
 {
@@ -16,15 +20,32 @@ using enum AirwayEventKind;
 
 constexpr double kTolerance_m = 1e-9;
 
-const UpperAirway& airwayOf(BuiltinPatient who)
+struct Person {
+    Anatomy anatomy;
+    UpperAirway airway;
+};
+
+/// The patient that these words say.
+const Person& personOf(const QString& words)
 {
-    const auto found = [](BuiltinPatient patient) {
-        const Anatomy anatomy = builtinPatient(patient).value();
-        return upperAirwayOf(anatomy.parts, anatomy.landmarks).value();
-    };
-    static const UpperAirway adult = found(BuiltinPatient::Adult);
-    static const UpperAirway child = found(BuiltinPatient::TwelveYears);
-    return who == BuiltinPatient::Adult ? adult : child;
+    static std::map<QString, Person> made;
+    if (const auto found = made.find(words); found != made.end())
+        return found->second;
+    Anatomy anatomy = patientFor(patientFromWords(words.toStdString()).value()).value();
+    UpperAirway airway = upperAirwayOf(anatomy.parts, anatomy.landmarks).value();
+    return made.emplace(words, Person{std::move(anatomy), std::move(airway)}).first->second;
+}
+const UpperAirway& airwayOf(const QString& words) { return personOf(words).airway; }
+
+/// What of the pharynx' lining is level with a place.
+Box pharynxAt(const Anatomy& anatomy, const Vec3& p_A)
+{
+    constexpr double kLevel_m = 2.5e-3;
+    Box box;
+    for (const Vec3f& p : test::named(anatomy, "Pharyngeal mucosa").positions)
+        if (std::abs(double(p.z()) - p_A.z()) < kLevel_m)
+            box.include(p.cast<double>());
+    return box;
 }
 
 /// The share of the line of the glottis that lies behind the surface of a fluid, in a patient on
@@ -57,7 +78,7 @@ Beside besideGlottis(const UpperAirway& airway, const Vec3& p_A)
 
 } // namespace
 
-/// What lies in the throat of both built-in patients.
+/// What lies in the throat of grown people and children.
 class TestAirwayContents : public QObject
 {
     Q_OBJECT
@@ -74,35 +95,43 @@ private Q_SLOTS:
     void hasEachFluidAtItsOwnLevel();
     void liesBesideTheLarynxAndThenOverTheGlottis_data() { people(); }
     void liesBesideTheLarynxAndThenOverTheGlottis();
+    void liesWithinThePharynx_data() { people(); }
+    void liesWithinThePharynx();
     void hasNothingWithoutAnEventOrALarynx();
 
 private:
     static void people()
     {
-        QTest::addColumn<BuiltinPatient>("who");
-        QTest::newRow("adult") << BuiltinPatient::Adult;
-        QTest::newRow("child") << BuiltinPatient::TwelveYears;
+        QTest::addColumn<QString>("who");
+        for (const char* words : {"adult", "child", "6 years, 116 cm, boy", "1 year, 75 cm, girl",
+                                  "newborn, 50 cm, girl"})
+            QTest::newRow(words) << QString::fromLatin1(words);
     }
 };
 
-// To the front, which is up in who lies on the back, evenly.
+// To the front, which is up in who lies on the back, evenly, and past the notch at 0.375.
 void TestAirwayContents::standsHigherWithTheSeverity()
 {
-    QFETCH(const BuiltinPatient, who);
+    QFETCH(const QString, who);
     const UpperAirway& airway = airwayOf(who);
-    for (const AirwayEventKind kind : kThroatFluids)
-        for (const double severity : {0.01, 0.375, 0.7, 1.0}) {
+    for (const AirwayEventKind kind : kThroatFluids) {
+        const auto behindNotch = [&](double severity) {
             const auto fluids = fluidsIn(airway, {{kind, severity}});
-            QCOMPARE(fluids.size(), std::size_t{1});
-            QVERIFY(fluids.front().kind == kind);
-            const double behindNotch = (fluids.front().p_AF - airway.p_A_notch).y() / airway.size();
-            QVERIFY(std::abs(behindNotch - (0.0075 - 0.02 * severity)) < kTolerance_m);
-        }
+            return fluids.size() == 1 && fluids.front().kind == kind
+                       ? (fluids.front().p_AF - airway.p_A_notch).y()
+                       : 1.0;
+        };
+        QVERIFY(std::abs(behindNotch(0.375)) < kTolerance_m);
+        QVERIFY(behindNotch(0.125) > 0.0);
+        const double step = behindNotch(0.125) - behindNotch(0.375);
+        QVERIFY(std::abs(behindNotch(0.375) - behindNotch(0.625) - step) < kTolerance_m);
+        QVERIFY(std::abs(behindNotch(0.625) - behindNotch(0.875) - step) < kTolerance_m);
+    }
 }
 
 void TestAirwayContents::coversHalfOfTheGlottisAtTheWorst()
 {
-    QFETCH(const BuiltinPatient, who);
+    QFETCH(const QString, who);
     const UpperAirway& airway = airwayOf(who);
     QCOMPARE(coveredShare(airway, 0.3), 0.0);
     double last = 0.0;
@@ -116,7 +145,7 @@ void TestAirwayContents::coversHalfOfTheGlottisAtTheWorst()
 
 void TestAirwayContents::hasAFlatSurfaceFromTheLarynxToThePalate()
 {
-    QFETCH(const BuiltinPatient, who);
+    QFETCH(const QString, who);
     const UpperAirway& airway = airwayOf(who);
     const ThroatContent fluid = fluidsIn(airway, {{Vomit, 0.5}}).front();
     Box box;
@@ -167,22 +196,20 @@ void TestAirwayContents::ripplesOnItsSurface()
 
 void TestAirwayContents::hasEachFluidAtItsOwnLevel()
 {
-    const auto fluids =
-        fluidsIn(airwayOf(BuiltinPatient::Adult), {{Secretions, 0.2}, {Blood, 0.6}, {Vomit, 0.4}});
+    const auto fluids = fluidsIn(airwayOf(QStringLiteral("adult")),
+                                 {{Secretions, 0.2}, {Blood, 0.6}, {Vomit, 0.4}});
     QCOMPARE(fluids.size(), std::size_t{3});
     QVERIFY(fluids[0].p_AF.y() > fluids[2].p_AF.y() && fluids[2].p_AF.y() > fluids[1].p_AF.y());
 }
 
 void TestAirwayContents::liesBesideTheLarynxAndThenOverTheGlottis()
 {
-    QFETCH(const BuiltinPatient, who);
+    QFETCH(const QString, who);
     const UpperAirway& airway = airwayOf(who);
-    const double half = 0.5 * kForeignBody.si * airway.size();
     double last = 1.0;
     for (const double severity : {0.01, 0.3, 0.7, 1.0}) {
         const auto solid = foreignBodyIn(airway, {{ForeignBody, severity}});
         QVERIFY(solid.has_value());
-        QCOMPARE(solid->size, airway.size());
         const Beside at = besideGlottis(airway, solid->p_AF);
         QVERIFY(at.right < last);
         QVERIFY(at.up > 0.0);
@@ -190,14 +217,31 @@ void TestAirwayContents::liesBesideTheLarynxAndThenOverTheGlottis()
     }
     QVERIFY(std::abs(last) < 1e-6); // in the midplane
     const auto first = foreignBodyIn(airway, {{ForeignBody, 0.01}});
+    const double half = 0.5 * kForeignBody.si * first->size;
     QVERIFY(besideGlottis(airway, first->p_AF).right > half); // none of it there
     const auto over = foreignBodyIn(airway, {{ForeignBody, 1.0}});
     QVERIFY(besideGlottis(airway, over->p_AF).up > half); // above the cords
 }
 
+/// Its middle is within the walls, and it is less wide than the pharynx.
+void TestAirwayContents::liesWithinThePharynx()
+{
+    QFETCH(const QString, who);
+    const Person& person = personOf(who);
+    for (const double severity : {0.01, 0.3, 0.7, 1.0}) {
+        const auto solid = foreignBodyIn(person.airway, {{ForeignBody, severity}});
+        QVERIFY(solid.has_value());
+        const Vec3 p_A = solid->p_AF;
+        const Box walls = pharynxAt(person.anatomy, p_A);
+        QVERIFY(p_A.x() > walls.min.x() && p_A.x() < walls.max.x());
+        QVERIFY(p_A.y() < walls.max.y());
+        QVERIFY(kForeignBody.si * solid->size < walls.max.x() - walls.min.x());
+    }
+}
+
 void TestAirwayContents::hasNothingWithoutAnEventOrALarynx()
 {
-    UpperAirway airway = airwayOf(BuiltinPatient::Adult);
+    UpperAirway airway = airwayOf(QStringLiteral("adult"));
     QVERIFY(fluidsIn(airway, {}).empty());
     QVERIFY(fluidsIn(airway, {{Laryngospasm, 1.0}, {Blood, 0.0}}).empty());
     QVERIFY(!foreignBodyIn(airway, {{Vomit, 1.0}, {ForeignBody, 0.0}}));

@@ -57,7 +57,7 @@ public:
     /// Whether a fluid stands in the throat.
     [[nodiscard]] bool hasFluid() const;
     /// Takes all fluids away, as who works there does with suction, over kSuction instead of the
-    /// time of a change; all else stays.
+    /// time of a change; what else is on its way arrives then, too.
     void suction();
 
     /// The events to be seen now: "Tongue oedema 60 %"; "Clear".

@@ -14,7 +14,7 @@ namespace carina
 namespace
 {
 
-constexpr int kHeadingColumns = 3;
+constexpr int kHeadingColumns = 4;
 constexpr int kHeadingGap = 2; ///< pixels
 
 /// In the order of the groups, with keys that nothing else of the console's window has.

@@ -194,9 +194,8 @@ void AirwayPanel::addRows()
 void AirwayPanel::addSuction()
 {
     m_suction->setObjectName(QStringLiteral("suction"));
-    m_suction->setToolTip(tr("Secretions, blood and vomit go within %1 seconds, as when who works "
-                             "there uses suction; all else stays")
-                              .arg(toSeconds(kSuction)));
+    m_suction->setToolTip(tr("Secretions, blood and vomit go within 5 seconds, as when who works "
+                             "there uses suction; what else is on its way arrives then, too"));
     auto* rows = static_cast<QGridLayout*>(m_events->layout());
     rows->addWidget(m_suction, rows->rowCount(), 1, 1, -1);
 }

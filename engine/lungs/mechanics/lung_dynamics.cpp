@@ -231,7 +231,10 @@ ChestContent advanced(const RespiratorySystem& system, const ChestContent& conte
         mean[i].trapped =
             (k1[i].trapped + 2.0 * (k2[i].trapped + k3[i].trapped) + k4[i].trapped) / 6.0;
     }
-    return moved(content, mean, seconds);
+    ChestContent to = moved(content, mean, seconds);
+    for (LungContent& lung : to) // of little lungs a step may lead beyond
+        lung.limb = std::clamp(lung.limb, 0.0, 1.0);
+    return to;
 }
 
 ChestContent restingContent(const RespiratorySystem& system)

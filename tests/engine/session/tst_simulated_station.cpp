@@ -302,8 +302,10 @@ private Q_SLOTS:
             return made.X_TA.inverse() * made.truth(ToolRole::Tube, SessionTime{t}).value();
         };
         const RigidTransform inPlace = at(17s); // 12 s, and as much later as the blade needs
-        for (const Vec3& p_E : tube.p_E_centre)
-            QVERIFY(distanceFrom(airway.path_A, inPlace * p_E).si < kAlong_m);
+        for (const Vec3& p_E : tube.p_E_centre) {
+            const double beside = distanceFrom(airway.path_A, inPlace * p_E).si;
+            QVERIFY2(beside < kAlong_m, qPrintable(QString::number(beside)));
+        }
         const Vec3 p_A_tip = station.tube.X_AE * station.tube.p_E_tip;
         QVERIFY((inPlace * tube.p_E_tip - neck.placed(p_A_tip)).norm() < kAlong_m);
         const Vec3 p_A_connector = neck.placed(station.tube.X_AE.translation());

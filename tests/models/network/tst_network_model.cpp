@@ -169,9 +169,9 @@ private Q_SLOTS:
         node.reports[0].limitMm = 0.0;
         node.reports[0].driftScale = 0.041;
         node.reports[0].limitScale = 0.0;
-        QCOMPARE(linesOf(networkFigures(node).at(0)).last(),
-                 QStringLiteral(
-                     "tube: drift (limit): 0.140 (0.000)°, 0.800 (0.000) mm, 4.100 (0.000) %"));
+        QVERIFY(linesOf(networkFigures(node).at(0))
+                    .contains(QStringLiteral(
+                        "tube: drift (limit): 0.140 (0.000)°, 0.800 (0.000) mm, 4.100 (0.000) %")));
     }
 
     void withOneParticipantTheUpshotIsThatOfThePathHere()

@@ -427,7 +427,9 @@ private Q_SLOTS:
         for (const AirwayGroup& group : airwayGroups()) {
             shown.find<QPushButton>(headingOf(group).constData()).click();
             Shown::settle();
-            QCOMPARE(view.verticalScrollBar()->value(), 0);
+            const char* first = eventName(group.kinds.front());
+            QVERIFY2(below(first) <= port.height(), first); // scrolled to where needed
+            view.verticalScrollBar()->setValue(0);
             for (const char* name : {"airwayPreset", "airwayOver", "headPosition"})
                 QVERIFY2(below(name) <= port.height(), name);
             for (const AirwayGroup& other : airwayGroups())
@@ -435,8 +437,6 @@ private Q_SLOTS:
             QVERIFY(below("airwayGroup_all") <= port.height());
             qInfo("%s: %d pixels of %d", headingOf(group).constData(), port.height(),
                   view.widget()->height());
-            const char* first = eventName(group.kinds.front());
-            QVERIFY2(below(first) <= port.height(), first);
         }
     }
 

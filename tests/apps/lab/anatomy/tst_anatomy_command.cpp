@@ -110,7 +110,7 @@ private Q_SLOTS:
         for (const QString& key : sweep.keys())
             QVERIFY2(help.contains(QStringLiteral("\n    %1 ").arg(key)), qPrintable(key));
         for (const QString& key : least[QStringLiteral("parameters")].toObject().keys())
-            QVERIFY2(help.contains(QStringLiteral("\n        %1 ").arg(key)), qPrintable(key));
+            QVERIFY2(help.contains(QStringLiteral("\n        %1").arg(key)), qPrintable(key));
     }
 
     void comparesDimensionsWithPublishedOnes()

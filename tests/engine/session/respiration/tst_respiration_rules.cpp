@@ -164,8 +164,8 @@ void TestRespirationRules::boundsABreathByThePatient()
     const Result<void> tooMuch = checkTidalVolume(child, millilitres(2000.0));
     QCOMPARE(tooMuch.error().code, Errc::OutOfRange);
     QCOMPARE(tooMuch.error().detail,
-             std::string{"tidal volume of this patient 2000 ml (20 to 1000)"});
-    QCOMPARE(checkTidalVolume(child, millilitres(19.0)).error().code, Errc::OutOfRange);
+             std::string{"tidal volume of this patient 2000 ml (10 to 1000)"});
+    QCOMPARE(checkTidalVolume(child, millilitres(9.0)).error().code, Errc::OutOfRange);
     QCOMPARE(checkTidalVolume(child, Volume{kInfinity}).error().code, Errc::NotFinite);
 }
 

@@ -124,7 +124,7 @@ LaryngoscopyPose Laryngoscopy::leveredPose(LaryngoscopyStep step, Angle angle) c
 BladeEffort Laryngoscopy::effortAt(const RigidTransform& X_AL, const FollowingThroat& throat,
                                    LeveringWatch& watch) const
 {
-    return watch.take(followed(m_changed, throat), m_blade, X_AL);
+    return watch.take(followed(m_changed, throat), m_blade, X_AL, throat.neck.X_AU());
 }
 
 BladeEffort Laryngoscopy::effortIn(LaryngoscopyStep step, Length lift) const

@@ -172,13 +172,11 @@ LaryngoscopeSight StationLaryngoscope::at(const StationMoment& moment,
     return sight;
 }
 
-/// A head that is laid otherwise takes the teeth from where a blade was turned about them.
 /// @pre it is Live, of this object
 BladeEffort StationLaryngoscope::effortOf(const LaryngoscopeSight& sight, ObjectId object)
 {
-    const HeadPosition head = sight.throat.neck.position();
-    if (m_handled.object != object || m_handled.form != sight.blade.form || m_handled.head != head)
-        m_handled = {.object = object, .form = sight.blade.form, .head = head};
+    if (m_handled.object != object || m_handled.form != sight.blade.form)
+        m_handled = {.object = object, .form = sight.blade.form};
     return (**m_laryngoscopy).effortAt(sight.X_AL, sight.throat, m_handled.watch);
 }
 

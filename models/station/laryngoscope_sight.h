@@ -104,11 +104,10 @@ private:
         double inspiration = kInspirationAsMade;
     };
 
-    /// The poses of one laryngoscope with one blade, in a head that lies still.
+    /// The poses of one laryngoscope with one blade.
     struct Handled {
         ObjectId object{};
         BladeForm form{};
-        HeadPosition head{};
         LeveringWatch watch{};
     };
 

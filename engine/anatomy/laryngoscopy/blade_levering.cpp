@@ -79,18 +79,18 @@ const char* handlingName(BladeHandling handling)
 }
 
 BladeEffort LeveringWatch::take(const UpperAirway& moved, const Blade& blade,
-                                const RigidTransform& X_AL)
+                                const RigidTransform& X_AL, const RigidTransform& X_AU)
 {
     BladeEffort effort{.contact = bladeContact(moved, blade, X_AL)};
     const Length clearance = effort.contact.teethClearance.value_or(kTeethLetGo);
     if (clearance >= kTeethLetGo)
-        m_X_AL.reset();
-    else if (!m_X_AL && clearance <= kTeethTouched)
-        m_X_AL = X_AL;
-    effort.isOnTeeth = m_X_AL.has_value();
+        m_X_UL.reset();
+    else if (!m_X_UL && clearance <= kTeethTouched)
+        m_X_UL = X_AU.inverse() * X_AL;
+    effort.isOnTeeth = m_X_UL.has_value();
     TipWays ways;
-    if (m_X_AL) {
-        ways = waysSince(*m_X_AL, X_AL, blade.form, moved.p_A_edge());
+    if (m_X_UL) {
+        ways = waysSince(X_AU * *m_X_UL, X_AL, blade.form, moved.p_A_edge());
         const Force answer = springForce(moved.size() * kTongueStiffness, ways.turned);
         effort.leveringShare = ways.share();
         effort.teeth = std::max(touching(clearance) * std::min(answer, effort.contact.tongue),

@@ -41,19 +41,22 @@ struct BladeEffort {
 /// the same force: kTongueStiffness times `turned`, but no more than the tongue bears. It fades as
 /// the blade leaves the teeth, up to kTeethLetGo. Where teeth would be deep inside the blade, which
 /// those of a manikin cannot, and those of a patient without one can, BladeContact::teethByDepth
-/// counts where it is more.
+/// counts where it is more. All this is seen from the head, in its frame U: where a blade touched
+/// the teeth goes with these, however long and far the head is moved.
 class LeveringWatch
 {
 public:
     /// @param moved the places after they have followed the jaw
-    BladeEffort take(const UpperAirway& moved, const Blade& blade, const RigidTransform& X_AL);
+    /// @param X_AU how the head lies (NeckField::X_AU)
+    BladeEffort take(const UpperAirway& moved, const Blade& blade, const RigidTransform& X_AL,
+                     const RigidTransform& X_AU = {});
 
     /// Forgets what was before.
     void reset() { *this = {}; }
 
 private:
     /// The blade where it touched the teeth.
-    std::optional<RigidTransform> m_X_AL;
+    std::optional<RigidTransform> m_X_UL;
     BladeHandling m_handling = BladeHandling::Neither;
 };
 

@@ -308,9 +308,10 @@ std::optional<Vec3> drawnAt(const ScenePart& part, const Vec3& p_F, const SceneF
     if (moved && frame.airway.isThere())
         p += airwayPull(frame.airway.frame(), *moved, p).d;
     p = bentAt(part.body, p, frame);
-    if (const auto tissue = tissueOf(part.region); tissue && part.body == frame.bends)
+    const bool follows = part.body == frame.bends;
+    if (const auto tissue = tissueOf(part.region); tissue && follows)
         p += throatPull(frame.throat, *tissue, p).d;
-    if (moved && frame.blade.isThere())
+    if (moved && follows && frame.blade.isThere())
         p += bladePull(frame.blade.frame(), *moved, p).d;
     const auto place = placeOf(frame, part.body, part.liftedWith);
     return place ? std::optional{place->at(p)} : std::nullopt;

@@ -142,10 +142,12 @@ void SurfaceEntity::apply(const SceneFrame& frame)
     setAirway(frame.airway);
     setNeck(frame);
     m_throat->setValue(throatUniform(frame.throat.field));
-    // What has the mandible for its body has moved with the jaw.
-    m_jaw->setValue(jawUniform(m_key.body == frame.bends ? frame.throat.X_AJ : RigidTransform{}));
-    m_blade->setValue(bladeUniform(frame.blade));
-    m_tilt->setValue(tiltUniform(frame.blade));
+    // What has the mandible for its body has moved with the jaw, and no blade pushes it.
+    const bool follows = m_key.body == frame.bends;
+    m_jaw->setValue(jawUniform(follows ? frame.throat.X_AJ : RigidTransform{}));
+    const BladeField blade = follows ? frame.blade : BladeField{};
+    m_blade->setValue(bladeUniform(blade));
+    m_tilt->setValue(tiltUniform(blade));
 }
 
 /// The pieces that a share draws; what is not lifted out is drawn in its place.

@@ -69,7 +69,7 @@ struct SceneFrame {
     /// which the neck gives it there, seen from F, which goes with the head. Others keep their
     /// forms.
     std::map<std::string, RigidTransform> bentInPlace;
-    BladeField blade; ///< which pushes tissue that has followed the jaw
+    BladeField blade; ///< which pushes tissue of that body that has followed the jaw
 
     /// The pose of each moving body, by name. A body that is not listed is not drawn: a lost pose
     /// is never an identity.

@@ -1,8 +1,11 @@
+#include "engine/geometry/rotation.h"
 #include "tests/support/test_class.h"
 #include "tests/support/throat_motion.h"
 #include "tests/widgets/scene/scene_fixture.h"
 #include "widgets/scene/labels/visible_places.h"
 #include "widgets/scene/view/graphics.h"
+
+#include <numbers>
 
 namespace carina::jaw_in_view_test
 {
@@ -161,7 +164,8 @@ void TestJawInView::bendsWhatLiesInABody()
     QVERIFY((drawnAt(tip, p_F_tip, shown).value() - p_A_tip).norm() < 1e-12);
 }
 
-/// Tissue whose body is the mandible goes where that does, and not on from there.
+/// Tissue whose body is the mandible goes where that does, and not on from there: neither the jaw
+/// nor a blade moves it, which would take tissue of the patient to the side of the picture.
 void TestJawInView::movesGumsOfTheJawWithItAlone()
 {
     ScenePart gum = spherePart(1, MaterialGroup::SoftTissue, p_A_tongue, kRadius, "mandible");
@@ -170,6 +174,11 @@ void TestJawInView::movesGumsOfTheJawWithItAlone()
     shown.bends = "patient";
     shown.throat = {kThroat, RigidTransform::translation({kAside, 0.0, 0.0})};
     shown.bodies["mandible"] = shown.throat.X_AJ;
+    const BladeForm blade;
+    const Vec3 p_A_blade = p_A_tongue + Vec3{kAside, 0.0, 0.5 * blade.reach}; // its middle aside
+    const Quat handleAside = rotationFromVector({0.0, 0.0, -0.5 * std::numbers::pi});
+    shown.blade = {blade, RigidTransform{handleAside, p_A_blade}};
+    QVERIFY(bladePush<double>(shown.blade.frame(), p_A_tongue).d.x() > 0.5 * kAside);
     double seen = -1.0;
     const auto view = shownView({gum}, [&](int, LocalTime) { return shown; });
     view->onFrameDrawn([&](const DrawnFrame&) {

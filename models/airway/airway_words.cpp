@@ -131,15 +131,17 @@ QString eventEffect(AirwayEventKind kind)
     case AirwayEventKind::Secretions:
         return airwayWords(QT_TRANSLATE_NOOP(
             "Airway", "Saliva and mucus stand behind the larynx, at 100 % over half of the "
-                      "glottis; for suction set 0 % over a few seconds"));
+                      "glottis; Suction of all fluids takes them away"));
     case AirwayEventKind::Blood:
         return airwayWords(QT_TRANSLATE_NOOP(
-            "Airway", "Blood stands behind the larynx, at 100 % over half of the glottis; for "
-                      "suction set 0 % over a few seconds"));
+            "Airway",
+            "Blood stands behind the larynx, at 100 % over half of the glottis; Suction of "
+            "all fluids takes it away"));
     case AirwayEventKind::Vomit:
         return airwayWords(QT_TRANSLATE_NOOP(
-            "Airway", "Vomit stands behind the larynx, at 100 % over half of the glottis; for "
-                      "suction set 0 % over a few seconds"));
+            "Airway",
+            "Vomit stands behind the larynx, at 100 % over half of the glottis; Suction of "
+            "all fluids takes it away"));
     case AirwayEventKind::ForeignBody:
         return airwayWords(QT_TRANSLATE_NOOP(
             "Airway", "A solid of 15 mm lies beside the larynx, at 100 % over the glottis"));

@@ -6,6 +6,7 @@
 #include "models/patient/session_patient.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace carina
 {
@@ -22,6 +23,14 @@ AirwayEvents withSeverity(AirwayEvents events, AirwayEventKind kind, double seve
     return events;
 }
 
+AirwayEvents withoutFluids(const AirwayEvents& events)
+{
+    AirwayEvents left = events;
+    for (const AirwayEventKind kind : kThroatFluids)
+        left = withSeverity(left, kind, 0.0);
+    return left;
+}
+
 } // namespace
 
 AirwayEventModel::AirwayEventModel(SessionModel& session, StationId station, QObject* parent)
@@ -36,6 +45,8 @@ AirwayEventModel::Kind AirwayEventModel::howDecided()
                         SessionTime t) { return station.airwayEvents.decidedAt(t); },
         .presentAt = [](const Station& station,
                         SessionTime t) { return station.airwayEvents.at(t); },
+        .overAt = [](const Station& station,
+                     SessionTime t) { return station.airwayEvents.overAt(t); },
         .factOf = [](const AirwayEvents& events, Duration over) -> FactBody {
             return fact::AirwayEventsSet{events, over};
         },
@@ -76,16 +87,15 @@ void AirwayEventModel::setSeverity(AirwayEventKind kind, double severity)
 
 bool AirwayEventModel::hasFluid() const
 {
-    return std::ranges::any_of(kThroatFluids,
-                               [this](AirwayEventKind kind) { return severity(kind) > 0.0; });
+    const auto isWet = [](const AirwayEvents& events) { return withoutFluids(events) != events; };
+    return std::ranges::any_of(
+        stationsOf(*session().node().state(), stations().target()),
+        [&](StationId id) { return isWet(wantedAt(id)) || isWet(presentValueAt(id)); });
 }
 
 void AirwayEventModel::suction()
 {
-    AirwayEvents left = events();
-    for (const AirwayEventKind kind : kThroatFluids)
-        left = withSeverity(left, kind, 0.0);
-    request(left, kSuction);
+    requestEach(withoutFluids, kSuction, tr("Airway → suction of all fluids"));
 }
 
 QString AirwayEventModel::inForceText() const { return eventsText(presentValue()); }
@@ -97,6 +107,13 @@ void AirwayEventModel::setEvents(const AirwayEvents& events)
 }
 
 bool AirwayEventModel::refreshMore()
+{
+    const bool hasFluidNow = hasFluid();
+    const bool isFluidOther = std::exchange(m_hasFluid, hasFluidNow) != hasFluidNow;
+    return refreshLimits() || isFluidOther;
+}
+
+bool AirwayEventModel::refreshLimits()
 {
     if (!m_patient)
         return false;

@@ -54,10 +54,11 @@ public:
     /// Sets no event at all.
     void clear() { setEvents({}); }
 
-    /// Whether a fluid stands in the throat.
+    /// Whether a fluid stands in a throat for which a change is, or is to stand there.
     [[nodiscard]] bool hasFluid() const;
     /// Takes all fluids away, as who works there does with suction, over kSuction instead of the
-    /// time of a change; what else is on its way arrives then, too.
+    /// time of a change; for the patients of all stations by one fact for each. All other events
+    /// stay as they are set there; what of them is still on its way comes within kSuction, too.
     void suction();
 
     /// The events to be seen now: "Tongue oedema 60 %"; "Clear".
@@ -65,9 +66,12 @@ public:
 
 private:
     [[nodiscard]] static Kind howDecided();
-    /// The limits of the patient that lies there.
+    /// The fluids at all addressed stations, and the limits.
     [[nodiscard]] bool refreshMore() override;
+    /// Those of the patient that lies there.
+    [[nodiscard]] bool refreshLimits();
 
+    bool m_hasFluid = false; ///< at the latest look
     QPointer<const SessionPatient> m_patient;
     AirwayLimits m_limits;
     std::optional<std::string> m_limitsOf; ///< content hash of the patient whose they are

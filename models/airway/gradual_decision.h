@@ -4,6 +4,7 @@
 #include "models/session/obstacle_to_change.h"
 #include "models/session/session_model.h"
 
+#include <optional>
 #include <utility>
 
 namespace carina
@@ -81,6 +82,8 @@ protected:
         Value (*decidedAt)(const Station& station, SessionTime t);
         /// What is to be seen then, while that changes.
         Value (*presentAt)(const Station& station, SessionTime t);
+        /// How long what is decided for a time takes to come in all.
+        Duration (*overAt)(const Station& station, SessionTime t);
         FactBody (*factOf)(const Value& value, Duration over);
         QString (*textOf)(const Value& value);
     };
@@ -96,16 +99,26 @@ protected:
     void setAddressed(bool all) { m_changes.setForAll(all); }
     /// Requested or, if no change is pending, decided.
     [[nodiscard]] Value decided() const { return m_changes.shown(kOnly); }
-    [[nodiscard]] Value presentValue() const
+    /// As it is to become at a station.
+    [[nodiscard]] Value wantedAt(StationId id) const { return m_changes.wantedAt(id, kOnly); }
+    [[nodiscard]] Value presentValue() const { return presentValueAt(stations().shown); }
+    [[nodiscard]] Value presentValueAt(StationId id) const
     {
         const SessionTime now = session().node().now().value_or(SessionTime{});
-        return at(stations().shown, m_kind.presentAt, now);
+        return at(id, m_kind.presentAt, now);
     }
     void request(const Value& value) { request(value, over()); }
     void request(const Value& value, Duration over)
     {
         if (obstacle().isEmpty())
             m_changes.set(kOnly, value, over);
+    }
+    /// At each addressed station what follows from what is wanted there, as one change.
+    /// @param text of the change at several stations, in a history
+    void requestEach(Value (*from)(const Value&), Duration over, const QString& text)
+    {
+        if (obstacle().isEmpty())
+            m_changes.setEach(kOnly, from, over, text);
     }
     /// Looks for what else is told. @returns whether that changed
     virtual bool refreshMore() { return false; }
@@ -134,12 +147,13 @@ private:
         friend bool operator==(const Shown&, const Shown&) = default;
     };
 
-    [[nodiscard]] Value at(StationId id, Value (*valueAt)(const Station&, SessionTime),
-                           SessionTime t) const
+    template <class Told>
+    [[nodiscard]] Told at(StationId id, Told (*toldAt)(const Station&, SessionTime),
+                          SessionTime t) const
     {
         const auto state = session().node().state();
         const auto station = state->stations().find(id);
-        return station == state->stations().end() ? Value{} : valueAt(station->second, t);
+        return station == state->stations().end() ? Told{} : toldAt(station->second, t);
     }
     [[nodiscard]] typename Changes::Quantities quantities()
     {
@@ -152,7 +166,13 @@ private:
                     },
                 .textOf = [this](std::size_t /*only*/,
                                  const Value& value) { return m_kind.textOf(value); },
-                .requested = [this] { Q_EMIT changed(); }};
+                .requested = [this] { Q_EMIT changed(); },
+                .comesOver = [this](StationId id, std::size_t /*only*/) -> std::optional<Duration> {
+                    constexpr SessionTime kLast = SessionTime::max();
+                    if (presentValueAt(id) == at(id, m_kind.decidedAt, kLast))
+                        return std::nullopt;
+                    return at(id, m_kind.overAt, kLast);
+                }};
     }
 
     Kind m_kind;

@@ -16,6 +16,8 @@ HeadPositionModel::Kind HeadPositionModel::howDecided()
     return {.decidedAt = [](const Station& station,
                             SessionTime t) { return station.headPosition.decidedAt(t); },
             .presentAt = headPositionAt,
+            .overAt = [](const Station& station,
+                         SessionTime t) { return station.headPosition.overAt(t); },
             .factOf = [](const HeadPosition& position, Duration over) -> FactBody {
                 return fact::HeadPositionSet{position, over};
             },

@@ -36,6 +36,11 @@ public:
     /// Adds the steps to a history from now on, by which alone they are to be taken back.
     void setHistory(ChangeHistory& history) { m_history = &history; }
     [[nodiscard]] bool hasHistory() const { return !m_history.isNull(); }
+    /// While what it returns lives, the steps that are added are one change in the history.
+    [[nodiscard]] ChangeHistory::Joining joining(const QString& text)
+    {
+        return {m_history.data(), m_history ? m_history->newJoint(text) : ChangeHistory::Joint{}};
+    }
     [[nodiscard]] bool isEmpty() const { return m_steps.empty(); }
     /// @param station where it was set, or kAllStations
     [[nodiscard]] bool lastIsAbout(std::size_t thing, StationId station) const
@@ -44,9 +49,10 @@ public:
                && m_steps.back().set.station == station;
     }
 
+    /// @param of the station of the change as it is told, or kAllStations
     /// @param takeBack sets what was there before; called by the history
     void add(std::size_t thing, const Setting& set, std::vector<Setting> before,
-             const QString& text, std::function<void(const Step&)> takeBack)
+             const QString& text, StationId of, std::function<void(const Step&)> takeBack)
     {
         const int number = ++m_number;
         m_steps.push_back({thing, set, std::move(before), number});
@@ -58,7 +64,7 @@ public:
                 if (const auto step = take(number))
                     takeBack(*step);
             },
-            number, set.station == kAllStations ? kNoStation : set.station);
+            number, of == kAllStations ? kNoStation : of);
     }
     /// The last step goes on to another value, as a slider that is dragged. @pre !isEmpty()
     void goOn(const Setting& set, const QString& text)

@@ -40,6 +40,9 @@ public:
         std::function<QString(std::size_t thing, const Value& value)> textOf;
         /// Called when a value was requested.
         std::function<void()> requested;
+        /// How long what is decided last takes to come in all, while it is coming; for quantities
+        /// that have that.
+        std::function<std::optional<Duration>(StationId station, std::size_t thing)> comesOver{};
         /// The second is what was asked for.
         std::function<bool(const Value&, const Value&)> isSame = std::equal_to<Value>{};
     };
@@ -94,20 +97,33 @@ public:
         return wanted ? wanted->value : inForce(thing);
     }
 
-    /// Nothing where it is so already.
+    /// As it is to become at a station: what is under way, else what is decided last.
+    [[nodiscard]] Value wantedAt(StationId station, std::size_t thing) const
+    {
+        const Setting* wish = pendingAt(station, thing);
+        return wish ? wish->value : last(station, thing);
+    }
+
+    /// Nothing where it is so already. Where it is still coming, over another time, it comes over
+    /// this one from now on, and there is nothing more to take back.
     void set(std::size_t thing, const Value& value, Duration over = {})
     {
+        const StationId target = m_stations.target();
+        change(thing, replacedBy(thing), {target, value, over}, target);
+    }
+    /// At each addressed station what follows from what is wanted there; one step in a history.
+    void setEach(std::size_t thing, const std::function<Value(const Value&)>& from, Duration over,
+                 const QString& text)
+    {
         const std::vector<Setting> before = replacedBy(thing);
-        if (std::ranges::all_of(before, [&](const Setting& at) { return isSame(at.value, value); }))
+        if (before.size() == 1) {
+            const Setting& at = before.front();
+            change(thing, before, {at.station, from(at.value), over}, at.station);
             return;
-        const QString text = m_quantities.textOf(thing, value);
-        const Setting wanted{m_stations.target(), value, over};
-        if (pending(thing) && m_steps.lastIsAbout(thing, wanted.station))
-            m_steps.goOn(wanted, text);
-        else
-            m_steps.add(thing, wanted, before, text,
-                        [this](const auto& step) { goBackTo(step.thing, step.before); });
-        ask(thing, wanted);
+        }
+        const ChangeHistory::Joining joining = m_steps.joining(text);
+        for (const Setting& at : before)
+            change(thing, {at}, {at.station, from(at.value), over}, kAllStations);
     }
     [[nodiscard]] bool canUndo() const { return !m_steps.isEmpty(); }
     /// Sets the quantity changed last to what it was, at each station where nobody decided
@@ -154,13 +170,55 @@ private:
     {
         return m_quantities.decidedAt(station, thing, SessionTime::max());
     }
+    [[nodiscard]] const Setting* pendingAt(StationId station, std::size_t thing) const
+    {
+        const std::optional<Setting>& wish = pending(thing);
+        return wish && (wish->station == station || wish->station == kAllStations) ? &*wish
+                                                                                   : nullptr;
+    }
     /// What a change would replace, at the shown station also what is under way.
     [[nodiscard]] std::vector<Setting> replacedBy(std::size_t thing) const
     {
         std::vector<Setting> settings;
         for (const StationId id : stationsOf(*m_session.node().state(), m_stations.target()))
-            settings.push_back({id, id == m_stations.shown ? shown(thing) : last(id, thing), {}});
+            settings.push_back(
+                {id, id == m_stations.shown ? shown(thing) : wantedAt(id, thing), {}});
         return settings;
+    }
+    /// @param of kAllStations for a part of a change at several
+    void change(std::size_t thing, const std::vector<Setting>& before, const Setting& wanted,
+                StationId of)
+    {
+        const auto isSo = [&](const Setting& at) { return isSame(at.value, wanted.value); };
+        if (!std::ranges::all_of(before, isSo))
+            addStep(thing, before, wanted, of);
+        else if (!comesOtherwise(thing, before, wanted.over))
+            return;
+        if (wanted.station == m_stations.shown || wanted.station == kAllStations)
+            ask(thing, wanted);
+        else
+            m_quantities.propose(thing, wanted);
+    }
+    void addStep(std::size_t thing, const std::vector<Setting>& before, const Setting& wanted,
+                 StationId of)
+    {
+        const QString text = m_quantities.textOf(thing, wanted.value);
+        if (pending(thing) && m_steps.lastIsAbout(thing, wanted.station))
+            m_steps.goOn(wanted, text);
+        else
+            m_steps.add(thing, wanted, before, text, of,
+                        [this](const auto& step) { goBackTo(step.thing, step.before); });
+    }
+    /// Whether what is wanted there is still to come, over another time.
+    [[nodiscard]] bool comesOtherwise(std::size_t thing, const std::vector<Setting>& there,
+                                      Duration over) const
+    {
+        return m_quantities.comesOver && std::ranges::any_of(there, [&](const Setting& at) {
+                   if (const Setting* wish = pendingAt(at.station, thing))
+                       return wish->over != over;
+                   const auto comes = m_quantities.comesOver(at.station, thing);
+                   return comes && *comes != over;
+               });
     }
     void goBackTo(std::size_t thing, const std::vector<Setting>& before)
     {

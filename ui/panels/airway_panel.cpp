@@ -195,7 +195,8 @@ void AirwayPanel::addSuction()
 {
     m_suction->setObjectName(QStringLiteral("suction"));
     m_suction->setToolTip(tr("Secretions, blood and vomit go within 5 seconds, as when who works "
-                             "there uses suction; what else is on its way arrives then, too"));
+                             "there uses suction; other events stay as they are set, and what of "
+                             "them is still on its way comes within that time, too"));
     auto* rows = static_cast<QGridLayout*>(m_events->layout());
     rows->addWidget(m_suction, rows->rowCount(), 1, 1, -1);
 }

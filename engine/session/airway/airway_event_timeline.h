@@ -24,6 +24,8 @@ public:
     {
         return eventsOf(m_severities.decidedAt(t));
     }
+    /// How long that change takes in all.
+    [[nodiscard]] Duration overAt(SessionTime t) const { return m_severities.overAt(t); }
 
 private:
     using Severities = RampTimeline<kAirwayEventKinds>;

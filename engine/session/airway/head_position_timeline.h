@@ -26,6 +26,8 @@ public:
     {
         return positionOf(m_angles.decidedAt(t));
     }
+    /// How long that change takes in all.
+    [[nodiscard]] Duration overAt(SessionTime t) const { return m_angles.overAt(t); }
 
 private:
     using Angles = RampTimeline<2>;

@@ -58,6 +58,12 @@ public:
         const auto next = after(t);
         return next == m_changes.begin() ? Numbers{} : std::prev(next)->aim;
     }
+    /// How long that change takes in all.
+    [[nodiscard]] Duration overAt(SessionTime t) const
+    {
+        const auto next = after(t);
+        return next == m_changes.begin() ? Duration{} : std::prev(next)->over;
+    }
 
 private:
     struct Change {

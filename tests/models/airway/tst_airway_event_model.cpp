@@ -27,6 +27,9 @@ private Q_SLOTS:
     void tellsTheSeverityToBeSeenWhileItChanges();
     void clearsAllOverTheTime();
     void takesFluidsAwayBySuction();
+    void takesAFluidAwayThatGoesSlowly();
+    void takesFluidsAwayAtAllStationsAndLeavesTheRest();
+    void bringsWhatIsSetAgainOverAnotherTime();
     void keepsOneProposalUnderWayWhileASeverityIsDragged();
     void doesNotProposeWhatIsAlreadySo();
     void undoesADragAtOnceAndThenWhatWasBefore();
@@ -207,15 +210,98 @@ void TestAirwayEventModel::takesFluidsAwayBySuction()
     console.model.setChangeTime(std::chrono::seconds{60});
     console.model.suction();
     console.settle();
-    QVERIFY(!console.model.hasFluid());
+    QVERIFY(console.model.hasFluid()); // while it goes
     console.settle(std::chrono::milliseconds{2500});
     QVERIFY(console.showsNow(Blood, 0.5) && console.showsNow(Secretions, 0.15));
     console.settle(std::chrono::milliseconds{2500});
     QVERIFY(console.showsNow(Blood, 0.0) && console.showsNow(TongueOedema, 0.5));
+    QVERIFY(!console.model.hasFluid());
     QCOMPARE(console.decided(), (AirwayEvents{{TongueOedema, 0.5}}));
     console.model.undo();
     console.settle();
     QVERIFY(console.showsNow(Blood, 1.0) && console.showsNow(Secretions, 0.3));
+}
+
+/// Which it does already, over another time. Once more changes nothing.
+void TestAirwayEventModel::takesAFluidAwayThatGoesSlowly()
+{
+    Console console;
+    console.model.setSeverity(Blood, 1.0);
+    console.settle();
+    console.model.setChangeTime(std::chrono::seconds{600});
+    console.model.clear();
+    console.settle();
+    QCOMPARE(console.model.severity(Blood), 0.0);
+    QVERIFY(console.model.hasFluid());
+    console.model.suction();
+    QCOMPARE(console.node.proposed, 3);
+    console.settle();
+    console.model.suction();
+    QCOMPARE(console.node.proposed, 3);
+    console.settle(kSuction);
+    QVERIFY(console.showsNow(Blood, 0.0));
+    QVERIFY(!console.model.hasFluid());
+    console.model.undo(); // that it was cleared: suction decided nothing else
+    console.settle();
+    QVERIFY(console.showsNow(Blood, 1.0));
+}
+
+/// As one change, though it is a fact for each; also where there is none at the station shown.
+void TestAirwayEventModel::takesFluidsAwayAtAllStationsAndLeavesTheRest()
+{
+    constexpr StationId kRoom{1};
+    const AirwayEvents here{{TongueOedema, 0.5}};
+    const AirwayEvents bloody{{TongueOedema, 0.5}, {Blood, 1.0}};
+    const AirwayEvents there{{Laryngospasm, 0.4}};
+    const AirwayEvents vomiting{{Laryngospasm, 0.4}, {Vomit, 0.8}};
+    Console console;
+    ChangeHistory history;
+    console.model.setHistory(history);
+    console.node.addStation("Room 5");
+    console.node.decide(fact::AirwayEventsSet{here, {}});
+    console.node.decideAt(kRoom, fact::AirwayEventsSet{vomiting, {}});
+    console.settle();
+    QVERIFY(!console.model.hasFluid());
+    console.model.setForAll(true);
+    QVERIFY(console.model.hasFluid());
+    console.model.suction();
+    console.settle();
+    console.settle(kSuction);
+    QCOMPARE(console.decided(), here);
+    QCOMPARE(console.decided(kRoom), there);
+    QVERIFY(!console.model.hasFluid());
+    console.node.decide(fact::AirwayEventsSet{bloody, {}});
+    console.node.decideAt(kRoom, fact::AirwayEventsSet{vomiting, {}});
+    console.settle(kSuction);
+    QVERIFY(history.isEmpty()); // somebody decided otherwise
+    console.model.suction();
+    console.settle();
+    QCOMPARE(console.decided(), here);
+    QCOMPARE(console.decided(kRoom), there);
+    QCOMPARE(history.texts(), QStringList{QStringLiteral("Airway → suction of all fluids")});
+    history.undo();
+    console.settle();
+    QCOMPARE(console.decided(), bloody);
+    QCOMPARE(console.decided(kRoom), vomiting);
+}
+
+void TestAirwayEventModel::bringsWhatIsSetAgainOverAnotherTime()
+{
+    const AirwayEvents spasm{{Laryngospasm, 0.5}};
+    Console console;
+    console.model.setChangeTime(std::chrono::seconds{600});
+    console.model.setEvents(spasm);
+    console.settle();
+    console.model.setEvents(spasm);
+    QCOMPARE(console.node.proposed, 1);
+    console.model.setChangeTime({});
+    console.model.setEvents(spasm);
+    QCOMPARE(console.node.proposed, 2);
+    console.settle();
+    QVERIFY(console.showsNow(Laryngospasm, 0.5));
+    console.model.setChangeTime(std::chrono::seconds{10});
+    console.model.setEvents(spasm); // it is so already
+    QCOMPARE(console.node.proposed, 2);
 }
 
 void TestAirwayEventModel::keepsOneProposalUnderWayWhileASeverityIsDragged()

@@ -391,6 +391,7 @@ void TestAirwayPanel::takesFluidsAwayByTheButtonOfTheirGroup()
     QTest::keyClick(&desk.find<QPushButton>("suction"), Qt::Key_Space);
     desk.settle();
     QCOMPARE(desk.decided(), (AirwayEvents{{Laryngospasm, 1.0}}));
+    desk.settle(kSuction);
     QVERIFY(!suction.isEnabled());
 }
 

@@ -179,7 +179,10 @@ void TestAirwayEvents::tellWhereTheChangeLeads()
     decide(timeline, {10.0, {{TongueOedema, 0.8}, {Epiglottitis, 0.0}}, 20.0});
     QVERIFY(timeline.decidedAt(atSeconds(9.0)).empty());
     QVERIFY(timeline.decidedAt(atSeconds(10.0)) == (AirwayEvents{{TongueOedema, 0.8}}));
-    decide(timeline, {15.0, {}, 20.0});
+    QCOMPARE(timeline.overAt(atSeconds(9.0)), Duration{});
+    QCOMPARE(timeline.overAt(atSeconds(10.0)), Duration{std::chrono::seconds{20}});
+    decide(timeline, {15.0, {}, 25.0});
+    QCOMPARE(timeline.overAt(atSeconds(15.0)), Duration{std::chrono::seconds{25}});
     QVERIFY(timeline.decidedAt(atSeconds(15.0)).empty());
     QVERIFY(!timeline.at(atSeconds(15.0)).empty());
 }

@@ -14,6 +14,8 @@ namespace carina
 namespace
 {
 
+constexpr double kFine_mm = 5.0; ///< a distance is told finer below it
+
 class LaryngoscopeWords
 {
     Q_DECLARE_TR_FUNCTIONS(Laryngoscope)
@@ -48,10 +50,10 @@ public:
             .arg(std::lround(100.0 * view.opening));
     }
 
-    static QString of(const BladeEffort& effort, double looseTeeth)
+    static QString of(const BladeEffort& effort, UpperTeeth upper)
     {
         return tr("%1 · %2").arg(tongue(effort), epiglottis(effort.contact)) + QLatin1Char{'\n'}
-               + (looseTeeth > 0.0 ? ofLooseTeeth(effort, looseTeeth) : teeth(effort));
+               + (upper == UpperTeeth::Firm ? teeth(effort) : looseTeeth(effort, upper));
     }
 
     static QString ungraded(const LaryngoscopeSight& sight)
@@ -107,7 +109,7 @@ private:
         return tr("Teeth free (%1 mm)").arg(std::lround(inMillimetres(*clearance)));
     }
 
-    static QString ofLooseTeeth(const BladeEffort& effort, double looseTeeth)
+    static QString looseTeeth(const BladeEffort& effort, UpperTeeth upper)
     {
         const std::optional<Length>& clearance = effort.contact.teethClearance;
         if (effort.teeth > Force{})
@@ -116,10 +118,10 @@ private:
             return tr("▲ Loose teeth touched");
         if (!clearance)
             return tr("Loose teeth free");
-        const long shown_mm = std::lround(inMillimetres(*clearance));
-        return clearance->si < looseTeeth * kNearLooseTeeth.si
-                   ? tr("▲ Loose teeth near (%1 mm)").arg(shown_mm)
-                   : tr("Loose teeth free (%1 mm)").arg(shown_mm);
+        const double clearance_mm = inMillimetres(*clearance);
+        const QString shown = QString::number(clearance_mm, 'f', clearance_mm < kFine_mm ? 1 : 0);
+        return upper == UpperTeeth::LooseAndNear ? tr("▲ Loose teeth near (%1 mm)").arg(shown)
+                                                 : tr("Loose teeth free (%1 mm)").arg(shown);
     }
 
     /// "Macintosh 3" of "macintosh-3".
@@ -137,6 +139,16 @@ bool isOfWorker(const PersonPose& person, const StationMoment& moment)
 }
 
 } // namespace
+
+UpperTeeth upperTeeth(const BladeContact& contact, double looseTeeth, UpperTeeth before)
+{
+    if (looseTeeth <= 0.0)
+        return UpperTeeth::Firm;
+    const double letGo = before == UpperTeeth::LooseAndNear ? kLooseTeethLetGo.si : 0.0;
+    const bool isNear = contact.teethClearance
+                        && contact.teethClearance->si < looseTeeth * kNearLooseTeeth.si + letGo;
+    return isNear ? UpperTeeth::LooseAndNear : UpperTeeth::Loose;
+}
 
 const PersonPose* laryngoscopeOf(const StationMoment& moment)
 {
@@ -166,18 +178,20 @@ LaryngoscopeSight StationLaryngoscope::at(const StationMoment& moment,
 {
     LaryngoscopeSight sight = sightAt(moment, throat);
     if (sight.state == LaryngoscopeState::Live)
-        sight.effort = effortOf(sight, laryngoscopeOf(moment)->object);
+        handle(sight, laryngoscopeOf(moment)->object);
     else
         m_handled = {};
     return sight;
 }
 
-/// @pre it is Live, of this object
-BladeEffort StationLaryngoscope::effortOf(const LaryngoscopeSight& sight, ObjectId object)
+/// What follows from the poses before. @pre it is Live, of this object
+void StationLaryngoscope::handle(LaryngoscopeSight& sight, ObjectId object)
 {
     if (m_handled.object != object || m_handled.form != sight.blade.form)
         m_handled = {.object = object, .form = sight.blade.form};
-    return (**m_laryngoscopy).effortAt(sight.X_AL, sight.throat, m_handled.watch);
+    sight.effort = (**m_laryngoscopy).effortAt(sight.X_AL, sight.throat, m_handled.watch);
+    m_handled.teeth = upperTeeth(sight.effort.contact, sight.looseTeeth, m_handled.teeth);
+    sight.teeth = m_handled.teeth;
 }
 
 LaryngoscopeSight StationLaryngoscope::sightAt(const StationMoment& moment,
@@ -262,9 +276,9 @@ QString laryngoscopeText(LaryngoscopeState state) { return LaryngoscopeWords::of
 
 QString glotticViewText(const GlotticView& view) { return LaryngoscopeWords::of(view); }
 
-QString bladeEffortText(const BladeEffort& effort, double looseTeeth)
+QString bladeEffortText(const BladeEffort& effort, UpperTeeth teeth)
 {
-    return LaryngoscopeWords::of(effort, looseTeeth);
+    return LaryngoscopeWords::of(effort, teeth);
 }
 
 QString laryngoscopeText(const LaryngoscopeSight& sight, const std::optional<GlotticView>& seen)
@@ -277,7 +291,7 @@ QString laryngoscopeText(const LaryngoscopeSight& sight, const std::optional<Glo
     else if (seen)
         lines.append(glotticViewText(*seen));
     if (sight.isGraded())
-        lines.append(bladeEffortText(sight.effort, sight.looseTeeth));
+        lines.append(bladeEffortText(sight.effort, sight.teeth));
     if (!sight.isBladeKnown)
         lines.append(LaryngoscopeWords::assumed(sight.blade));
     return lines.join(QLatin1Char{'\n'});

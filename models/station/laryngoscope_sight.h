@@ -22,6 +22,21 @@ enum class LaryngoscopeState : std::uint8_t {
     Live,     ///< it is seen in the mouth
 };
 
+/// How a patient's upper incisors are called.
+enum class UpperTeeth : std::uint8 {
+    Firm,
+    Loose,
+    LooseAndNear, ///< a blade is to be warned of them
+};
+/// Warned of within kNearLooseTeeth times how loose they are, until a blade is farther away than
+/// that by kLooseTeethLetGo.
+/// @param looseTeeth 0 to 1, as LaryngoscopeSight::looseTeeth
+/// @param before of the blade's pose before this one
+[[nodiscard]] UpperTeeth upperTeeth(const BladeContact& contact, double looseTeeth,
+                                    UpperTeeth before);
+inline constexpr Length kNearLooseTeeth = millimetres(3.0);  ///< of ours
+inline constexpr Length kLooseTeethLetGo = millimetres(0.5); ///< of ours
+
 /// A laryngoscope of a station at a moment, and how the tissue gives way to it. All but the state
 /// is for Outside and Live only.
 struct LaryngoscopeSight {
@@ -35,6 +50,7 @@ struct LaryngoscopeSight {
     bool isOfWorker = false;   ///< of who is at work, or the own one while nobody is
     bool isJawLost = false;    ///< there is a probe on the chin, which is not seen
     double looseTeeth = 0.0;   ///< severity of AirwayEventKind::FragileTeeth, where there are any
+    UpperTeeth teeth = UpperTeeth::Firm; ///< for Live only
 
     /// No other one is graded: whose it is has the tube, and the jaw is moved by their probe. And
     /// none is while the mouth is drawn as nobody holds it.
@@ -96,7 +112,7 @@ private:
     [[nodiscard]] double inspirationAt(const StationMoment& moment);
     [[nodiscard]] LaryngoscopeSight sightAt(const StationMoment& moment,
                                             const FollowingThroat& throat);
-    [[nodiscard]] BladeEffort effortOf(const LaryngoscopeSight& sight, ObjectId object);
+    void handle(LaryngoscopeSight& sight, ObjectId object);
 
     /// Where in a breath the cords were.
     struct Cords {
@@ -109,6 +125,7 @@ private:
         ObjectId object{};
         BladeForm form{};
         LeveringWatch watch{};
+        UpperTeeth teeth = UpperTeeth::Firm; ///< at the latest one
     };
 
     const PatientModel* m_patient;
@@ -130,11 +147,9 @@ inline constexpr Duration kCordsGo = std::chrono::milliseconds{150};
 
 /// What the blade does to tongue, epiglottis and teeth, in two lines: "Lifting · tongue about 38 N
 /// · epiglottis not touched", and "Teeth free (4 mm)" or "▲ Teeth pressed: about 12 N (estimate)".
-/// Loose teeth are called so, and a blade is near them within kNearLooseTeeth times how loose they
-/// are: "▲ Loose teeth near (2 mm)".
-/// @param looseTeeth 0 to 1, as LaryngoscopeSight::looseTeeth
-[[nodiscard]] QString bladeEffortText(const BladeEffort& effort, double looseTeeth = 0.0);
-inline constexpr Length kNearLooseTeeth = millimetres(3.0); ///< of ours
+/// Loose teeth are called so: "▲ Loose teeth near (2.4 mm)".
+[[nodiscard]] QString bladeEffortText(const BladeEffort& effort,
+                                      UpperTeeth teeth = UpperTeeth::Firm);
 
 /// What stands beneath the picture: why there is none; or its grade, if it was measured, and what
 /// the blade does, or why it has none, and in a last line which blade is assumed, where none is

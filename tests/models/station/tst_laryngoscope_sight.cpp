@@ -496,11 +496,12 @@ private Q_SLOTS:
         QTest::addColumn<double>("looseTeeth");
         QTest::addColumn<QString>("expected");
         QTest::newRow("firm") << 2.0 << 0.0 << QStringLiteral("Teeth free (2 mm)");
-        QTest::newRow("near") << 2.0 << 1.0 << QStringLiteral("▲ Loose teeth near (2 mm)");
-        QTest::newRow("far") << 4.0 << 1.0 << QStringLiteral("Loose teeth free (4 mm)");
-        QTest::newRow("not so loose") << 2.0 << 0.5 << QStringLiteral("Loose teeth free (2 mm)");
+        QTest::newRow("near") << 2.0 << 1.0 << QStringLiteral("▲ Loose teeth near (2.0 mm)");
+        QTest::newRow("far") << 4.26 << 1.0 << QStringLiteral("Loose teeth free (4.3 mm)");
+        QTest::newRow("farther") << 7.3 << 1.0 << QStringLiteral("Loose teeth free (7 mm)");
+        QTest::newRow("not so loose") << 2.0 << 0.5 << QStringLiteral("Loose teeth free (2.0 mm)");
         QTest::newRow("not so loose, near")
-            << 1.0 << 0.5 << QStringLiteral("▲ Loose teeth near (1 mm)");
+            << 1.4 << 0.5 << QStringLiteral("▲ Loose teeth near (1.4 mm)");
     }
 
     void warnsEarlierOfLooseTeeth()
@@ -509,8 +510,9 @@ private Q_SLOTS:
         QFETCH(double, looseTeeth);
         QFETCH(QString, expected);
         BladeEffort effort{.contact = {.teethClearance = millimetres(clearance_mm)}};
+        const UpperTeeth teeth = upperTeeth(effort.contact, looseTeeth, UpperTeeth::Loose);
         const auto line = [&] {
-            return bladeEffortText(effort, looseTeeth).section(QLatin1Char{'\n'}, 1);
+            return bladeEffortText(effort, teeth).section(QLatin1Char{'\n'}, 1);
         };
         QCOMPARE(line(), expected);
         const QString called =
@@ -519,6 +521,50 @@ private Q_SLOTS:
         QCOMPARE(line(), QStringLiteral("▲ %1 touched").arg(called));
         effort.teeth = newtons(12.3);
         QCOMPARE(line(), QStringLiteral("▲ %1 pressed: about 12 N (estimate)").arg(called));
+    }
+
+    /// Half a millimetre of noise ends no warning.
+    void warnsOfLooseTeethUntilTheyAreClearlyLeft()
+    {
+        UpperTeeth teeth = UpperTeeth::Loose;
+        const auto isNearAt = [&teeth](double clearance_mm) {
+            teeth = upperTeeth({.teethClearance = millimetres(clearance_mm)}, 1.0, teeth);
+            return teeth == UpperTeeth::LooseAndNear;
+        };
+        QVERIFY(!isNearAt(3.4));
+        QVERIFY(!isNearAt(3.1));
+        QVERIFY(isNearAt(2.9));
+        QVERIFY(isNearAt(3.4));
+        QVERIFY(!isNearAt(3.6));
+        QVERIFY(!isNearAt(3.4));
+        QVERIFY(isNearAt(2.9));
+        QCOMPARE(upperTeeth({}, 1.0, teeth), UpperTeeth::Loose); // away from them
+        QCOMPARE(upperTeeth({.teethClearance = millimetres(2.0)}, 0.0, teeth), UpperTeeth::Firm);
+    }
+
+    /// Tipped back by an angle at which the blade comes near, and on from there.
+    void remembersThatABladeIsNearLooseTeeth()
+    {
+        const auto scope = Laryngoscopy::of(patient(), bladeOf(BladeKind::Macintosh3)).value();
+        Station station{"macintosh-3"};
+        SessionTime t = kNow;
+        const auto sightAt = [&](double tipped_deg) {
+            const LaryngoscopyPose pose =
+                scope.leveredPose(LaryngoscopyStep::Full, degrees(tipped_deg));
+            t += 20ms;
+            station.node.sees(kFirst, pose.X_AL, t);
+            StationMoment moment = station.view.at(t, 0);
+            moment.airwayEvents = {{AirwayEventKind::FragileTeeth, 1.0}};
+            return station.laryngoscope.at(moment, patient().throat(pose.X_AJ));
+        };
+        double deg = 0.0;
+        while (deg < 20.0 && sightAt(deg).teeth != UpperTeeth::LooseAndNear)
+            deg += 0.2;
+        QVERIFY(deg > 0.2 && deg < 20.0);
+        const LaryngoscopeSight back = sightAt(deg - 0.2);
+        QVERIFY(back.effort.contact.teethClearance > kNearLooseTeeth);
+        QCOMPARE(back.teeth, UpperTeeth::LooseAndNear);
+        QVERIFY(laryngoscopeText(back, std::nullopt).contains(QStringLiteral("Loose teeth near")));
     }
 
     void callsTeethLooseByTheEvent()

@@ -407,6 +407,14 @@ private Q_SLOTS:
             QVERIFY2(area->verticalScrollBar()->maximum() == 0, name);
         }
         QVERIFY(shown.share() >= 2.0 / 3.0);
+        shown.dock("airwayDock").raise();
+        const auto& airway = *qobject_cast<QScrollArea*>(shown.dock("airwayDock").widget());
+        for (const AirwayGroup& group : airwayGroups()) {
+            const QByteArray heading = headingOf(group);
+            shown.find<QPushButton>(heading.constData()).click();
+            Shown::settle();
+            QVERIFY2(airway.verticalScrollBar()->maximum() == 0, heading.constData());
+        }
     }
 
     /// Whichever of the groups is chosen, and whatever is set.

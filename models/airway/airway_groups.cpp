@@ -29,13 +29,14 @@ static_assert(kMouth.size() + kThroat.size() + kLarynx.size() + kNeck.size() + k
                   + kHelper.size()
               == kAirwayEventKinds);
 
+/// With keys that nothing else of the console's window has.
 constexpr std::array kAirwayGroups{
-    AirwayGroup{"mouth", QT_TRANSLATE_NOOP("Airway", "Mouth"), kMouth},
-    AirwayGroup{"throat", QT_TRANSLATE_NOOP("Airway", "Throat"), kThroat},
-    AirwayGroup{"larynx", QT_TRANSLATE_NOOP("Airway", "Larynx"), kLarynx},
-    AirwayGroup{"neck", QT_TRANSLATE_NOOP("Airway", "Neck"), kNeck},
-    AirwayGroup{"fluids", QT_TRANSLATE_NOOP("Airway", "Fluids"), kFluids},
-    AirwayGroup{"helper", QT_TRANSLATE_NOOP("Airway", "Helper"), kHelper}};
+    AirwayGroup{"mouth", QT_TRANSLATE_NOOP("Airway", "Mo&uth"), kMouth},
+    AirwayGroup{"throat", QT_TRANSLATE_NOOP("Airway", "&Throat"), kThroat},
+    AirwayGroup{"larynx", QT_TRANSLATE_NOOP("Airway", "&Larynx"), kLarynx},
+    AirwayGroup{"neck", QT_TRANSLATE_NOOP("Airway", "&Neck"), kNeck},
+    AirwayGroup{"fluids", QT_TRANSLATE_NOOP("Airway", "Flu&ids"), kFluids},
+    AirwayGroup{"helper", QT_TRANSLATE_NOOP("Airway", "Helpe&r"), kHelper}};
 
 } // namespace
 

@@ -13,7 +13,7 @@ namespace carina
 /// Events of the airway that are looked for in one place, in the order in which they are offered.
 struct AirwayGroup {
     std::string_view name; ///< "larynx"
-    const char* text;      ///< to be translated by groupText()
+    const char* text;      ///< with its key; to be translated by groupText()
     std::span<const AirwayEventKind> kinds;
 };
 
@@ -21,7 +21,7 @@ struct AirwayGroup {
 [[nodiscard]] std::span<const AirwayGroup> airwayGroups();
 /// Nothing where none is called so.
 [[nodiscard]] const AirwayGroup* airwayGroupNamed(std::string_view name);
-/// Its name as shown: "Larynx".
+/// Its name as shown, with its key: "&Larynx".
 [[nodiscard]] QString groupText(const AirwayGroup& group);
 
 } // namespace carina

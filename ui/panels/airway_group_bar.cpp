@@ -17,14 +17,6 @@ namespace
 constexpr int kHeadingColumns = 4;
 constexpr int kHeadingGap = 2; ///< pixels
 
-/// In the order of the groups, with keys that nothing else of the console's window has.
-constexpr std::array kHeadings{QT_TRANSLATE_NOOP("carina::AirwayGroupBar", "Mo&uth"),
-                               QT_TRANSLATE_NOOP("carina::AirwayGroupBar", "&Throat"),
-                               QT_TRANSLATE_NOOP("carina::AirwayGroupBar", "&Larynx"),
-                               QT_TRANSLATE_NOOP("carina::AirwayGroupBar", "&Neck"),
-                               QT_TRANSLATE_NOOP("carina::AirwayGroupBar", "Flu&ids"),
-                               QT_TRANSLATE_NOOP("carina::AirwayGroupBar", "Helpe&r")};
-
 QByteArray nameOf(const AirwayGroup& group)
 {
     return {group.name.data(), qsizetype(group.name.size())};
@@ -48,13 +40,12 @@ QString listed(std::span<const AirwayEventKind> kinds)
 AirwayGroupBar::AirwayGroupBar(QWidget* parent)
     : QWidget{parent}, m_chosen{nameOf(airwayGroups().front())}
 {
-    static_assert(kHeadings.size() == kGroups);
     auto* grid = new QGridLayout{this};
     grid->setContentsMargins({});
     grid->setSpacing(kHeadingGap);
-    for (std::size_t place = 0; place < m_headings.size(); ++place) {
-        m_headings[place] = addHeading(nameOf(airwayGroups()[place]), int(place));
-        m_headings[place]->setText(tr(kHeadings[place]));
+    for (const AirwayGroup& group : airwayGroups()) {
+        m_headings.push_back(addHeading(nameOf(group), int(m_headings.size())));
+        m_headings.back()->setText(groupText(group));
     }
     m_all = addHeading(kAll, int(m_headings.size()));
     m_all->setText(tr("All event&s"));
@@ -124,7 +115,7 @@ void AirwayGroupBar::refreshHeading(std::size_t place)
         return std::ranges::find(group.kinds, event.kind) == group.kinds.end();
     });
     QPushButton& heading = *m_headings[place];
-    QString words = tr(kHeadings[place]);
+    QString words = groupText(group);
     QStringList told{listed(group.kinds)};
     if (!set.empty()) {
         words = tr("%1 · %2 set", "group of events; how many are set").arg(words).arg(set.size());

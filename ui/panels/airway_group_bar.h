@@ -5,7 +5,7 @@
 
 #include <QWidget>
 
-#include <array>
+#include <vector>
 
 class QPushButton;
 
@@ -40,15 +40,13 @@ Q_SIGNALS:
     void chosenByHand();
 
 private:
-    static constexpr std::size_t kGroups = 6;
-
     QPushButton* addHeading(const QByteArray& name, int place);
     void refresh();
     void refreshHeading(std::size_t place);
 
     const AirwayEventModel* m_model = nullptr;
     QByteArray m_chosen;
-    std::array<QPushButton*, kGroups> m_headings{}; ///< in the order of the groups
+    std::vector<QPushButton*> m_headings; ///< in the order of the groups
     QPushButton* m_all = nullptr;
     QPushButton* m_heading = nullptr; ///< one of these
 };

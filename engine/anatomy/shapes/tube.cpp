@@ -186,14 +186,13 @@ TubeShape bent(TubeShape tube, const NeckField& neck)
     if (!tube.fitsAirway || !neck.isBent())
         return tube;
     const RigidTransform X_AE = tube.X_AE;
-    tube.X_AE = neck.X_AU() * X_AE;
-    const RigidTransform X_EA = tube.X_AE.inverse();
-    const auto moved = [&](const Vec3& p_E) { return Vec3{X_EA * neck.placed(X_AE * p_E)}; };
     for (Vec3& p_E : tube.p_E_centre)
-        p_E = moved(p_E);
-    tube.p_E_tip = moved(tube.p_E_tip);
+        p_E = bentInBody(neck, X_AE, p_E);
+    tube.p_E_tip = bentInBody(neck, X_AE, tube.p_E_tip);
     for (TubePiece& piece : tube.pieces)
-        piece.mesh = takenTo(deformed(takenTo(std::move(piece.mesh), X_AE), neck), X_EA);
+        piece.mesh = takenTo(deformed(takenTo(std::move(piece.mesh), X_AE), neck),
+                             outOfNeck(neck, X_AE));
+    tube.X_AE = neck.X_AU() * X_AE;
     return tube;
 }
 

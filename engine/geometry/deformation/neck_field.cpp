@@ -105,6 +105,16 @@ Angle NeckField::turnAt(const Vec3& p_A) const
                    + m_frame.flexion.angle * bendShare(m_frame.flexion, extended).value);
 }
 
+RigidTransform outOfNeck(const NeckField& neck, const RigidTransform& X_AF)
+{
+    return (neck.X_AU() * X_AF).inverse();
+}
+
+Vec3 bentInBody(const NeckField& neck, const RigidTransform& X_AF, const Vec3& p_F)
+{
+    return outOfNeck(neck, X_AF) * neck.placed(X_AF * p_F);
+}
+
 HeadPose<double> headPose(const NeckField& neck)
 {
     return {neck.X_AU().rotation().toRotationMatrix(), neck.X_AU().translation()};

@@ -101,6 +101,14 @@ private:
     RigidTransform m_X_AU;
 };
 
+/// Into the frame F of a body that goes with the head, X_AF being its pose in the neutral position,
+/// from where the neck has taken a place: (X_AU X_AF)^-1.
+[[nodiscard]] RigidTransform outOfNeck(const NeckField& neck, const RigidTransform& X_AF);
+
+/// Where in F such a body has a place p_F of the neutral position while it is bent as what is
+/// around it, as a tube in the airway: (X_AU X_AF)^-1 N(X_AF p_F), N being placed().
+[[nodiscard]] Vec3 bentInBody(const NeckField& neck, const RigidTransform& X_AF, const Vec3& p_F);
+
 /// X_AU as HeadPose.
 [[nodiscard]] HeadPose<double> headPose(const NeckField& neck);
 

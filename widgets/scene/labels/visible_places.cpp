@@ -282,10 +282,7 @@ Vec3 bentAt(const std::string& body, const Vec3& p_F, const SceneFrame& frame)
     if (body == frame.bends)
         return neck.placed(p_F);
     const auto inPlace = frame.bentInPlace.find(body);
-    if (inPlace == frame.bentInPlace.end())
-        return p_F;
-    const RigidTransform& X_AF = inPlace->second;
-    return (neck.X_AU() * X_AF).inverse() * neck.placed(X_AF * p_F);
+    return inPlace == frame.bentInPlace.end() ? p_F : bentInBody(neck, inPlace->second, p_F);
 }
 
 } // namespace

@@ -156,7 +156,7 @@ std::array<NamedUniform, kNeckUniforms> neckUniforms(const NeckField& field,
                                                      const std::optional<RigidTransform>& X_AF)
 {
     const NeckFrame<float> frame = inSingle(field.frame());
-    const RigidTransform X_FA_bent = X_AF ? (field.X_AU() * *X_AF).inverse() : RigidTransform{};
+    const RigidTransform X_FA_bent = X_AF ? outOfNeck(field, *X_AF) : RigidTransform{};
     return {NamedUniform{"neckExtension", bendUniform(frame.extension)},
             NamedUniform{"neckFlexion", bendUniform(frame.flexion)},
             NamedUniform{"headPose", poseUniform(field.X_AU())},

@@ -135,6 +135,7 @@ private Q_SLOTS:
     void foldsNowhereWithinReach();
     void hasTheSlopesOfItsDisplacement();
     void hasTheJawFollowInTheHead();
+    void bendsABodyThatGoesWithTheHead();
     void deformsMeshesAsTheFieldSays();
 };
 
@@ -277,6 +278,25 @@ void TestNeckField::hasTheJawFollowInTheHead()
     const Quat& R = throat.neck.X_AU().rotation();
     const Mat3 turned = (R * X_UJ.rotation() * R.inverse()).toRotationMatrix();
     QVERIFY((Mat3::Identity() + pull.gradient - turned).norm() < 1e-6);
+}
+
+/// What goes with the head is seen from there where the neck has taken it; in the head, which is
+/// rigid, it stays as it was.
+void TestNeckField::bendsABodyThatGoesWithTheHead()
+{
+    std::mt19937 random{14};
+    const NeckField neck = Person{}.neck();
+    const RigidTransform X_AF{rotationFromVector({0.4, -0.3, 0.9}), {0.02, -0.15, 0.17}};
+    const RigidTransform X_AF_bent = neck.X_AU() * X_AF;
+    for (const Vec3& p_A : places(random)) {
+        const Vec3 p_F_bent = bentInBody(neck, X_AF, X_AF.inverse() * p_A);
+        QVERIFY((X_AF_bent * p_F_bent - neck.placed(p_A)).norm() < kSame_m);
+        QVERIFY((outOfNeck(neck, X_AF) * neck.placed(p_A) - p_F_bent).norm() < kSame_m);
+        QVERIFY((bentInBody(NeckField{}, X_AF, p_A) - p_A).norm() < kSame_m);
+    }
+    const Vec3 p_A_inHead = Person{}.p_A_incisors + Vec3{0.0, -0.02, 0.05};
+    const Vec3 p_F = X_AF.inverse() * p_A_inHead;
+    QVERIFY((bentInBody(neck, X_AF, p_F) - p_F).norm() < kSame_m);
 }
 
 void TestNeckField::deformsMeshesAsTheFieldSays()

@@ -19,7 +19,7 @@ namespace
 {
 
 constexpr Duration kHalfRefresh = std::chrono::microseconds{8333}; ///< of a screen with 60 Hz
-constexpr double kInPlace_m = 0.006;
+constexpr Length kInPlace = millimetres(6.0);
 constexpr Duration kRest = std::chrono::seconds{1}; ///< in place before the picture
 
 LoggedFrame logged(const DrawnFrame& drawn, const StationMoment& moment)
@@ -38,11 +38,10 @@ LoggedFrame logged(const DrawnFrame& drawn, const StationMoment& moment)
     return entry;
 }
 
-/// Whether the tube lies where it was preformed to lie, in the airway as that lies.
-bool isInPlace(const LoggedFrame& frame, const TubeShape& tube)
+/// Whether the tube's tip is where it belongs, in the airway as that lies.
+bool isInPlace(const LoggedFrame& frame, const TubeShape& tube, const NeckField& neck)
 {
-    return frame.X_AE
-           && (*frame.X_AE * tube.p_E_tip - tube.X_AE * tube.p_E_tip).norm() < kInPlace_m;
+    return frame.X_AE && tipFromPlace(tube, neck, *frame.X_AE) < kInPlace;
 }
 
 /// The finest of the surface's own levels that a level of the scene shows.
@@ -82,8 +81,7 @@ void Measurement::logFrame(const DrawnFrame& drawn, const StationMoment& moment)
     if (m_overlay && drawn.frame.eyes && !drawn.frame.eyes->empty() && moment.head)
         m_overlay->add(moment.head->X_FO, moment.time + (drawn.swapped + kHalfRefresh - drawn.lit));
     const PatientModel& patient = m_scene.patient();
-    const NeckField neck = patient.neck(moment.headPosition);
-    if (!isInPlace(m_frames.back(), bent(patient.tube(), neck))) {
+    if (!isInPlace(m_frames.back(), patient.tube(), patient.neck(moment.headPosition))) {
         m_inPlaceSince.reset();
         return;
     }

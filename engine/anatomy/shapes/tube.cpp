@@ -190,10 +190,16 @@ TubeShape bent(TubeShape tube, const NeckField& neck)
         p_E = bentInBody(neck, X_AE, p_E);
     tube.p_E_tip = bentInBody(neck, X_AE, tube.p_E_tip);
     for (TubePiece& piece : tube.pieces)
-        piece.mesh = takenTo(deformed(takenTo(std::move(piece.mesh), X_AE), neck),
-                             outOfNeck(neck, X_AE));
+        piece.mesh =
+            takenTo(deformed(takenTo(std::move(piece.mesh), X_AE), neck), outOfNeck(neck, X_AE));
     tube.X_AE = neck.X_AU() * X_AE;
     return tube;
+}
+
+Length tipFromPlace(const TubeShape& tube, const NeckField& neck, const RigidTransform& X_AE)
+{
+    const Vec3 p_E_tip = tube.fitsAirway ? bentInBody(neck, tube.X_AE, tube.p_E_tip) : tube.p_E_tip;
+    return metres((X_AE * p_E_tip - neck.placed(tube.X_AE * tube.p_E_tip)).norm());
 }
 
 } // namespace carina

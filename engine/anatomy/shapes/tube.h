@@ -67,4 +67,10 @@ struct TubeShape {
 /// rigid, and stays as it is.
 [[nodiscard]] TubeShape bent(TubeShape tube, const NeckField& neck);
 
+/// How far the tip of bent(tube, neck), with its connector at X_AE, is from where it is at the
+/// final depth of the airway as the neck has taken that. Also for a tube that was touched, whose
+/// tip lies at the same place there.
+[[nodiscard]] Length tipFromPlace(const TubeShape& tube, const NeckField& neck,
+                                  const RigidTransform& X_AE);
+
 } // namespace carina

@@ -1,5 +1,6 @@
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "engine/anatomy/shapes/tube.h"
+#include "engine/geometry/rotation.h"
 #include "tests/engine/anatomy/shapes/section.h"
 #include "tests/engine/anatomy/shapes/surface_checks.h"
 #include "tests/support/test_class.h"
@@ -27,6 +28,8 @@ private Q_SLOTS:
     void depthMarksStandAtWholeCentimetresFromTheTip();
     void tubeAndCuffStayInsideTheTrachea_data();
     void tubeAndCuffStayInsideTheTrachea();
+    void liesInPlaceWhereTheNeckTakesTheAirway();
+    void liesInPlaceAsItWasTouched();
     void refusesWhatCannotLieInAnAirway_data();
     void refusesWhatCannotLieInAnAirway();
 };
@@ -35,6 +38,7 @@ namespace
 {
 
 constexpr double kMillimetre = 1e-3;
+constexpr double kSame_m = 1e-9;
 const Vec3 kIncisors{0.0, -0.14, 0.22};
 
 /// Straight in to the incisors, a quarter circle of 8 cm, straight down to the origin.
@@ -55,6 +59,9 @@ std::vector<Vec3> bentPath()
     path.emplace_back(Vec3::Zero());
     return path;
 }
+
+/// With a glottis above the middle of that path.
+NeckField bentNeck() { return {{0.0, -0.05, 0.16}, kIncisors, kSniffing}; }
 
 TubeShape bentTube() { return makeTube(millimetres(7.0), bentPath(), kIncisors).value(); }
 
@@ -239,6 +246,38 @@ void TestTube::tubeAndCuffStayInsideTheTrachea()
         }
         QVERIFY(inside > 100);
     }
+}
+
+/// Its tip is in the trunk, which stays; its connector in front of the teeth goes with the head.
+void TestTube::liesInPlaceWhereTheNeckTakesTheAirway()
+{
+    const NeckField neck = bentNeck();
+    const TubeShape tube = bentTube();
+    QVERIFY((neck.placed(tube.X_AE * tube.p_E_tip) - tube.X_AE * tube.p_E_tip).norm() < kSame_m);
+    QVERIFY(tipFromPlace(tube, {}, tube.X_AE).si < kSame_m);
+    const RigidTransform X_AE = neck.X_AU() * tube.X_AE;
+    QVERIFY(tipFromPlace(tube, neck, X_AE).si < kSame_m);
+    const RigidTransform moved = RigidTransform::translation({0.0, 0.003, 0.004}) * X_AE;
+    QVERIFY(std::abs(inMillimetres(tipFromPlace(tube, neck, moved)) - 5.0) < 1e-6);
+    const TubeShape drawn = bent(tube, neck);
+    QVERIFY((drawn.X_AE.matrix() - X_AE.matrix()).norm() < kSame_m);
+    QVERIFY((drawn.X_AE * drawn.p_E_tip - tube.X_AE * tube.p_E_tip).norm() < kSame_m);
+}
+
+/// A tube that was touched stays rigid in a bent neck, with its tip at the same place.
+void TestTube::liesInPlaceAsItWasTouched()
+{
+    const NeckField neck = bentNeck();
+    const std::array straight{Vec3{0.0, 0.0, 0.0}, Vec3{0.0, 0.0, -0.3}};
+    const TubeShape touched = tubeAlong(bentTube(), straight, millimetres(9.6));
+    const Vec3 p_A_tip = bentTube().X_AE * bentTube().p_E_tip;
+    const RigidTransform turned{rotationFromVector({0.2, -0.3, 0.1}), Vec3::Zero()};
+    const RigidTransform X_AE = RigidTransform::translation(p_A_tip) * turned
+                                * RigidTransform::translation(-touched.p_E_tip);
+    QVERIFY(tipFromPlace(touched, {}, X_AE).si < kSame_m);
+    QVERIFY(tipFromPlace(touched, neck, X_AE).si < kSame_m);
+    // Where it would be if it went with the head it is not in place.
+    QVERIFY(tipFromPlace(touched, neck, neck.X_AU() * X_AE) > millimetres(6.0));
 }
 
 void TestTube::refusesWhatCannotLieInAnAirway_data()

@@ -20,7 +20,7 @@ namespace carina
 namespace
 {
 
-constexpr double kMoved_m = 1e-6; ///< a vertex that is moved less is not
+constexpr double kMoved_m = 1e-6; ///< a vertex that is less far from a place is there
 constexpr double kSteps = 4.0;    ///< of laryngoscopyPose: the last one's number
 
 constexpr std::array kCornersOfHead{
@@ -46,9 +46,10 @@ void addJaws(std::vector<DeformationCombination>& all)
 {
     for (const Angle opening : {Angle{}, kMostJawOpening})
         for (const Length forward : {Length{}, kMostJawForward}) {
-            all.push_back({.jawOpening = opening, .jawForward = forward});
+            const SweptJaw jaw{opening, forward};
+            all.push_back({.jaw = jaw});
             for (const HeadPosition& head : kCornersOfHead)
-                all.push_back({.head = head, .jawOpening = opening, .jawForward = forward});
+                all.push_back({.head = head, .jaw = jaw});
         }
 }
 
@@ -161,11 +162,17 @@ DeformedSurface deformedSurface(const Fields& fields, const TriangleMesh& mesh_A
     return surface;
 }
 
-bool isMoved(const TriangleMesh& from, const TriangleMesh& to)
+bool isTakenBy(const RigidTransform& X, const TriangleMesh& from, const TriangleMesh& to)
 {
-    return !std::ranges::equal(from.positions, to.positions, [](const Vec3f& a, const Vec3f& b) {
-        return (b - a).norm() < kMoved_m;
+    return std::ranges::equal(from.positions, to.positions, [&X](const Vec3f& a, const Vec3f& b) {
+        return (b.cast<double>() - X * a.cast<double>()).norm() < kMoved_m;
     });
+}
+
+/// Otherwise it stays, or goes with the head.
+bool isDeformed(const TriangleMesh& from, const TriangleMesh& to, const NeckField& neck)
+{
+    return !isTakenBy({}, from, to) && !isTakenBy(neck.X_AU(), from, to);
 }
 
 DeformedPart measured(const AnatomyPart& part, std::size_t level, const DeformedSurface& surface)
@@ -185,7 +192,7 @@ DeformedPart measured(const AnatomyPart& part, std::size_t level, const Deformed
 
 std::vector<DeformationCombination> limitsOfDeformation()
 {
-    std::vector<DeformationCombination> all;
+    std::vector all{DeformationCombination{}};
     addHeads(all);
     addJaws(all);
     addBlades(all);
@@ -200,8 +207,8 @@ DeformationCombination randomCombination(std::uint32_t seed)
     drawn.seed = seed;
     drawn.head = {draw.between(kLeastFlexion, kMostFlexion),
                   draw.between(kLeastExtension, kMostExtension)};
-    drawn.jawOpening = draw.between(Angle{}, kMostJawOpening);
-    drawn.jawForward = draw.between(Length{}, kMostJawForward);
+    drawn.jaw = {.opening = draw.between(Angle{}, kMostJawOpening),
+                 .forward = draw.between(Length{}, kMostJawForward)};
     if (draw.below(3) != 0)
         drawn.blade = {.kind = kBladeKinds.at(draw.below(std::uint32_t(kBladeKinds.size()))),
                        .progress = draw.between(0.0, kSteps),
@@ -251,8 +258,9 @@ DeformationSweep::deformedBy(const DeformationCombination& combination) const
             levered(blade.form, pose.X_AL, neck.placed(airway.p_A_edge()), swept->levering);
         fields.blade = bladeInTissue(followed(airway, fields.throat), blade, X_AL);
     } else {
-        fields.throat = throatWith(
-            movedJaw(marks.p_A_incisors, combination.jawOpening, combination.jawForward));
+        const auto& jaw = combination.jaw;
+        fields.throat =
+            throatWith(jaw ? movedJaw(marks.p_A_incisors, jaw->opening, jaw->forward) : m_held);
     }
     std::vector<DeformedPart> parts;
     for (const AnatomyPart& part : m_patient->parts) {
@@ -260,7 +268,7 @@ DeformationSweep::deformedBy(const DeformationCombination& combination) const
         const std::size_t level = std::min(m_level.value_or(coarsest), coarsest);
         const DeformedSurface surface = deformedSurface(
             fields, part.levels[level], regionOf(part.role), movesWithMandible(part));
-        if (isMoved(part.levels[level], surface.mesh))
+        if (isDeformed(part.levels[level], surface.mesh, neck))
             parts.push_back(measured(part, level, surface));
     }
     return parts;

@@ -20,14 +20,19 @@ struct SweptBlade {
     Angle levering{};      ///< by which the handle is then tipped back (levered)
 };
 
+/// A jaw as movedJaw has it.
+struct SweptJaw {
+    Angle opening{}; ///< from the shut mouth
+    Length forward{};
+};
+
 /// Everything by which the head and neck of a patient are deformed, but for the breath.
 struct DeformationCombination {
     std::optional<std::uint32_t> seed{}; ///< of one that was drawn; nothing for a limit
     HeadPosition head{};                 ///< as far as events let it
-    /// X_AJ of the mouth, as movedJaw has it: with a blade the jaw is where the laryngoscopy has
-    /// it.
-    Angle jawOpening{};
-    Length jawForward{};
+    /// Nothing: as in the surfaces, which may have been made with the mouth held open. With a blade
+    /// the jaw is where the laryngoscopy has it.
+    std::optional<SweptJaw> jaw{};
     std::optional<SweptBlade> blade{};
     AirwayEvents events{};
 };
@@ -69,7 +74,8 @@ public:
     [[nodiscard]] static Result<DeformationSweep> of(const Anatomy& patient,
                                                      std::optional<std::size_t> level);
 
-    /// The parts that a combination deforms; what it leaves, or moves as a rigid body, is left out.
+    /// The parts that a combination deforms. What it leaves is left out, and so is what it moves as
+    /// a rigid body: with the mandible, or with the head, as upper teeth.
     [[nodiscard]] std::vector<DeformedPart>
     deformedBy(const DeformationCombination& combination) const;
 

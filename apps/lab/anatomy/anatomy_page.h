@@ -140,7 +140,9 @@ inline constexpr Key kSeed{"seed", "by which it was drawn; null at a limit", 2};
 inline constexpr Key kNeckFlexion{"neck_flexion_deg", "of the neck on the trunk", 2};
 inline constexpr Key kHeadExtension{"head_extension_deg", "of the head against the neck", 2};
 inline constexpr Key kJawOpening{
-    "jaw_opening_deg", "from the closed mouth; null with a blade, with which the jaw moves", 2};
+    "jaw_opening_deg",
+    "from the closed mouth; null as in the surfaces, and with a blade, with which the jaw moves",
+    2};
 inline constexpr Key kJawForward{"jaw_forward_mm", "likewise", 2};
 inline constexpr Key kBlade{"blade", "its name; null without one, as the three that follow", 2};
 inline constexpr Key kProgress{

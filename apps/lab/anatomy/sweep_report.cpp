@@ -18,24 +18,25 @@ QJsonObject parametersOf(const DeformationCombination& combination)
 {
     const SweptBlade blade = combination.blade.value_or(SweptBlade{});
     const bool hasBlade = combination.blade.has_value();
+    const SweptJaw jaw = combination.jaw.value_or(SweptJaw{});
+    const bool isJawSet = combination.jaw && !hasBlade;
     const std::string_view name = bladeOf(blade.kind).name;
     QJsonObject events;
     for (const AirwayEvent& event : combination.events)
         events[QString::fromLatin1(eventName(event.kind))] = event.severity;
-    return {
-        {anatomy_sweep_key::kSeed,
-         combination.seed ? QJsonValue{qint64(*combination.seed)} : QJsonValue{QJsonValue::Null}},
-        {anatomy_sweep_key::kNeckFlexion, inDegrees(combination.head.flexion)},
-        {anatomy_sweep_key::kHeadExtension, inDegrees(combination.head.extension)},
-        {anatomy_sweep_key::kJawOpening, orNull(!hasBlade, inDegrees(combination.jawOpening))},
-        {anatomy_sweep_key::kJawForward, orNull(!hasBlade, inMillimetres(combination.jawForward))},
-        {anatomy_sweep_key::kBlade,
-         hasBlade ? QJsonValue{QString::fromLatin1(name.data(), qsizetype(name.size()))}
-                  : QJsonValue{QJsonValue::Null}},
-        {anatomy_sweep_key::kProgress, orNull(hasBlade, blade.progress)},
-        {anatomy_sweep_key::kLift, orNull(hasBlade, inMillimetres(blade.lift))},
-        {anatomy_sweep_key::kLevering, orNull(hasBlade, inDegrees(blade.levering))},
-        {anatomy_sweep_key::kEvents, events}};
+    return {{anatomy_sweep_key::kSeed, combination.seed ? QJsonValue{qint64(*combination.seed)}
+                                                        : QJsonValue{QJsonValue::Null}},
+            {anatomy_sweep_key::kNeckFlexion, inDegrees(combination.head.flexion)},
+            {anatomy_sweep_key::kHeadExtension, inDegrees(combination.head.extension)},
+            {anatomy_sweep_key::kJawOpening, orNull(isJawSet, inDegrees(jaw.opening))},
+            {anatomy_sweep_key::kJawForward, orNull(isJawSet, inMillimetres(jaw.forward))},
+            {anatomy_sweep_key::kBlade,
+             hasBlade ? QJsonValue{QString::fromLatin1(name.data(), qsizetype(name.size()))}
+                      : QJsonValue{QJsonValue::Null}},
+            {anatomy_sweep_key::kProgress, orNull(hasBlade, blade.progress)},
+            {anatomy_sweep_key::kLift, orNull(hasBlade, inMillimetres(blade.lift))},
+            {anatomy_sweep_key::kLevering, orNull(hasBlade, inDegrees(blade.levering))},
+            {anatomy_sweep_key::kEvents, events}};
 }
 
 QJsonObject leastObjectOf(const DeformedPart& part, const DeformationCombination& combination)

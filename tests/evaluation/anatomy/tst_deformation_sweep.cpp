@@ -1,5 +1,6 @@
 #include "evaluation/anatomy/deformation_sweep.h"
 
+#include "engine/anatomy/chest/chest_region.h"
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "tests/support/test_class.h"
 
@@ -16,6 +17,10 @@ namespace
 
 constexpr double kDifference_m = 1e-5; ///< of places between which a gradient is taken
 constexpr double kTolerance = 1e-4;    ///< of a determinant from differences
+/// The surfaces as they are; 8 positions of the head; 4 of the jaw in 5 of the head; 9 blades in 5
+/// steps, and 4 ways to lift in 5 positions of the head; 23 events, and all of them, with a blade
+/// and without. docs/deformation.md has the number.
+constexpr std::size_t kLimits = 1 + 8 + 4 * 5 + 9 * 5 + 4 * 5 + 2 * (23 + 1);
 
 /// The child as if his surfaces had been made with the mouth shut, so that nothing moves while no
 /// part of a combination does.
@@ -61,6 +66,34 @@ class TestDeformationSweep : public QObject
 private Q_SLOTS:
     void findsNothingWhereNothingMoves() { QVERIFY(sweepOf().deformedBy({}).empty()); }
 
+    /// Surfaces that were made with the mouth held open are left so, and the mouth can be shut.
+    void leavesTheJawAsItWasMade()
+    {
+        const Anatomy open = builtinPatient(BuiltinPatient::TwelveYears).value();
+        const DeformationSweep sweep = DeformationSweep::of(open, {}).value();
+        QVERIFY(sweep.deformedBy({}).empty());
+        QVERIFY(partNamed(sweep.deformedBy({.jaw = SweptJaw{}}), "Tongue") != nullptr);
+    }
+
+    void leavesOutWhatGoesWithTheHead()
+    {
+        const auto parts = sweepOf().deformedBy({.head = {kMostFlexion, kMostExtension}});
+        QVERIFY(partNamed(parts, "Skin") != nullptr);
+        int upper = 0;
+        for (const AnatomyPart& part : patient().parts)
+            if (part.role == PartRole::Tooth && !movesWithMandible(part)) {
+                QVERIFY2(partNamed(parts, part.name.c_str()) == nullptr, part.name.c_str());
+                ++upper;
+            }
+        QVERIFY(upper > 0);
+        // An event deforms them all the same.
+        const auto prominent = sweepOf().deformedBy(
+            {.head = {kMostFlexion, {}}, .events = {{AirwayEventKind::ProminentIncisors, 1.0}}});
+        QVERIFY(std::ranges::any_of(patient().parts, [&](const AnatomyPart& part) {
+            return part.role == PartRole::Tooth && partNamed(prominent, part.name.c_str());
+        }));
+    }
+
     /// Skin, which the neck alone moves: the determinant is that of differences, and the least.
     void hasTheLeastDeterminantOfEachPart()
     {
@@ -82,18 +115,19 @@ private Q_SLOTS:
     /// A jaw that is 20 cm in front of its place draws the tongue through itself.
     void countsWhatMeetsItself()
     {
-        const auto torn = sweepOf().deformedBy({.jawForward = metres(0.2)});
+        const auto torn = sweepOf().deformedBy({.jaw = SweptJaw{{}, metres(0.2)}});
         const auto worst = std::ranges::max(torn, {}, &DeformedPart::intersections);
         QVERIFY(worst.intersections > 10);
         const auto least = std::ranges::min(torn, {}, &DeformedPart::leastDeterminant);
         QVERIFY2(least.leastDeterminant < 0.0, qPrintable(QString::number(least.leastDeterminant)));
-        for (const DeformedPart& part : sweepOf().deformedBy({.jawForward = millimetres(0.02)}))
+        for (const DeformedPart& part :
+             sweepOf().deformedBy({.jaw = SweptJaw{{}, millimetres(0.02)}}))
             QVERIFY2(part.intersections == 0 && part.leastDeterminant > 0.99, part.name.c_str());
     }
 
     void leavesOutWhatTheJawTakesAlong()
     {
-        const auto parts = sweepOf().deformedBy({.jawOpening = degrees(10.0)});
+        const auto parts = sweepOf().deformedBy({.jaw = SweptJaw{degrees(10.0), {}}});
         QVERIFY(partNamed(parts, "Tongue") != nullptr);
         for (const char* name : {"Mandible", "Lower lip", "Gingiva of lower jaw"})
             QVERIFY2(partNamed(parts, name) == nullptr, name);
@@ -127,6 +161,10 @@ private Q_SLOTS:
     void hasEachLimit()
     {
         const auto limits = limitsOfDeformation();
+        QCOMPARE(limits.size(), kLimits);
+        const DeformationCombination& asMade = limits.front();
+        QVERIFY(asMade.head == HeadPosition{} && !asMade.jaw && !asMade.blade);
+        QVERIFY(asMade.events.empty());
         std::set<AirwayEventKind> events;
         std::set<BladeKind> blades;
         int corners = 0;
@@ -144,7 +182,8 @@ private Q_SLOTS:
         QCOMPARE(blades.size(), kBladeKinds.size());
         QVERIFY(corners >= 4);
         QVERIFY(std::ranges::any_of(limits, [](const DeformationCombination& limit) {
-            return limit.jawOpening == kMostJawOpening && limit.jawForward == kMostJawForward;
+            return limit.jaw && limit.jaw->opening == kMostJawOpening
+                   && limit.jaw->forward == kMostJawForward;
         }));
     }
 
@@ -157,12 +196,12 @@ private Q_SLOTS:
             const DeformationCombination drawn = randomCombination(seed);
             const DeformationCombination again = randomCombination(seed);
             QCOMPARE(*drawn.seed, seed);
-            QVERIFY(drawn.head == again.head && drawn.jawOpening == again.jawOpening
+            QVERIFY(drawn.head == again.head && drawn.jaw->opening == again.jaw->opening
                     && drawn.events == again.events);
             QVERIFY(drawn.head != randomCombination(seed + 1).head);
             QVERIFY(withinReach(drawn.head) == drawn.head);
-            QVERIFY(drawn.jawOpening >= Angle{} && drawn.jawOpening <= kMostJawOpening);
-            QVERIFY(drawn.jawForward >= Length{} && drawn.jawForward <= kMostJawForward);
+            QVERIFY(drawn.jaw->opening >= Angle{} && drawn.jaw->opening <= kMostJawOpening);
+            QVERIFY(drawn.jaw->forward >= Length{} && drawn.jaw->forward <= kMostJawForward);
             QVERIFY(areProper(drawn.events));
             withEvents += drawn.events.empty() ? 0 : 1;
             withBlade += drawn.blade ? 1 : 0;

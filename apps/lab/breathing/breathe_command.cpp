@@ -5,6 +5,7 @@
 #include "apps/lab/command/patient_words.h"
 #include "apps/lab/command/words.h"
 #include "apps/lab/commands.h"
+#include "engine/session/facts/fact_rules.h"
 
 #include <QJsonArray>
 
@@ -16,6 +17,16 @@ namespace
 {
 
 constexpr std::array<const char*, 2> kLungNames{"right", "left"};
+
+// As the options say, and as a session has them.
+constexpr double kLeastRate_perMin = 4.0;
+constexpr double kMostRate_perMin = 60.0;
+constexpr double kLeastTidalVolume_ml = 10.0;
+constexpr double kMostTidalVolume_ml = 2000.0;
+static_assert(perMinute(kLeastRate_perMin) == kSlowestBreathing);
+static_assert(perMinute(kMostRate_perMin) == kFastestBreathing);
+static_assert(millilitres(kLeastTidalVolume_ml) == kSmallestTidalVolume);
+static_assert(millilitres(kMostTidalVolume_ml) == kLargestTidalVolume);
 
 Result<std::optional<std::size_t>> levelOption(const Words& words)
 {
@@ -34,11 +45,12 @@ Result<BreathingTrial> trialOf(const Words& words, const PatientBuild& build)
     trial.settings.build = build;
     trial.settings.pattern = restingPattern(build);
     const BreathingPattern& quiet = trial.settings.pattern;
-    const auto rate = words.number(breathe_option::kRate, 4.0, 60.0, inPerMinute(quiet.rate));
+    const auto rate = words.number(breathe_option::kRate, kLeastRate_perMin, kMostRate_perMin,
+                                   inPerMinute(quiet.rate));
     if (!rate)
         return tl::unexpected(rate.error());
-    const auto tidalVolume_ml =
-        words.number(breathe_option::kTidalVolume, 20.0, 2000.0, inMillilitres(quiet.tidalVolume));
+    const auto tidalVolume_ml = words.number(breathe_option::kTidalVolume, kLeastTidalVolume_ml,
+                                             kMostTidalVolume_ml, inMillilitres(quiet.tidalVolume));
     if (!tidalVolume_ml)
         return tl::unexpected(tidalVolume_ml.error());
     const auto seconds = words.number(breathe_option::kSeconds, 0.1, 3600.0);

@@ -13,7 +13,7 @@ inline constexpr Option kRate{
     "rate-per-min", "R",
     "breaths per minute, 4 to 60; as many as the patient breathes at rest unless given"};
 inline constexpr Option kTidalVolume{
-    "tidal-volume-ml", "V", "volume of a breath, 20 to 2000; that of a quiet breath unless given"};
+    "tidal-volume-ml", "V", "volume of a breath, 10 to 2000; that of a quiet breath unless given"};
 inline constexpr Option kSeconds{"seconds", "S", "how long to breathe, 0.1 to 3600"};
 inline constexpr Option kLevel{
     "level", "N", "the one level of detail to draw, 0 being the finest; every level unless given"};

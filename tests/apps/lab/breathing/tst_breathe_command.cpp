@@ -190,7 +190,9 @@ void TestBreatheCommand::refusesWhatItCannotDo_data()
         "--loud");
     row("a word too many", "--rate-per-min 19 --tidal-volume-ml 280 --seconds 1 more", "more");
     row("more than anybody breathes", "--rate-per-min 19 --tidal-volume-ml 5000 --seconds 3",
-        "from 20 to 2000");
+        "from 10 to 2000");
+    row("less than a newborn breathes", "--rate-per-min 19 --tidal-volume-ml 9.9 --seconds 3",
+        "from 10 to 2000");
     const auto ill = [&](const char* name, const char* words, const char* mention) {
         const QByteArray all =
             QByteArray{"--rate-per-min 19 --tidal-volume-ml 280 --seconds 1 "} + words;

@@ -72,7 +72,7 @@ QJsonObject dimensionsReport(const PatientParameters& person, const Anatomy& pat
     }
     std::erase_if(beyond, [&within](const std::string& name) { return within.contains(name); });
     return {{anatomy_dimensions_key::kPatient, QString::fromStdString(nameOf(person))},
-            {anatomy_dimensions_key::kAge, qint64(std::lround(person.ageInYears))},
+            {anatomy_dimensions_key::kAge, person.ageInYears},
             {anatomy_dimensions_key::kSex,
              person.sex == Sex::Male ? QStringLiteral("male") : QStringLiteral("female")},
             {anatomy_dimensions_key::kMeasured, measured},
@@ -94,7 +94,6 @@ Result<QJsonObject> measured(const PatientParameters& person)
 Result<QJsonObject> measurePatients(const Words& words)
 {
     QJsonArray patients;
-    QJsonArray leftOut;
     if (words.has(kPatient)) {
         const auto person = patientOption(words, BuiltinPatient::Adult);
         if (!person)
@@ -106,10 +105,8 @@ Result<QJsonObject> measurePatients(const Words& words)
     } else {
         for (const char* who : kMeasuredPeople) {
             const auto person = patientFromWords(who);
-            if (!person) {
-                leftOut.append(QString::fromLatin1(who));
-                continue;
-            }
+            if (!person)
+                return tl::unexpected(person.error());
             const auto report = measured(*person);
             if (!report)
                 return tl::unexpected(report.error());
@@ -118,8 +115,7 @@ Result<QJsonObject> measurePatients(const Words& words)
     }
     return QJsonObject{
         {anatomy_dimensions_key::kSchema, QLatin1StringView{anatomy_dimensions_key::kSchema.help}},
-        {anatomy_dimensions_key::kPatients, patients},
-        {anatomy_dimensions_key::kLeftOut, leftOut}};
+        {anatomy_dimensions_key::kPatients, patients}};
 }
 
 Use dimensionsUse()
@@ -137,8 +133,7 @@ Use dimensionsUse()
                      anatomy_dimensions_key::kName, anatomy_dimensions_key::kValue,
                      anatomy_dimensions_key::kPublished, anatomy_dimensions_key::kDeviation,
                      anatomy_dimensions_key::kZ, anatomy_dimensions_key::kSource,
-                     anatomy_dimensions_key::kWithin, anatomy_dimensions_key::kBeyond,
-                     anatomy_dimensions_key::kLeftOut}};
+                     anatomy_dimensions_key::kWithin, anatomy_dimensions_key::kBeyond}};
 }
 
 } // namespace carina::lab

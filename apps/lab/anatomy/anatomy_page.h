@@ -166,7 +166,7 @@ namespace anatomy_dimensions_key
 inline constexpr Key kSchema{"schema", "carina.anatomy-dimensions/1"};
 inline constexpr Key kPatients{"patients", "one object per patient:"};
 inline constexpr Key kPatient{"patient", "who it is, as --patient takes it", 1};
-inline constexpr Key kAge{"age_years", "of that person", 1};
+inline constexpr Key kAge{"age_years", "of that person: 1.5 at 18 months", 1};
 inline constexpr Key kSex{"sex", "\"male\" or \"female\"", 1};
 inline constexpr Key kMeasured{"measured", "by name, each dimension measured on the surfaces", 1};
 inline constexpr Key kDimensions{
@@ -180,8 +180,6 @@ inline constexpr Key kSource{"source", "of whom it is, and who published it", 2}
 inline constexpr Key kWithin{
     "within", "how many dimensions are within one standard deviation of at least one source", 1};
 inline constexpr Key kBeyond{"beyond", "names of those that are within that of none", 1};
-inline constexpr Key kLeftOut{
-    "left_out", "patients that were to be measured and are out of the range that can be made"};
 } // namespace anatomy_dimensions_key
 
 } // namespace carina::lab

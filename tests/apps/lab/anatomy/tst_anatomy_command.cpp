@@ -113,6 +113,21 @@ private Q_SLOTS:
             QVERIFY2(help.contains(QStringLiteral("\n        %1").arg(key)), qPrintable(key));
     }
 
+    void hasTheAgeOfAnInfantInYears()
+    {
+        const auto object =
+            anatomyCommand().run({QStringLiteral("dimensions"), QStringLiteral("--patient"),
+                                  QStringLiteral("18 months, 80 cm, boy")});
+        QVERIFY2(object.has_value(), object ? "" : object.error().detail.c_str());
+        const QJsonObject boy = (*object)[QStringLiteral("patients")][0].toObject();
+        QCOMPARE(boy[QStringLiteral("age_years")].toDouble(), 1.5);
+        const QString help = pageOf(anatomyCommand());
+        for (const QString& key : object->keys())
+            QVERIFY2(help.contains(QStringLiteral("\n    %1 ").arg(key)), qPrintable(key));
+        for (const QString& key : boy.keys())
+            QVERIFY2(help.contains(QStringLiteral("\n      %1 ").arg(key)), qPrintable(key));
+    }
+
     void comparesDimensionsWithPublishedOnes()
     {
         const auto object =

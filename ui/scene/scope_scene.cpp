@@ -106,8 +106,6 @@ ScopeScene scopeScene(const PatientModel& patient, const Blade& blade)
 
 void addContents(SceneFrame& frame, const std::vector<ThroatContent>& contents)
 {
-    for (const AirwayEventKind kind : kThroatContents)
-        frame.bodies.erase(eventName(kind));
     for (const ThroatContent& content : contents)
         frame.bodies[eventName(content.kind)] = {RigidTransform::translation(content.p_AF),
                                                  content.size};

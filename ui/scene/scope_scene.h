@@ -23,7 +23,7 @@ struct ScopeScene {
 };
 [[nodiscard]] ScopeScene scopeScene(const PatientModel& patient, const Blade& blade);
 
-/// Has a frame of such a scene draw what lies in the throat, and nothing else there.
+/// Has a frame of such a scene, in which nothing lies in the throat, draw this there.
 void addContents(SceneFrame& frame, const std::vector<ThroatContent>& contents);
 
 /// Has a view draw such a scene and nothing else, in the light of the eye that sees it.

@@ -32,7 +32,15 @@ constexpr std::int64_t kMostGrowth = 1000; ///< bytes in 1000 frames
 const QSize kSmallWindow{96, 64};
 
 /// What changes with each frame, beside the pose of the patient and of the tool.
-enum class Shown : std::uint8_t { Patient, Headset, Section, ErrorMap, MovingJaw };
+enum class Shown : std::uint8_t {
+    Patient,
+    Headset,
+    Section,
+    ErrorMap,
+    MovingJaw,
+    ChangingAirway,
+    MovingHead
+};
 
 /// Of every draw layer and shader program. Plates, which cost little to draw: what a frame takes
 /// from the heap does not depend on the number of triangles.
@@ -53,6 +61,25 @@ std::vector<ScenePart> onePartOfEachKind()
 /// -1 to 1, the same after kPeriod frames.
 double swing(int frame) { return std::sin(2.0 * std::numbers::pi * frame / kPeriod); }
 
+AirwayField airwayAt(int frame)
+{
+    AirwayField airway;
+    airway.swell({.across = metres(0.2),
+                  .along = metres(0.1),
+                  .outward = metres(0.02 + 0.01 * swing(frame))});
+    airway.tint({.across = metres(0.2),
+                 .along = metres(0.1),
+                 .color = {200, 30, 30},
+                 .share = 0.5 + 0.4 * swing(frame)});
+    return airway;
+}
+
+/// Bent in every frame.
+NeckField neckAt(int frame)
+{
+    return {{0.0, 0.0, 0.1}, {0.0, -0.2, 0.25}, {degrees(15.0 + 10.0 * swing(frame)), {}}};
+}
+
 SceneFrame frameAt(int frame, Shown shown)
 {
     SceneFrame made;
@@ -63,6 +90,12 @@ SceneFrame frameAt(int frame, Shown shown)
     if (shown == Shown::MovingJaw)
         made.throat.X_AJ = RigidTransform::translation({0.0, 0.0, -0.01 - 0.01 * swing(frame)});
     made.bodies["tube"] = RigidTransform::translation({0.1 * swing(frame), 0.0, 0.0});
+    if (shown == Shown::ChangingAirway)
+        made.airway = airwayAt(frame);
+    if (shown == Shown::MovingHead) {
+        made.throat.neck = neckAt(frame);
+        made.bentInPlace["tube"] = RigidTransform{};
+    }
     return made;
 }
 
@@ -169,6 +202,8 @@ void TestHeapGrowth::aFrameGivesBackWhatItTook_data()
     QTest::newRow("behind a moving section") << Shown::Section;
     QTest::newRow("coloured by a changing error") << Shown::ErrorMap;
     QTest::newRow("with a moving jaw") << Shown::MovingJaw;
+    QTest::newRow("with tissue that swells and changes colour") << Shown::ChangingAirway;
+    QTest::newRow("with a moving head and a tube in place") << Shown::MovingHead;
 }
 
 void TestHeapGrowth::aFrameGivesBackWhatItTook()

@@ -14,8 +14,6 @@ namespace
 constexpr double kMillimetre = 1e-3;
 /// Height of a cartilage above the gaps beside it.
 constexpr double kRingHeight = 1.1 * kMillimetre;
-/// Wall of the trachea; mucosa and cartilage together.
-constexpr double kTracheaWall = 1.8 * kMillimetre;
 constexpr double kRingHeightBronchi = 0.7 * kMillimetre;
 constexpr double kRingSpacingBronchi = 5.0 * kMillimetre;
 
@@ -140,7 +138,7 @@ double AirwaySolid::lumenDistance(const Vec3& p_WQ) const
     // As below its upper end, which is open.
     const double open = m_dimensions.tracheaLength.si - 6.0 * kMillimetre * m_scale;
     const Vec3 p{p_WQ.x(), p_WQ.y(), std::min(p_WQ.z(), open)};
-    return wholeDistance(p) + kTracheaWall * m_scale;
+    return wholeDistance(p) + kMansTracheaWall.si * m_scale;
 }
 
 double AirwaySolid::territory(Side side, const Vec3& p_WQ) const

@@ -95,20 +95,21 @@ Windpipe childsAt(Length height)
 /// 2001;110:268) and 5.3 cm + 0.5 mm a month in 56 children of up to three years (CT, Anesth Analg
 /// 2013;117:460). The trachea begins 9.2 mm below the cords at 50 cm (5.04 less 4.12 cm, the same
 /// infants), and as far as in childsAt at 116 cm. Its air is 0.0070 h + 0.05 cm from front to back
-/// and 0.0065 h + 0.18 cm from side to side (Griscom et al., 34 children up to six years, CT); the
-/// wall around it, of ours, takes 1.6 mm.
+/// and 0.0065 h + 0.18 cm from side to side (Griscom et al., 34 children up to six years, CT),
+/// within the wall that kMansTracheaWall gives to a trachea of this length.
 Windpipe infantsAt(Length height)
 {
     constexpr Length kNewborn = centimetres(50.0);
     constexpr Length kSchoolChild = centimetres(116.0);
-    constexpr Length kWallOfTrachea = millimetres(1.6);
     const Windpipe school = childsAt(kSchoolChild);
     const double grown = (height - kNewborn) / (kSchoolChild - kNewborn);
     const Length cords = mix(centimetres(5.1), school.cordsToCarina, grown);
     const Length toTrachea =
         mix(millimetres(9.2), school.cordsToCarina - school.tracheaLength, grown);
-    return {cords, cords - toTrachea, 0.0070 * height + centimetres(0.05) + kWallOfTrachea,
-            0.0065 * height + centimetres(0.18) + kWallOfTrachea,
+    const Length trachea = cords - toTrachea;
+    const Length walls = 2.0 * (trachea / kMan.tracheaLength) * kMansTracheaWall;
+    return {cords, trachea, 0.0070 * height + centimetres(0.05) + walls,
+            0.0065 * height + centimetres(0.18) + walls,
             (kMan.rightBronchus / kMan.cordsToCarina) * cords};
 }
 

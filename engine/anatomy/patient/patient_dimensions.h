@@ -42,6 +42,9 @@ struct PatientParameters {
 /// the manikin of 2004 (Hamza-Lup, Rolland and Hughes 2004),  and 150 cm.
 [[nodiscard]] PatientParameters parametersOf(BuiltinPatient patient);
 
+/// Mucosa and cartilage of the reference man's trachea; of others in proportion to its length.
+inline constexpr Length kMansTracheaWall = millimetres(1.8);
+
 /// One main bronchus: from the carina to its first lobar branch.
 struct MainBronchusDimensions {
     Length length;     ///< along its axis, from the level of the carina
@@ -94,8 +97,8 @@ struct LengthRange {
 
 /// The heights that are taken at an age: 45 to 60 cm in the newborn, 65 to 90 cm at one year, and
 /// from kSchoolAge_years on kLeastHeight to kGreatestHeight; in between on straight lines, up to
-/// 1.4 m, the whole centimetres within them. Lengths of healthy children lie well within (WHO growth
-/// standards).
+/// 1.4 m, the whole centimetres within them. Lengths of healthy children lie well within these
+/// (WHO growth standards).
 [[nodiscard]] LengthRange heightRange(double ageInYears);
 
 /// Inner diameter of a fitting cuffed tube: 3.0 mm below eight months, 3.5 below two years, 4.0

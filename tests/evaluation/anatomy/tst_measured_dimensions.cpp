@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace carina::measured_dimensions_test
 {
@@ -73,6 +74,22 @@ private Q_SLOTS:
         QVERIFY(found.at("trachea_lumen_coronal_mm") < inMillimetres(made.tracheaCoronal));
         QVERIFY(found.at("cricoid_lamina_mm") > found.at("cricoid_arch_mm"));
         QVERIFY(isNear(found.at("right_lung_percent"), 100.0 * made.rightLungShare, 0.1));
+    }
+
+    /// 0.0070 h + 0.05 and 0.0065 h + 0.18 cm, h being the height (Griscom et al., CT of 34
+    /// children up to six years).
+    void findsTheAirOfInfantsAsPublished()
+    {
+        constexpr double kTolerance_mm = 0.3;
+        for (const auto& [age, height_cm] : {std::pair{0.0, 50.0}, std::pair{1.0, 75.0}}) {
+            const auto found = measuredDimensions(
+                patientFor({.ageInYears = age, .height = metres(height_cm / 100.0)}).value());
+            for (const auto& [name, published_mm] :
+                 {std::pair{"trachea_lumen_sagittal_mm", 0.070 * height_cm + 0.5},
+                  std::pair{"trachea_lumen_coronal_mm", 0.065 * height_cm + 1.8}})
+                QVERIFY2(isNear(found.at(name), published_mm, kTolerance_mm),
+                         qPrintable(QString::number(found.at(name))));
+        }
     }
 
     void asksTheFiguresOfTheAgeAndSex()

@@ -195,8 +195,9 @@ void TestCraniumShape::isWithinNothingElse()
           "Buccal mucosa", "Hard palate", "Soft palate", "Gingiva of upper jaw"}) {
         if (other == std::string_view{"Pharyngeal mucosa"})
             QEXPECT_FAIL("6 years", "two vertices touch the vault of the pharynx", Continue);
-        QVERIFY2(test::verticesWithin(craniumOf(anatomy), named(anatomy, other)) == 0, other);
-        QVERIFY2(test::verticesWithin(named(anatomy, other), craniumOf(anatomy)) == 0, other);
+        const int within = int(test::verticesWithin(craniumOf(anatomy), named(anatomy, other))
+                               + test::verticesWithin(named(anatomy, other), craniumOf(anatomy)));
+        QVERIFY2(within == 0, other);
     }
 }
 

@@ -23,7 +23,7 @@ enum class LaryngoscopeState : std::uint8_t {
 };
 
 /// How a patient's upper incisors are called.
-enum class UpperTeeth : std::uint8 {
+enum class UpperTeeth : std::uint8_t {
     Firm,
     Loose,
     LooseAndNear, ///< a blade is to be warned of them

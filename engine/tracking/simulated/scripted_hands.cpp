@@ -174,21 +174,16 @@ Vec3 ScriptedHands::pathPoint(double along) const
     return path_A[i - 1] + share * (path_A[i] - path_A[i - 1]);
 }
 
-/// The point of the tube's centreline nearest to the tip along it that has this distance from the
-/// tip, in E; nothing where the tube is too short.
-std::optional<Vec3> ScriptedHands::centreAtDistance(double fromTip) const
+/// The point of the tube's centreline that is so far from its tip along it, in E; nothing where the
+/// tube is too short.
+std::optional<Vec3> ScriptedHands::centreAt(double fromTip) const
 {
     const std::vector<Vec3>& p_E_centre = m_script.p_E_centre;
-    const Vec3& p_E_tip = p_E_centre.back();
     for (std::size_t i = p_E_centre.size() - 1; i > 0; --i) {
-        const Vec3 a = p_E_centre[i] - p_E_tip;
         const Vec3 step = p_E_centre[i - 1] - p_E_centre[i];
-        if ((a + step).norm() < fromTip)
-            continue;
-        // |a + share * step| = fromTip, with |a| below it
-        const double half = a.dot(step) / step.squaredNorm();
-        const double rest = (fromTip * fromTip - a.squaredNorm()) / step.squaredNorm();
-        return p_E_centre[i] + (std::sqrt(half * half + rest) - half) * step;
+        if (fromTip <= step.norm())
+            return p_E_centre[i] + fromTip / step.norm() * step;
+        fromTip -= step.norm();
     }
     return std::nullopt;
 }
@@ -196,10 +191,11 @@ std::optional<Vec3> ScriptedHands::centreAtDistance(double fromTip) const
 std::optional<RigidTransform> ScriptedHands::tubeAlong(double along) const
 {
     const Vec3 p_A_tip = pathPoint(along);
-    const Vec3 chord_A = p_A_tip - pathPoint(std::min(along - kChord, m_alongAtTeeth));
+    const double alongSecond = std::min(along - kChord, m_alongAtTeeth);
+    const Vec3 chord_A = p_A_tip - pathPoint(alongSecond);
     if (chord_A.norm() < kShortestChord)
         return std::nullopt;
-    const std::optional<Vec3> p_E_second = centreAtDistance(chord_A.norm());
+    const std::optional<Vec3> p_E_second = centreAt(along - alongSecond);
     if (!p_E_second)
         return std::nullopt;
     const Vec3& p_E_tip = m_script.p_E_centre.back();

@@ -21,11 +21,12 @@ struct HandScript {
 /// A scripted intubation that repeats, for a station without a person: the true poses of the five
 /// tools, each a pure function of time with one common period.
 ///
-/// E, the tube, is rigid: its tip lies on the path, and its centreline passes through a second
-/// point of the path, 4 cm before the tip until that lies at the incisors, and from then on there.
-/// So the tube enters between the teeth, slides through the mouth as it is inserted, and lies along
-/// the path where it has the path's shape. About the line through both points it is rotated so that
-/// +x of E points as far to the patient's left (+x of A) as possible. In a period the tube is held
+/// E, the tube, is rigid: its tip lies on the path, and the line from the tip to the point of its
+/// centreline that lies as far back runs through a second point of the path, 4 cm before the tip
+/// until that lies at the incisors, and from then on there. So the tube enters between the teeth,
+/// slides through the mouth as it is inserted, and lies along the path where it has the path's
+/// shape. About that line it is rotated so that +x of E points as far to the patient's left (+x of
+/// A) as possible. In a period the tube is held
 /// outside (10 %), inserted (40 %), left in place (20 %) and withdrawn (30 %). It starts and stops
 /// smoothly; the faster of tip and connector determines the speed, also in bends.
 ///
@@ -68,7 +69,7 @@ private:
     [[nodiscard]] bool layWaypoints(double end);
     [[nodiscard]] double phaseAt(SessionTime t) const;
     [[nodiscard]] Vec3 pathPoint(double along) const;
-    [[nodiscard]] std::optional<Vec3> centreAtDistance(double fromTip) const;
+    [[nodiscard]] std::optional<Vec3> centreAt(double fromTip) const;
     [[nodiscard]] std::optional<RigidTransform> tubeAlong(double along) const;
     [[nodiscard]] std::optional<RigidTransform> tubeAt(double phase) const;
     [[nodiscard]] RigidTransform jawAt(double phase) const;

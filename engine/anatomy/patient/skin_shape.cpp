@@ -56,19 +56,20 @@ double ear(const Vec3& p, double aside)
 }
 
 /// What lies over the bones of the face: cheeks, brow and the outer edges of the orbits, and the
-/// hollows in which the lids are shut.
+/// hollows in which the lids are shut. The outer edge lies well behind the lids.
 double withEyes(const Vec3& p, double face)
 {
-    static const std::array edge{Vec3{6, 7, 82},   Vec3{30, 10.5, 87}, Vec3{46, 20, 84},
-                                 Vec3{53, 29, 74}, Vec3{54, 31, 60},   Vec3{46, 27, 42}};
+    static const std::array edge{Vec3{6, 7, 82},   Vec3{30, 10.5, 87}, Vec3{45, 22, 84},
+                                 Vec3{50, 36, 74}, Vec3{51, 38, 60},   Vec3{46, 27, 42}};
     static const std::array edgeRadii{10.5, 10.0, 9.5, 9.0, 9.5, 14.0};
     static const std::array cheek{Vec3{46, 27, 42}, Vec3{60.5, 60, 50}, Vec3{56, 92, 60}};
     static const std::array cheekRadii{14.0, 11.5, 11.0};
     const double hollow = ellipsoidDistance(p - Vec3{31.0, -1.0, 66.0}, {15.5, 14.0, 9.5});
+    const double aside = ellipsoidDistance(p - Vec3{57.0, -3.0, 67.0}, {17.0, 21.0, 17.0});
     const double lids = ellipsoidDistance(p - Vec3{32.0, 24.0, 65.5}, {15.0, 13.5, 12.5});
     double d = roundedMin(face, tubeDistance(p, edge, edgeRadii), 12.0);
     d = roundedMin(d, tubeDistance(p, cheek, cheekRadii), 14.0);
-    d = roundedMax(d, -hollow, 9.0);
+    d = roundedMax(roundedMax(d, -hollow, 9.0), -aside, 9.0);
     return roundedMin(d, lids, 3.0);
 }
 

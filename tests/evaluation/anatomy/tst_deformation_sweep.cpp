@@ -118,8 +118,6 @@ private Q_SLOTS:
         const auto torn = sweepOf().deformedBy({.jaw = SweptJaw{{}, metres(0.2)}});
         const auto worst = std::ranges::max(torn, {}, &DeformedPart::intersections);
         QVERIFY(worst.intersections > 10);
-        const auto least = std::ranges::min(torn, {}, &DeformedPart::leastDeterminant);
-        QVERIFY2(least.leastDeterminant < 0.0, qPrintable(QString::number(least.leastDeterminant)));
         for (const DeformedPart& part :
              sweepOf().deformedBy({.jaw = SweptJaw{{}, millimetres(0.02)}}))
             QVERIFY2(part.intersections == 0 && part.leastDeterminant > 0.99, part.name.c_str());

@@ -85,12 +85,21 @@ void AirwayEventModel::setSeverity(AirwayEventKind kind, double severity)
     setEvents(withSeverity(events(), kind, severity));
 }
 
-bool AirwayEventModel::hasFluid() const
+bool AirwayEventModel::isAnywhere(bool (*is)(const AirwayEvents&)) const
 {
-    const auto isWet = [](const AirwayEvents& events) { return withoutFluids(events) != events; };
     return std::ranges::any_of(
         stationsOf(*session().node().state(), stations().target()),
-        [&](StationId id) { return isWet(wantedAt(id)) || isWet(presentValueAt(id)); });
+        [&](StationId id) { return is(wantedAt(id)) || is(presentValueAt(id)); });
+}
+
+bool AirwayEventModel::hasEvents() const
+{
+    return isAnywhere([](const AirwayEvents& events) { return !events.empty(); });
+}
+
+bool AirwayEventModel::hasFluid() const
+{
+    return isAnywhere([](const AirwayEvents& events) { return withoutFluids(events) != events; });
 }
 
 void AirwayEventModel::suction()
@@ -108,9 +117,11 @@ void AirwayEventModel::setEvents(const AirwayEvents& events)
 
 bool AirwayEventModel::refreshMore()
 {
+    const bool hasEventsNow = hasEvents();
     const bool hasFluidNow = hasFluid();
+    const bool isOther = std::exchange(m_hasEvents, hasEventsNow) != hasEventsNow;
     const bool isFluidOther = std::exchange(m_hasFluid, hasFluidNow) != hasFluidNow;
-    return refreshLimits() || isFluidOther;
+    return refreshLimits() || isOther || isFluidOther;
 }
 
 bool AirwayEventModel::refreshLimits()

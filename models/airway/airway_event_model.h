@@ -39,8 +39,8 @@ public:
     [[nodiscard]] double present(AirwayEventKind kind) const;
     /// All that was set likewise, without those of severity 0.
     [[nodiscard]] AirwayEvents events() const { return decided(); }
-    /// Whether nothing is set.
-    [[nodiscard]] bool isClear() const { return events().empty(); }
+    /// Whether any is to be seen now, also one that was ended and goes slowly.
+    [[nodiscard]] bool isSeen() const { return !presentValue().empty(); }
     /// What the patient of the station cannot show of it; nothing while the patient is not known.
     [[nodiscard]] const AirwayLimits& limits() const { return m_limits; }
     /// Whether there is anything to set: an event that the patient shows, or one to be ended, or
@@ -54,6 +54,8 @@ public:
     /// Sets no event at all.
     void clear() { setEvents({}); }
 
+    /// Whether an airway for which a change is has an event, or is to have one.
+    [[nodiscard]] bool hasEvents() const;
     /// Whether a fluid stands in a throat for which a change is, or is to stand there.
     [[nodiscard]] bool hasFluid() const;
     /// Takes all fluids away, as who works there does with suction, over kSuction instead of the
@@ -66,12 +68,16 @@ public:
 
 private:
     [[nodiscard]] static Kind howDecided();
-    /// The fluids at all addressed stations, and the limits.
+    /// At any of the addressed stations, of what is wanted or to be seen there.
+    [[nodiscard]] bool isAnywhere(bool (*is)(const AirwayEvents& events)) const;
+    /// What there is at all addressed stations, and the limits.
     [[nodiscard]] bool refreshMore() override;
     /// Those of the patient that lies there.
     [[nodiscard]] bool refreshLimits();
 
-    bool m_hasFluid = false; ///< at the latest look
+    // At the latest look.
+    bool m_hasEvents = false;
+    bool m_hasFluid = false;
     QPointer<const SessionPatient> m_patient;
     AirwayLimits m_limits;
     std::optional<std::string> m_limitsOf; ///< content hash of the patient whose they are

@@ -444,7 +444,7 @@ void InstructorWindow::refreshStatus()
     if (const auto& eyes = scene.throughEyesOf())
         told += throughEyesText(*node.state(), moment, *eyes);
     told += tr("● Condition: %1").arg(m_models.respiration.inForceText());
-    if (!m_models.airway.isClear())
+    if (m_models.airway.isSeen())
         told += tr("● Airway: %1").arg(m_models.airway.inForceText());
     if (!m_models.head.isNeutral())
         told += tr("● Head position: %1").arg(m_models.head.inForceText());

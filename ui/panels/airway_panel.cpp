@@ -309,7 +309,7 @@ void AirwayPanel::refresh()
         refreshRow(static_cast<AirwayEventKind>(place));
     showRows();
     m_suction->setEnabled(m_model->hasFluid());
-    m_clear->setEnabled(!m_model->isClear());
+    m_clear->setEnabled(m_model->hasEvents());
     QStringList travelling{m_model->travellingText(), m_headModel->travellingText()};
     travelling.removeAll(QString{});
     m_travelling->setText(travelling.join(QStringLiteral(" · ")));

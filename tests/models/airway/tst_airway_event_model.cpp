@@ -26,6 +26,7 @@ private Q_SLOTS:
     void setsAllEventsAsOneChange();
     void tellsTheSeverityToBeSeenWhileItChanges();
     void clearsAllOverTheTime();
+    void knowsWhatThereIsToEnd();
     void takesFluidsAwayBySuction();
     void takesAFluidAwayThatGoesSlowly();
     void takesFluidsAwayAtAllStationsAndLeavesTheRest();
@@ -120,7 +121,7 @@ void shrink(AnatomyPart& part, float scale)
 void TestAirwayEventModel::isClearAtFirst()
 {
     const Console console;
-    QVERIFY(console.model.isClear());
+    QVERIFY(console.model.events().empty());
     QCOMPARE(console.model.severity(Epiglottitis), 0.0);
     QCOMPARE(console.model.inForceText(), QStringLiteral("Clear"));
     QVERIFY(console.model.travellingText().isEmpty());
@@ -182,7 +183,7 @@ void TestAirwayEventModel::tellsTheSeverityToBeSeenWhileItChanges()
     QVERIFY(console.showsNow(TongueOedema, 0.5 * (0.2 + 0.8 * 0.1 / 20.0)));
     console.settle(std::chrono::seconds{10});
     QVERIFY(console.showsNow(TongueOedema, 0.0));
-    QVERIFY(console.model.isClear());
+    QVERIFY(console.model.events().empty());
 }
 
 void TestAirwayEventModel::clearsAllOverTheTime()
@@ -193,11 +194,38 @@ void TestAirwayEventModel::clearsAllOverTheTime()
     console.model.setChangeTime(std::chrono::seconds{10});
     console.model.clear();
     console.settle();
-    QVERIFY(console.model.isClear());
+    QVERIFY(console.model.events().empty());
     console.settle(std::chrono::seconds{5});
     QVERIFY(console.showsNow(TongueOedema, 0.5) && console.showsNow(Epiglottitis, 0.25));
     console.settle(std::chrono::seconds{5});
     QCOMPARE(console.model.inForceText(), QStringLiteral("Clear"));
+}
+
+/// Also at another station where a change is for all, and until what was ended is gone.
+void TestAirwayEventModel::knowsWhatThereIsToEnd()
+{
+    constexpr StationId kRoom{1};
+    Console console;
+    console.node.addStation("Room 5");
+    console.node.decideAt(kRoom, fact::AirwayEventsSet{{{Laryngospasm, 0.4}}, {}});
+    console.settle();
+    QVERIFY(!console.model.hasEvents());
+    console.model.setForAll(true);
+    QVERIFY(console.model.hasEvents() && !console.model.isSeen());
+    console.model.clear();
+    console.settle();
+    QVERIFY(console.decided(kRoom).empty());
+    QVERIFY(!console.model.hasEvents());
+    console.model.setSeverity(Blood, 1.0);
+    console.settle();
+    console.model.setChangeTime(std::chrono::seconds{10});
+    console.model.clear();
+    console.settle();
+    console.settle(std::chrono::seconds{5});
+    QVERIFY(console.model.events().empty());
+    QVERIFY(console.model.hasEvents() && console.model.isSeen());
+    console.settle(std::chrono::seconds{5});
+    QVERIFY(!console.model.hasEvents() && !console.model.isSeen());
 }
 
 void TestAirwayEventModel::takesFluidsAwayBySuction()
@@ -423,7 +451,7 @@ void TestAirwayEventModel::letsOnlyAnInstructorChange()
     QVERIFY(!console.model.obstacle().isEmpty());
     console.model.setSeverity(Laryngospasm, 1.0);
     QCOMPARE(console.node.proposed, 0);
-    QVERIFY(console.model.isClear());
+    QVERIFY(console.model.events().empty());
 }
 
 /// What was set before can be ended.

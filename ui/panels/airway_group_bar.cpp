@@ -58,7 +58,7 @@ QPushButton* AirwayGroupBar::addHeading(const QByteArray& name, int place)
 {
     auto* heading = new QPushButton;
     heading->setObjectName(QStringLiteral("airwayGroup_") + QString::fromLatin1(name));
-    heading->setProperty("isHeading", true); // the style sheet has it low
+    heading->setProperty("isLow", true); // by the style sheet
     heading->setCheckable(true);
     connect(heading, &QPushButton::clicked, this, [this, name] {
         choose(name);
@@ -68,6 +68,13 @@ QPushButton* AirwayGroupBar::addHeading(const QByteArray& name, int place)
     grid->addWidget(heading, place / kHeadingColumns, place % kHeadingColumns);
     grid->setColumnStretch(place % kHeadingColumns, 1);
     return heading;
+}
+
+void AirwayGroupBar::addBehind(QWidget& widget)
+{
+    const int place = int(m_headings.size()) + 1; // the last heading is that of all
+    static_cast<QGridLayout*>(layout())->addWidget(&widget, place / kHeadingColumns,
+                                                   place % kHeadingColumns);
 }
 
 void AirwayGroupBar::setModel(const AirwayEventModel& model)
@@ -106,24 +113,41 @@ void AirwayGroupBar::refresh()
         refreshHeading(place);
 }
 
-/// What is set is told where the rows are out of sight, too.
+/// What is set is told where the rows are out of sight, too; "set" would leave no room for four
+/// headings beside each other.
 void AirwayGroupBar::refreshHeading(std::size_t place)
 {
     const AirwayGroup& group = airwayGroups()[place];
-    AirwayEvents set = m_model->events();
-    std::erase_if(set, [&group](const AirwayEvent& event) {
-        return std::ranges::find(group.kinds, event.kind) == group.kinds.end();
+    const AirwayEvents set = setOf(group);
+    AirwayEvents notShown = set;
+    std::erase_if(notShown, [this](const AirwayEvent& event) {
+        return m_model->limits().canShow(event.kind);
     });
     QPushButton& heading = *m_headings[place];
     QString words = groupText(group);
     QStringList told{listed(group.kinds)};
     if (!set.empty()) {
-        words = tr("%1 · %2 set", "group of events; how many are set").arg(words).arg(set.size());
+        words = notShown.empty()
+                    ? tr("%1 · %2", "group of events; how many are set").arg(words).arg(set.size())
+                    : tr("%1 ▲ %2", "group of events; how many are set, of which some not shown")
+                          .arg(words)
+                          .arg(set.size());
         told += tr("Set: %1").arg(eventsText(set));
     }
+    if (!notShown.empty())
+        told += tr("Not shown by this patient: %1").arg(eventsText(notShown));
     heading.setText(words);
     heading.setToolTip(shownAsIs(told.join(QLatin1Char{'\n'})));
     heading.setAccessibleDescription(told.join(QStringLiteral(". ")));
+}
+
+AirwayEvents AirwayGroupBar::setOf(const AirwayGroup& group) const
+{
+    AirwayEvents set = m_model->events();
+    std::erase_if(set, [&group](const AirwayEvent& event) {
+        return std::ranges::find(group.kinds, event.kind) == group.kinds.end();
+    });
+    return set;
 }
 
 } // namespace carina

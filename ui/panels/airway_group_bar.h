@@ -13,7 +13,8 @@ namespace carina
 {
 
 /// Chooses which events of the airway are in sight: those of one group, or all. The heading of a
-/// group says how many of its events are set, whether or not they are in sight: "Larynx · 2 set".
+/// group says how many of its events are set, whether or not they are in sight: "Larynx · 2"; and
+/// "Larynx ▲ 2" where the patient does not show some of these.
 class AirwayGroupBar : public QWidget
 {
     Q_OBJECT
@@ -23,6 +24,9 @@ public:
 
     /// @pre the model outlives the bar.
     void setModel(const AirwayEventModel& model);
+
+    /// Gives a widget the place behind the last heading, which leaves it free.
+    void addBehind(QWidget& widget);
 
     /// The name of the group that is chosen; kAll of all of them. The first group at first.
     [[nodiscard]] const QByteArray& chosen() const { return m_chosen; }
@@ -43,6 +47,7 @@ private:
     QPushButton* addHeading(const QByteArray& name, int place);
     void refresh();
     void refreshHeading(std::size_t place);
+    [[nodiscard]] AirwayEvents setOf(const AirwayGroup& group) const;
 
     const AirwayEventModel* m_model = nullptr;
     QByteArray m_chosen;

@@ -8,6 +8,7 @@
 #include "ui/panels/head_position_row.h"
 #include "ui/refusal_line.h"
 #include "widgets/checked_spin_box.h"
+#include "widgets/elided_label.h"
 #include "widgets/plain_label.h"
 
 #include <QComboBox>
@@ -29,9 +30,13 @@ namespace
 constexpr int kSeverityStep_percent = 10;
 constexpr int kMostPercent = 100;
 constexpr int kChangeStep_s = 5;
-constexpr int kEventGap = 2; ///< pixels, so that a window of 800 holds a group
+// Pixels, so that a window of 800 holds any group below all headings.
+constexpr int kEventGap = 2;
+constexpr int kEdge = 4;     ///< above and below all
+constexpr int kSide = 6;     ///< to the left and right of all
+constexpr int kLowFrame = 6; ///< around the words of a control: 25 high with 12 points
 constexpr int kPresetLetters = 16;
-constexpr int kLeastSlider = 60; ///< pixels
+constexpr int kLeastSlider = 40; ///< pixels, so that the console's column holds a row
 
 std::size_t placeOf(AirwayEventKind kind) { return static_cast<std::size_t>(kind); }
 
@@ -60,6 +65,12 @@ void showSeverity(QSlider& slider, int percent)
     const QSignalBlocker blocker{slider};
     if (!slider.isSliderDown())
         slider.setValue(percent);
+}
+
+void makeLow(QWidget& control)
+{
+    control.setProperty("isLow", true); // a button gets less padding by the style sheet
+    control.setFixedHeight(control.fontMetrics().lineSpacing() + kLowFrame);
 }
 
 /// Where there is nothing to say it takes no room.
@@ -93,7 +104,7 @@ AirwayPanel::AirwayPanel(QWidget* parent)
       m_suction{new QPushButton{tr("Suction of all fluids")}},
       m_clear{new QPushButton{tr("&Clear airway")}},
       m_refused{new RefusalLine},
-      m_travelling{new PlainLabel}
+      m_travelling{new ElidedLabel}
 {
     layOut();
     m_refused->watch(*m_over);
@@ -118,18 +129,17 @@ void AirwayPanel::layOut()
     controls->addWidget(m_head);
     addRows();
     m_travelling->setObjectName(QStringLiteral("airwayTravelling"));
-    m_travelling->setWordWrap(true);
-    m_travelling->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    m_travelling->setMinimumHeight(m_travelling->fontMetrics().lineSpacing());
+    m_groups->addBehind(*m_travelling);
     m_obstacle->setObjectName(QStringLiteral("airwayObstacle"));
     m_obstacle->setWordWrap(true);
     m_notShown->setObjectName(QStringLiteral("airwayNotShown"));
     m_notShown->setWordWrap(true);
     auto* column = new QVBoxLayout{this};
+    column->setContentsMargins(kSide, kEdge, kSide, kEdge);
     column->setSpacing(kEventGap);
     for (QWidget* widget : {static_cast<QWidget*>(m_obstacle), static_cast<QWidget*>(m_notShown),
                             m_controls, static_cast<QWidget*>(m_groups), m_events,
-                            static_cast<QWidget*>(m_refused), static_cast<QWidget*>(m_travelling)})
+                            static_cast<QWidget*>(m_refused)})
         column->addWidget(widget);
     column->addStretch(1);
 }
@@ -143,9 +153,13 @@ void AirwayPanel::addPresets(QBoxLayout& column)
     m_presets->setPlaceholderText(tr("Custom"));
     m_presets->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_presets->setMinimumContentsLength(kPresetLetters);
-    for (const AirwayPreset& preset : airwayPresets())
+    makeLow(*m_presets);
+    for (const AirwayPreset& preset : airwayPresets()) {
         m_presets->addItem(presetText(preset),
                            QByteArray{preset.name.data(), qsizetype(preset.name.size())});
+        m_presets->setItemData(m_presets->count() - 1, shownAsIs(eventsText(preset.events)),
+                               Qt::ToolTipRole);
+    }
     auto* label = new PlainLabel{tr("Se&veral by preset")};
     label->setBuddy(m_presets);
     auto* row = new QHBoxLayout;
@@ -165,9 +179,11 @@ void AirwayPanel::addTimeAndClear(QBoxLayout& column)
     m_over->setSpecialValueText(tr("at once"));
     m_over->setSuffix(tr(" s"));
     m_over->setAlignment(Qt::AlignRight);
+    makeLow(*m_over);
     m_clear->setObjectName(QStringLiteral("clearAirway"));
     m_clear->setToolTip(tr("All events of the airway go, over the time of a change (Alt+C); the "
                            "head lies as before"));
+    makeLow(*m_clear);
     auto* label = new PlainLabel{tr("Time &of a change")};
     label->setBuddy(m_over);
     auto* row = new QHBoxLayout;
@@ -197,6 +213,7 @@ void AirwayPanel::addSuction()
     m_suction->setToolTip(tr("Secretions, blood and vomit go within 5 seconds, as when who works "
                              "there uses suction; other events stay as they are set, and what of "
                              "them is still on its way comes within that time, too"));
+    makeLow(*m_suction);
     auto* rows = static_cast<QGridLayout*>(m_events->layout());
     rows->addWidget(m_suction, rows->rowCount(), 1, 1, -1);
 }
@@ -216,6 +233,7 @@ AirwayPanel::Row AirwayPanel::addRow(QGridLayout& rows, AirwayEventKind kind)
     row.severity->setSingleStep(kSeverityStep_percent);
     row.severity->setSuffix(tr(" %"));
     row.severity->setAlignment(Qt::AlignRight);
+    makeLow(*row.severity);
     row.slider->setObjectName(name + QStringLiteral("Slider"));
     row.slider->setAccessibleName(tr("%1, severity slider").arg(eventText(kind)));
     row.slider->setToolTip(shownAsIs(effect));
@@ -313,12 +331,15 @@ void AirwayPanel::refresh()
     QStringList travelling{m_model->travellingText(), m_headModel->travellingText()};
     travelling.removeAll(QString{});
     m_travelling->setText(travelling.join(QStringLiteral(" · ")));
+    m_travelling->setToolTip(shownAsIs(m_travelling->text()));
 }
 
 void AirwayPanel::refreshPreset()
 {
-    const AirwayPreset* preset = presetOf(m_model->events());
+    const AirwayEvents set = m_model->events();
+    const AirwayPreset* preset = presetOf(set);
     m_presets->setCurrentIndex(preset ? int(preset - airwayPresets().data()) : -1);
+    m_presets->setAccessibleDescription(eventsText(set));
 }
 
 void AirwayPanel::refreshRow(AirwayEventKind kind)

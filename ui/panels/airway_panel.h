@@ -19,6 +19,7 @@ namespace carina
 
 class AirwayGroupBar;
 class CheckedSpinBox;
+class ElidedLabel;
 class HeadPositionRow;
 class RefusalLine;
 
@@ -86,7 +87,7 @@ private:
     QPushButton* m_suction;                      ///< below the rows, with the fluids
     QPushButton* m_clear;
     RefusalLine* m_refused;
-    QLabel* m_travelling;
+    ElidedLabel* m_travelling; ///< beside the headings
 };
 
 } // namespace carina

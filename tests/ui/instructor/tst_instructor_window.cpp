@@ -417,8 +417,8 @@ private Q_SLOTS:
         }
     }
 
-    /// Whichever of the groups is chosen, and whatever is set.
-    void keepsTheGroupsOfTheAirwayInSight()
+    /// Whichever of the groups is chosen, also in the lowest window.
+    void holdsAGroupOfTheAirwayWithoutScrolling()
     {
         const test::ScratchFolder kept;
         Shown shown{kept};
@@ -427,25 +427,34 @@ private Q_SLOTS:
         shown.action("showAirway").trigger();
         Shown::settle();
         const auto& view = *qobject_cast<QScrollArea*>(shown.dock("airwayDock").widget());
-        const QWidget& port = *view.viewport();
-        const auto below = [&](const char* name) {
-            const auto& control = shown.find<QWidget>(name);
-            return control.mapTo(&port, QPoint{0, control.height()}).y();
-        };
         for (const AirwayGroup& group : airwayGroups()) {
-            shown.find<QPushButton>(headingOf(group).constData()).click();
+            const QByteArray heading = headingOf(group);
+            shown.find<QPushButton>(heading.constData()).click();
             Shown::settle();
-            const char* first = eventName(group.kinds.front());
-            QVERIFY2(below(first) <= port.height(), first); // scrolled to where needed
-            view.verticalScrollBar()->setValue(0);
-            for (const char* name : {"airwayPreset", "airwayOver", "headPosition"})
-                QVERIFY2(below(name) <= port.height(), name);
-            for (const AirwayGroup& other : airwayGroups())
-                QVERIFY(below(headingOf(other).constData()) <= port.height());
-            QVERIFY(below("airwayGroup_all") <= port.height());
-            qInfo("%s: %d pixels of %d", headingOf(group).constData(), port.height(),
-                  view.widget()->height());
+            qInfo("%s: %d pixels of %d", heading.constData(), view.viewport()->height(),
+                  view.widget()->minimumSizeHint().height());
+            QVERIFY2(view.verticalScrollBar()->maximum() == 0, heading.constData());
         }
+    }
+
+    /// Beside a scroll bar, too, and with everything set and on its way.
+    void holdsTheWordsOfTheAirwayInItsColumn()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        shown.action("showAirway").trigger();
+        shown.find<QPushButton>("airwayGroup_all").click();
+        AirwayEvents all;
+        for (int kind = 0; kind < kAirwayEventKinds; ++kind)
+            all.push_back({static_cast<AirwayEventKind>(kind), 0.5});
+        shown.airway.setChangeTime(std::chrono::seconds{600});
+        shown.airway.setEvents(all);
+        Shown::settle();
+        shown.takeEffect();
+        Shown::settle();
+        const auto& view = *qobject_cast<QScrollArea*>(shown.dock("airwayDock").widget());
+        QVERIFY(view.verticalScrollBar()->maximum() > 0);
+        QCOMPARE(view.widget()->width(), view.viewport()->width());
     }
 
     /// And what leads to the strategies.
@@ -1110,6 +1119,27 @@ private Q_SLOTS:
         const QString own = QStringLiteral("Own tools tracked: 1");
         QVERIFY(soon([&] { return status.accessibleName().contains(own); }));
         QVERIFY(!status.accessibleName().contains(nothing));
+    }
+
+    /// Also while those that were ended go slowly.
+    void tellsEventsOfTheAirwayUntilTheyAreGone()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        const auto& status = shown.find<QLabel>("status");
+        const auto isTold = [&](const char* severity) {
+            const QString told = QStringLiteral("● Airway: Laryngospasm ") + QLatin1String{severity};
+            return soon([&] { return status.accessibleName().contains(told); });
+        };
+        shown.airway.setSeverity(AirwayEventKind::Laryngospasm, 1.0);
+        shown.takeEffect();
+        QVERIFY(isTold("100"));
+        shown.airway.setChangeTime(std::chrono::seconds{600});
+        shown.airway.clear();
+        shown.takeEffect();
+        shown.node.advance(std::chrono::seconds{60});
+        QVERIFY(shown.airway.events().empty());
+        QVERIFY(isTold("90"));
     }
 
     void saysThatMotionIsShownLarger()

@@ -9,6 +9,7 @@
 #include "tests/support/test_class.h"
 #include "ui/panels/airway_group_bar.h"
 #include "ui/panels/airway_panel.h"
+#include "widgets/theme/dark_theme.h"
 
 #include <QApplication>
 #include <QComboBox>
@@ -35,10 +36,12 @@ class TestAirwayPanel : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void initTestCase() { applyDarkTheme(*qApp); } // with its letters, which are larger
     void beginsWithTheFirstGroup();
     void hasOneGroupInSightOrAll();
     void leadsByTheKeyOfAGroupToItsFirstEvent();
     void saysHowManyOfAGroupAreSet();
+    void marksAGroupOfWhichThePatientDoesNotShowAll();
     void namesTheEventsOfEachGroup();
     void keepsItsHeadingsWhereTheyAre();
     void showsOnlyReasonsOfTheGroup();
@@ -48,9 +51,11 @@ private Q_SLOTS:
     void setsSeverityBySliderAndBox();
     void tellsTheSeverityOfNowWhileItChanges();
     void clearsTheAirwayByItsButton();
+    void endsAtOnceWhatGoesSlowly();
     void takesFluidsAwayByTheButtonOfTheirGroup();
     void setsAPresetAsOneChange();
     void saysCustomWhereItIsNoPreset();
+    void tellsWhatAPresetSets();
     void laysTheHeadByKeyboardOverTheTimeOfAChange();
     void tellsHowTheHeadLies();
     void saysOtherWhereTheHeadLiesInNoUsualWay();
@@ -231,9 +236,9 @@ void TestAirwayPanel::saysHowManyOfAGroupAreSet()
     desk.node.decide(fact::AirwayEventsSet{
         {{TongueOedema, 1.0}, {LaryngealOedema, 0.4}, {Laryngospasm, 0.01}}, {}});
     desk.settle();
-    QCOMPARE(words("mouth"), QStringLiteral("Mouth · 1 set"));
+    QCOMPARE(words("mouth"), QStringLiteral("Mouth · 1"));
     QCOMPARE(words("throat"), QStringLiteral("Throat"));
-    QCOMPARE(words("larynx"), QStringLiteral("Larynx · 2 set"));
+    QCOMPARE(words("larynx"), QStringLiteral("Larynx · 2"));
     const QString set = QStringLiteral("Laryngeal oedema 40\u00a0% + Laryngospasm 1\u00a0%");
     QVERIFY(desk.heading("larynx").toolTip().contains(set));
     QVERIFY(desk.heading("larynx").accessibleDescription().contains(set));
@@ -241,6 +246,26 @@ void TestAirwayPanel::saysHowManyOfAGroupAreSet()
     QCOMPARE(words("larynx"), QStringLiteral("Larynx")); // as it is requested
     desk.settle();
     QCOMPARE(words("mouth"), QStringLiteral("Mouth"));
+}
+
+void TestAirwayPanel::marksAGroupOfWhichThePatientDoesNotShowAll()
+{
+    Desk desk;
+    desk.lay(tongueless());
+    desk.node.decide(
+        fact::AirwayEventsSet{{{TongueOedema, 0.5}, {Laryngospasm, 1.0}, {AngioOedema, 0.2}}, {}});
+    desk.settle();
+    const auto words = [&desk](const char* group) {
+        return desk.heading(group).text().remove(QLatin1Char{'&'});
+    };
+    QCOMPARE(words("mouth"), QStringLiteral("Mouth ▲ 2"));
+    QCOMPARE(words("larynx"), QStringLiteral("Larynx · 1"));
+    const QString told = QStringLiteral("Not shown by this patient: Tongue oedema 50\u00a0%");
+    QVERIFY(desk.heading("mouth").toolTip().endsWith(told));
+    QVERIFY(desk.heading("mouth").accessibleDescription().endsWith(told));
+    QVERIFY(!desk.heading("larynx").toolTip().contains(QStringLiteral("Not shown")));
+    desk.lay(test::childWithout(PartRole::Epiglottis)); // shows no event
+    QCOMPARE(words("larynx"), QStringLiteral("Larynx ▲ 1"));
 }
 
 /// A heading has the words of its group, with its key.
@@ -377,6 +402,26 @@ void TestAirwayPanel::clearsTheAirwayByItsButton()
     QVERIFY(!clear.isEnabled());
 }
 
+void TestAirwayPanel::endsAtOnceWhatGoesSlowly()
+{
+    Desk desk;
+    auto& clear = desk.find<QPushButton>("clearAirway");
+    desk.node.decide(fact::AirwayEventsSet{{{TongueOedema, 1.0}}, {}});
+    desk.settle();
+    desk.enter("airwayOver", QStringLiteral("600"));
+    clear.click();
+    desk.settle();
+    desk.settle(std::chrono::seconds{60});
+    QVERIFY(desk.decided().empty());
+    QCOMPARE(desk.text("tongue_oedemaNow"), QStringLiteral("now 90\u00a0%"));
+    QVERIFY(clear.isEnabled());
+    desk.box("airwayOver").setValue(0);
+    clear.click();
+    desk.settle();
+    QVERIFY(desk.text("tongue_oedemaNow").isEmpty());
+    QVERIFY(!clear.isEnabled());
+}
+
 void TestAirwayPanel::takesFluidsAwayByTheButtonOfTheirGroup()
 {
     Desk desk;
@@ -433,6 +478,20 @@ void TestAirwayPanel::saysCustomWhereItIsNoPreset()
     desk.model.clear();
     desk.settle();
     QCOMPARE(presets.currentText(), QStringLiteral("Clear"));
+}
+
+/// Before it is chosen, and what is set where it is none.
+void TestAirwayPanel::tellsWhatAPresetSets()
+{
+    Desk desk;
+    const auto& presets = desk.find<QComboBox>("airwayPreset");
+    for (const AirwayPreset& preset : airwayPresets()) {
+        const int place = presets.findText(presetText(preset));
+        QCOMPARE(presets.itemData(place, Qt::ToolTipRole).toString(), eventsText(preset.events));
+    }
+    const AirwayEvents bloody{{Laryngospasm, 0.5}, {Blood, 0.3}};
+    desk.model.setEvents(bloody);
+    QCOMPARE(presets.accessibleDescription(), eventsText(bloody));
 }
 
 // The letter chooses it. 35 degrees over 10 s: 7 after two of them.

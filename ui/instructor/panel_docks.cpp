@@ -1,11 +1,13 @@
 #include "ui/instructor/panel_docks.h"
 
 #include "models/text/shown_as_is.h"
+#include "ui/instructor/wheel_scrolls.h"
 
 #include <QApplication>
 #include <QEvent>
 #include <QLayout>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QStyle>
 
 #include <algorithm>
@@ -26,6 +28,15 @@ int neededHeight(const QDockWidget& dock)
     const bool followsWidth = panel->layout() && panel->layout()->hasHeightForWidth();
     return followsWidth ? panel->heightForWidth(PanelDocks::kColumnWidth)
                         : panel->minimumSizeHint().height();
+}
+
+/// From where it begins, as far as it takes to see what has the keyboard.
+void scrollToKeyboard(QScrollArea& area)
+{
+    area.verticalScrollBar()->setValue(0);
+    QWidget* focused = area.window()->focusWidget();
+    if (focused && area.isAncestorOf(focused))
+        area.ensureWidgetVisible(focused, 0, 0);
 }
 
 /// What the window grows by is taken by docks that expand, and not by these.
@@ -84,6 +95,7 @@ bool PanelDocks::eventFilter(QObject* watched, QEvent* event)
 void PanelDocks::makeScrollable(QDockWidget& dock)
 {
     QWidget* panel = dock.widget();
+    letWheelScroll(*panel);
     auto* area = new QScrollArea{&dock};
     area->setFocusPolicy(Qt::NoFocus);
     area->setFrameShape(QFrame::NoFrame);
@@ -217,6 +229,8 @@ void PanelDocks::bring(QDockWidget& dock)
     dock.activateWindow(); // the main window, unless it floats
     auto* area = qobject_cast<QScrollArea*>(dock.widget());
     (area ? area->widget() : dock.widget())->setFocus();
+    if (area)
+        QTimer::singleShot(0, area, [area] { scrollToKeyboard(*area); }); // once it is laid out
 }
 
 QDockWidget* PanelDocks::withFocus() const

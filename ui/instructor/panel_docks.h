@@ -55,7 +55,8 @@ public:
     bool restore(const QByteArray& state);
     [[nodiscard]] QByteArray state() const;
 
-    /// Shows a panel that was closed, or is behind others, and gives it the keyboard.
+    /// Shows a panel that was closed, or is behind others, from its beginning, and gives it the
+    /// keyboard.
     static void bring(QDockWidget& dock);
 
 Q_SIGNALS:

@@ -5,6 +5,7 @@
 #include "tests/support/soon.h"
 #include "tests/support/test_class.h"
 #include "tests/ui/instructor/console_desk.h"
+#include "ui/instructor/panel_docks.h"
 #include "ui/instructor/projector_window.h"
 #include "ui/lesson/lesson_scene.h"
 #include "ui/panels/parts_panel.h"
@@ -30,6 +31,7 @@
 #include <QTableWidget>
 #include <QToolBar>
 #include <QToolButton>
+#include <QWheelEvent>
 
 #include <algorithm>
 #include <array>
@@ -285,6 +287,40 @@ QStringList statesOf(Shown& shown)
     return all;
 }
 
+/// The one of a panel's controls by Tab that stands highest.
+const QWidget* firstIn(const QScrollArea& area)
+{
+    const QWidget* first = nullptr;
+    const auto topOf = [&area](const QWidget& control) {
+        return control.mapTo(area.widget(), QPoint{}).y();
+    };
+    for (const QWidget* control : area.widget()->findChildren<QWidget*>())
+        if ((control->focusPolicy() & Qt::TabFocus) != 0 && control->isVisible()
+            && control->isEnabled() && (!first || topOf(*control) < topOf(*first)))
+            first = control;
+    return first;
+}
+
+/// With its first line at least.
+bool beginsInSight(const QWidget& control, const QWidget& port)
+{
+    const QRect place{control.mapTo(&port, QPoint{}), control.size()};
+    return place.top() >= 0
+           && place.top() + std::min(place.height(), control.fontMetrics().height())
+                  <= port.height();
+}
+
+/// By one notch towards the user, over the middle of a control.
+void turnWheel(QWidget& control)
+{
+    constexpr QPoint kNotch{0, -120};
+    const QPointF middle{control.rect().center()};
+    QWheelEvent event{middle,         control.mapToGlobal(middle), {},
+                      kNotch,         Qt::NoButton,                Qt::NoModifier,
+                      Qt::NoScrollPhase, false};
+    QApplication::sendEvent(&control, &event);
+}
+
 QString textOf(const QWidget& control)
 {
     if (const auto* button = qobject_cast<const QAbstractButton*>(&control))
@@ -455,6 +491,56 @@ private Q_SLOTS:
         const auto& view = *qobject_cast<QScrollArea*>(shown.dock("airwayDock").widget());
         QVERIFY(view.verticalScrollBar()->maximum() > 0);
         QCOMPARE(view.widget()->width(), view.viewport()->width());
+    }
+
+    /// What stands first in a panel, and what has the keyboard, also where it was scrolled.
+    void bringsEachPanelFromItsBeginning()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        int scrolled = 0;
+        for (QDockWidget* dock : shown.window.findChildren<QDockWidget*>()) {
+            PanelDocks::bring(*dock);
+            Shown::settle();
+            const auto& area = *qobject_cast<QScrollArea*>(dock->widget());
+            area.verticalScrollBar()->setValue(area.verticalScrollBar()->maximum());
+            scrolled += int(area.verticalScrollBar()->value() > 0);
+            PanelDocks::bring(*dock);
+            Shown::settle();
+            const QByteArray name = dock->objectName().toUtf8();
+            for (const QWidget* control : std::array<const QWidget*, 2>{
+                     firstIn(area), shown.window.focusWidget()})
+                if (control && area.isAncestorOf(control))
+                    QVERIFY2(beginsInSight(*control, *area.viewport()),
+                             (name + ": " + control->objectName().toUtf8()).constData());
+        }
+        QVERIFY(scrolled > 0);
+    }
+
+    /// Also where the mouse is over a choice, a number or a slider.
+    void scrollsAPanelByTheWheel()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        PanelDocks::bring(shown.dock("airwayDock"));
+        shown.find<QPushButton>("airwayGroup_all").click();
+        Shown::settle();
+        QScrollBar& bar =
+            *qobject_cast<QScrollArea*>(shown.dock("airwayDock").widget())->verticalScrollBar();
+        for (const char* name : {"airwayPreset", "goitre", "goitreSlider"}) {
+            auto& control = shown.find<QWidget>(name);
+            bar.setValue(0);
+            turnWheel(control);
+            QVERIFY2(bar.value() > 0, name);
+            QVERIFY2(control.focusPolicy() != Qt::WheelFocus, name);
+        }
+        QVERIFY(shown.airway.events().empty());
+        shown.airway.setSeverity(AirwayEventKind::Goitre, 0.5);
+        shown.takeEffect();
+        auto& goitre = shown.find<CheckedSpinBox>("goitre");
+        goitre.setFocus();
+        turnWheel(goitre);
+        QCOMPARE(goitre.value(), 40);
     }
 
     /// And what leads to the strategies.

@@ -1,0 +1,13 @@
+#pragma once
+
+class QWidget;
+
+namespace carina
+{
+
+/// Has the wheel scroll what a panel stands in, also where the mouse is over a number, a slider or
+/// a choice: who scrolls changes none of these but the one that has the keyboard, which no wheel
+/// gives. For the controls that the panel has now.
+void letWheelScroll(QWidget& panel);
+
+} // namespace carina

@@ -173,7 +173,8 @@ void AirwayPanel::addTimeAndClear(QBoxLayout& column)
     m_over->setObjectName(QStringLiteral("airwayOver"));
     m_over->setAccessibleName(tr("Time over which the airway changes, seconds"));
     m_over->setToolTip(tr("How long a change takes, from the next one on: at once, or up to 600 "
-                          "seconds in which severities and the head go evenly to what is new"));
+                          "seconds in which severities and the head go evenly to what is new. "
+                          "Events that are still on their way then come within that time, too"));
     m_over->setRange(0, int(toSeconds(kLongestAirwayChange)));
     m_over->setSingleStep(kChangeStep_s);
     m_over->setSpecialValueText(tr("at once"));

@@ -1,5 +1,6 @@
 #include "models/airway/airway_limits.h"
 
+#include "engine/anatomy/laryngoscopy/upper_airway.h"
 #include "models/patient/laryngoscopy.h"
 
 #include <QCoreApplication>
@@ -43,8 +44,38 @@ public:
         }
         return tr("Not shown: this patient has too little of what it changes.");
     }
+    /// What it lacks beside what an event changes; empty where it lacks nothing.
+    static QString ofPart(AirwayEventKind kind, const PatientModel& patient)
+    {
+        switch (kind) {
+        case AirwayEventKind::AngioOedema:
+            if (!hasLips(patient))
+                return tr("Shown in part: this patient has no lips of its own.");
+            if (!has(patient, PartRole::Tongue))
+                return tr("Shown in part: this patient has no tongue of its own.");
+            break;
+        case AirwayEventKind::Goitre:
+        case AirwayEventKind::NeckObesity:
+            if (!has(patient, PartRole::Skin))
+                return tr("Shown in part: this patient has no skin.");
+            break;
+        case AirwayEventKind::Trismus:
+            if (!has(patient, PartRole::Mandible))
+                return tr("Shown in part: this patient has no lower jaw of its own.");
+            break;
+        default:
+            break;
+        }
+        return {};
+    }
 
 private:
+    static bool hasLips(const PatientModel& patient)
+    {
+        return std::ranges::any_of(patient.surfaces(), [](const PatientSurface& surface) {
+            return isLip(surface.description);
+        });
+    }
     static bool has(const PatientModel& patient, PartRole role)
     {
         return std::ranges::any_of(patient.surfaces(), [role](const PatientSurface& surface) {
@@ -63,9 +94,13 @@ AirwayLimits airwayLimitsOf(const PatientModel& patient)
         limits.all = LimitWords::ofAll(laryngoscopy.error());
         return limits;
     }
-    for (std::size_t place = 0; place < limits.each.size(); ++place)
-        if (const auto kind = static_cast<AirwayEventKind>(place); !laryngoscopy->canShow(kind))
+    for (std::size_t place = 0; place < limits.each.size(); ++place) {
+        const auto kind = static_cast<AirwayEventKind>(place);
+        if (laryngoscopy->canShow(kind))
+            limits.part[place] = LimitWords::ofPart(kind, patient);
+        else
             limits.each[place] = LimitWords::of(kind, patient);
+    }
     return limits;
 }
 

@@ -15,10 +15,16 @@ namespace carina
 struct AirwayLimits {
     QString all;                                   ///< why it shows no event at all
     std::array<QString, kAirwayEventKinds> each{}; ///< why not this one, where it shows others
+    std::array<QString, kAirwayEventKinds> part{}; ///< why not all of one that it does show
 
     [[nodiscard]] const QString& of(AirwayEventKind kind) const
     {
         return each[static_cast<std::size_t>(kind)];
+    }
+    /// Why it is not shown, or not all of it.
+    [[nodiscard]] const QString& said(AirwayEventKind kind) const
+    {
+        return of(kind).isEmpty() ? part[static_cast<std::size_t>(kind)] : of(kind);
     }
     [[nodiscard]] bool canShow(AirwayEventKind kind) const
     {

@@ -348,7 +348,7 @@ void AirwayPanel::refreshRow(AirwayEventKind kind)
     const Row& row = m_rows[placeOf(kind)];
     const int set = percentOf(m_model->severity(kind));
     const int present = percentOf(m_model->present(kind));
-    const QString& notShown = m_model->limits().of(kind);
+    const QString& notShown = m_model->limits().said(kind);
     showSeverity(*row.severity, set);
     showSeverity(*row.slider, set);
     row.present->setText(present == set ? QString{} : textOfPresent(present));

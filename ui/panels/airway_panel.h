@@ -30,8 +30,8 @@ class RefusalLine;
 /// (AirwayGroupBar), below the headings of the groups, which stay where they are. A control shows
 /// the value that is set or, while a change is pending, the requested one; beside it stands the
 /// severity that is to be seen, as long as that is another. An event that the patient does not show
-/// says why, and cannot be set unless it is to be ended, or is for other patients too. For a person
-/// without permission the panel states the reason.
+/// says why, and cannot be set unless it is to be ended, or is for other patients too; one that it
+/// shows in part says that. For a person without permission the panel states the reason.
 class AirwayPanel : public QWidget
 {
     Q_OBJECT
@@ -56,7 +56,7 @@ private:
         QLabel* present; ///< "now 35 %"
         CheckedSpinBox* severity;
         QSlider* slider;
-        QLabel* notShown; ///< why the patient does not show it
+        QLabel* notShown; ///< why the patient does not show it, or not all of it
     };
 
     void layOut();

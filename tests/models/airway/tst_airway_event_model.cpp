@@ -44,6 +44,7 @@ private Q_SLOTS:
     void saysThatATracheaIsMissing();
     void saysThatIncisorsAreMissing();
     void saysThatAnEpiglottisIsTooSmall();
+    void saysWhatIsShownInPart();
     void saysWhatALarynxLacks();
     void ofAllPatientsSetsWhatOneDoesNotShow();
     void knowsOnlyThePatientThatLiesAtItsStation();
@@ -504,6 +505,27 @@ void TestAirwayEventModel::saysThatAnEpiglottisIsTooSmall()
     QVERIFY(console.shownKinds().contains(TongueOedema));
     QCOMPARE(console.model.limits().of(Epiglottitis),
              QStringLiteral("Not shown: this patient has too little of what it changes."));
+}
+
+/// Which can be set all the same.
+void TestAirwayEventModel::saysWhatIsShownInPart()
+{
+    const Console skinless{test::childWithout(PartRole::Skin)};
+    QCOMPARE(skinless.shownKinds().size(), std::size_t{kAirwayEventKinds});
+    for (const AirwayEventKind kind : {Goitre, NeckObesity}) {
+        QCOMPARE(skinless.model.limits().said(kind),
+                 QStringLiteral("Shown in part: this patient has no skin."));
+        QVERIFY(skinless.model.canBeSet(kind));
+    }
+    QVERIFY(skinless.model.limits().said(Epiglottitis).isEmpty());
+    QVERIFY(skinless.model.limits().said(AngioOedema).isEmpty());
+    const Console mute{tongueless()};
+    QCOMPARE(mute.model.limits().said(AngioOedema),
+             QStringLiteral("Shown in part: this patient has no tongue of its own."));
+    QVERIFY(mute.model.limits().said(TongueOedema).startsWith(QStringLiteral("Not shown")));
+    const Console jawless{test::childWithout(PartRole::Mandible)};
+    QCOMPARE(jawless.model.limits().said(Trismus),
+             QStringLiteral("Shown in part: this patient has no lower jaw of its own."));
 }
 
 void TestAirwayEventModel::saysWhatALarynxLacks()

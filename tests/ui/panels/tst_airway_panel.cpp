@@ -627,6 +627,9 @@ void TestAirwayPanel::saysWhatThePatientDoesNotShow()
     QVERIFY(!desk.box("tongue_oedema").isEnabled());
     QVERIFY(!desk.find<QSlider>("tongue_oedemaSlider").isEnabled());
     QVERIFY(!desk.find<QLabel>("epiglottitisNotShown").isVisible());
+    QCOMPARE(desk.text("angio_oedemaNotShown"),
+             QStringLiteral("Shown in part: this patient has no tongue of its own."));
+    QVERIFY(desk.box("angio_oedema").isEnabled());
     QVERIFY(!desk.find<QLabel>("airwayNotShown").isVisible());
     QCOMPARE(desk.first(), QStringLiteral("angio_oedema"));
     desk.node.decide(fact::AirwayEventsSet{{{TongueOedema, 0.5}}, {}});

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace carina
 {
@@ -12,10 +15,52 @@ namespace
 
 using enum AirwayEventKind;
 
+AirwayEvents middlesOf(const std::vector<SeverityRange>& ranges)
+{
+    AirwayEvents events;
+    for (const SeverityRange& range : ranges)
+        events.push_back({range.kind, std::midpoint(range.least, range.most)});
+    return events;
+}
+
+/// Named for what a Macintosh 3 that is lifted as usual shows of an adult in neutral position.
+AirwayPreset graded(int grade, std::string_view name, const char* text,
+                    std::vector<SeverityRange> ranges)
+{
+    return {name, text, middlesOf(ranges), grade, std::move(ranges)};
+}
+
+constexpr const char* kTongueSource =
+    "a tongue thicker than 58 mm went with difficult intubation in 1043 patients (Agarwal et al., "
+    "Korean J Anesthesiol 2021;74:134)";
+constexpr const char* kEpiglottisSource =
+    "an epiglottis that cannot be lifted makes grade 3 difficult (Cook, Anaesthesia 2000;55:274)";
+constexpr const char* kAnteriorSource = "of ours";
+constexpr const char* kPharynxSource = "of ours";
+constexpr const char* kVomitSource = "of ours";
+constexpr const char* kNeckSource =
+    "a thicker neck went with difficult intubation (Brodsky et al., Anesth Analg 2002;94:732)";
+
 const auto& presets()
 {
     static const std::array all{
         AirwayPreset{"clear", QT_TRANSLATE_NOOP("Airway", "Clear"), {}},
+        graded(
+            1, "cormack_lehane_1", QT_TRANSLATE_NOOP("Airway", "Cormack-Lehane 1"),
+            {{AnteriorLarynx, 0.05, 0.2, kAnteriorSource}, {NeckObesity, 0.05, 0.25, kNeckSource}}),
+        graded(2, "cormack_lehane_2", QT_TRANSLATE_NOOP("Airway", "Cormack-Lehane 2"),
+               {{FloppyEpiglottis, 0.4, 0.6, kEpiglottisSource},
+                {AnteriorLarynx, 0.4, 0.6, kAnteriorSource}}),
+        graded(3, "cormack_lehane_3", QT_TRANSLATE_NOOP("Airway", "Cormack-Lehane 3"),
+               {{TongueOedema, 0.3, 0.5, kTongueSource},
+                {FloppyEpiglottis, 0.9, 1.0, kEpiglottisSource},
+                {AnteriorLarynx, 0.85, 1.0, kAnteriorSource}}),
+        graded(4, "cormack_lehane_4", QT_TRANSLATE_NOOP("Airway", "Cormack-Lehane 4"),
+               {{TongueOedema, 0.9, 1.0, kTongueSource},
+                {PharyngealSwelling, 0.9, 1.0, kPharynxSource},
+                {FloppyEpiglottis, 0.9, 1.0, kEpiglottisSource},
+                {AnteriorLarynx, 0.9, 1.0, kAnteriorSource},
+                {Vomit, 0.9, 1.0, kVomitSource}}),
         AirwayPreset{"swollen_mouth",
                      QT_TRANSLATE_NOOP("Airway", "Swollen tongue and pharynx"),
                      {{TongueOedema, 0.7}, {PharyngealSwelling, 0.6}}},
@@ -38,12 +83,8 @@ const auto& presets()
         AirwayPreset{"acute_epiglottitis",
                      QT_TRANSLATE_NOOP("Airway", "Acute epiglottitis"),
                      {{Epiglottitis, 0.9}, {LaryngealOedema, 0.4}}},
-        AirwayPreset{"burn",
-                     QT_TRANSLATE_NOOP("Airway", "Burn of the upper airway"),
-                     {{TongueOedema, 0.3},
-                      {PharyngealSwelling, 0.7},
-                      {Epiglottitis, 0.4},
-                      {LaryngealOedema, 0.7}}},
+        AirwayPreset{
+            "burn", QT_TRANSLATE_NOOP("Airway", "Burn of the upper airway"), {{Burn, 1.0}}},
         AirwayPreset{"anterior_floppy",
                      QT_TRANSLATE_NOOP("Airway", "Anterior larynx, floppy epiglottis"),
                      {{FloppyEpiglottis, 0.7}, {AnteriorLarynx, 0.8}}},
@@ -107,6 +148,21 @@ const AirwayPreset* presetOf(const AirwayEvents& events)
 QString presetText(const AirwayPreset& preset)
 {
     return QCoreApplication::translate("Airway", preset.text);
+}
+
+AirwayEvents drawnFrom(const AirwayPreset& preset, std::mt19937& random)
+{
+    AirwayEvents events = preset.ranges.empty() ? preset.events : AirwayEvents{};
+    for (const SeverityRange& range : preset.ranges) {
+        const double share = double(random()) / double(std::mt19937::max());
+        events.push_back({range.kind, std::lerp(range.least, range.most, share)});
+    }
+    return events;
+}
+
+bool isNamedFor(const AirwayPreset& preset, CormackLehane grade)
+{
+    return preset.grade > 0 && gradeName(grade)[0] == '0' + preset.grade;
 }
 
 } // namespace carina

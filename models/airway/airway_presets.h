@@ -1,14 +1,25 @@
 #pragma once
 
 #include "engine/anatomy/events/airway_event.h"
+#include "engine/anatomy/laryngoscopy/glottic_view.h"
 
 #include <QString>
 
+#include <random>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace carina
 {
+
+/// Between what severities an event is in people whom a preset stands for.
+struct SeverityRange {
+    AirwayEventKind kind = AirwayEventKind::TongueOedema;
+    double least = 0.0;
+    double most = 1.0;
+    const char* source = ""; ///< why this event is among them; how severe it is, is of ours
+};
 
 /// Events of an airway that come together, with their severities: of ours, named after what they
 /// are. What is not among them is clear.
@@ -16,6 +27,10 @@ struct AirwayPreset {
     std::string_view name; ///< "anaphylaxis"
     const char* text;      ///< to be translated by presetText()
     AirwayEvents events;   ///< areProper, none of severity 0
+    /// The grade of Cormack and Lehane that it is named for, 1 to 4, where 2 is 2a and 2b; 0: none.
+    int grade = 0;
+    /// Of one that is named for a grade: in the order of the kinds; `events` are their middles.
+    std::vector<SeverityRange> ranges{};
 };
 
 /// All of them, as they are offered; the first is the clear airway.
@@ -26,5 +41,11 @@ struct AirwayPreset {
 [[nodiscard]] const AirwayPreset* presetOf(const AirwayEvents& events);
 /// Its name as shown: "Anaphylaxis".
 [[nodiscard]] QString presetText(const AirwayPreset& preset);
+
+/// Another patient of the kind that a preset stands for: each severity is drawn evenly from its
+/// range. Of a preset without ranges these are always its events.
+[[nodiscard]] AirwayEvents drawnFrom(const AirwayPreset& preset, std::mt19937& random);
+/// Whether a preset is named for this grade.
+[[nodiscard]] bool isNamedFor(const AirwayPreset& preset, CormackLehane grade);
 
 } // namespace carina

@@ -17,6 +17,11 @@ private Q_SLOTS:
     void haveProperEventsThatAreThere();
     void findNoneWhereOneSeverityDiffers();
     void haveAWordEach();
+    void areNamedForEachGrade();
+    void haveASourceForEachRange();
+    void areDrawnFromTheirRanges();
+    void areDrawnAlikeFromTheSameSeed();
+    void burnAsTheEventDoes();
 };
 
 void TestAirwayPresets::beginWithTheClearAirway()
@@ -60,6 +65,78 @@ void TestAirwayPresets::haveAWordEach()
         words.insert(presetText(preset));
     QCOMPARE(words.size(), airwayPresets().size());
     QVERIFY(!words.contains(QString{}));
+}
+
+void TestAirwayPresets::areNamedForEachGrade()
+{
+    const auto count = [](CormackLehane grade) {
+        return std::ranges::count_if(airwayPresets(), [grade](const AirwayPreset& preset) {
+            return isNamedFor(preset, grade);
+        });
+    };
+    for (const CormackLehane grade :
+         {CormackLehane::Grade1, CormackLehane::Grade2a, CormackLehane::Grade2b,
+          CormackLehane::Grade3, CormackLehane::Grade4})
+        QCOMPARE(count(grade), 1);
+    QVERIFY(isNamedFor(*presetNamed("cormack_lehane_2"), CormackLehane::Grade2a));
+    QVERIFY(isNamedFor(*presetNamed("cormack_lehane_2"), CormackLehane::Grade2b));
+    QVERIFY(!isNamedFor(*presetNamed("cormack_lehane_2"), CormackLehane::Grade3));
+    QVERIFY(!isNamedFor(airwayPresets().front(), CormackLehane::Grade1));
+}
+
+void TestAirwayPresets::haveASourceForEachRange()
+{
+    for (const AirwayPreset& preset : airwayPresets()) {
+        QCOMPARE(preset.grade > 0, !preset.ranges.empty());
+        for (std::size_t n = 0; n < preset.ranges.size(); ++n) {
+            const SeverityRange& range = preset.ranges[n];
+            QVERIFY(*range.source != '\0');
+            QVERIFY(range.least > 0.0 && range.least < range.most && range.most <= 1.0);
+            QVERIFY(preset.events.at(n).kind == range.kind);
+            QCOMPARE(preset.events.at(n).severity, 0.5 * (range.least + range.most));
+        }
+    }
+}
+
+// From end to end of each: of 200 draws the smallest and the largest are within a tenth of them.
+void TestAirwayPresets::areDrawnFromTheirRanges()
+{
+    std::mt19937 random{7};
+    for (const AirwayPreset& preset : airwayPresets())
+        for (std::size_t n = 0; n < preset.ranges.size(); ++n) {
+            const SeverityRange& range = preset.ranges[n];
+            double least = 1.0;
+            double most = 0.0;
+            for (int i = 0; i < 200; ++i) {
+                const AirwayEvents events = drawnFrom(preset, random);
+                QVERIFY(areProper(events));
+                QVERIFY(events.at(n).kind == range.kind);
+                least = std::min(least, events[n].severity);
+                most = std::max(most, events[n].severity);
+            }
+            const double tenth = 0.1 * (range.most - range.least);
+            QVERIFY(least >= range.least && least < range.least + tenth);
+            QVERIFY(most <= range.most && most > range.most - tenth);
+        }
+}
+
+void TestAirwayPresets::areDrawnAlikeFromTheSameSeed()
+{
+    const AirwayPreset& preset = *presetNamed("cormack_lehane_3");
+    std::mt19937 one{1};
+    std::mt19937 same{1};
+    std::mt19937 other{2};
+    const AirwayEvents first = drawnFrom(preset, one);
+    QVERIFY(first == drawnFrom(preset, same));
+    QVERIFY(first != drawnFrom(preset, one));
+    QVERIFY(first != drawnFrom(preset, other));
+    const AirwayPreset& fixed = *presetNamed("anaphylaxis");
+    QVERIFY(drawnFrom(fixed, one) == fixed.events);
+}
+
+void TestAirwayPresets::burnAsTheEventDoes()
+{
+    QVERIFY((presetNamed("burn")->events == AirwayEvents{{AirwayEventKind::Burn, 1.0}}));
 }
 
 CARINA_TEST(TestAirwayPresets)

@@ -57,4 +57,16 @@ Result<AirwayEvents> eventsOption(const Words& words)
     return events;
 }
 
+Result<AirwayEvents> eachEventOption(const Words& words)
+{
+    if (words.has(kEvent))
+        return eventsOption(words);
+    return words.number(kEventSeverity, 0.0, 1.0, 1.0).map([](double severity) {
+        AirwayEvents events;
+        for (int kind = 0; kind < kAirwayEventKinds; ++kind)
+            events.push_back({static_cast<AirwayEventKind>(kind), severity});
+        return events;
+    });
+}
+
 } // namespace carina::lab

@@ -22,4 +22,8 @@ inline constexpr Option kEventSeverity{"severity", "0..1",
 ///          and a severity without an event
 [[nodiscard]] Result<AirwayEvents> eventsOption(const Words& words);
 
+/// The same, but where none is asked for all there are, with the severity of kEventSeverity.
+/// @returns likewise, but for a severity without an event
+[[nodiscard]] Result<AirwayEvents> eachEventOption(const Words& words);
+
 } // namespace carina::lab

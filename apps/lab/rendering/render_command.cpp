@@ -1,8 +1,10 @@
 #include "apps/lab/commands.h"
 #include "apps/lab/rendering/error_pictures.h"
+#include "apps/lab/rendering/event_pairs.h"
 #include "apps/lab/rendering/geometry_check.h"
 #include "apps/lab/rendering/laryngoscopy_pictures.h"
 #include "apps/lab/rendering/patient_pictures.h"
+#include "apps/lab/rendering/preset_grades.h"
 #include "apps/lab/rendering/render_page.h"
 #include "apps/program/program.h"
 #include "engine/anatomy/patient/builtin_patient.h"
@@ -135,9 +137,10 @@ Result<QJsonObject> drawnError(const Words& words)
 /// The eye that kFrom says.
 struct NamedEye {
     std::string_view name;
-    bool isDirect = false;
+    ScopeEye eye = ScopeEye::Video;
 };
-constexpr std::array kEyes{NamedEye{"video", false}, NamedEye{"direct", true}};
+constexpr std::array kEyes{NamedEye{"video", ScopeEye::Video},
+                           NamedEye{"direct", ScopeEye::Direct}};
 
 Result<BladeKind> bladeOption(const Words& words)
 {
@@ -147,28 +150,75 @@ Result<BladeKind> bladeOption(const Words& words)
         return *kind;
     QStringList names;
     for (const BladeKind kind : kBladeKinds)
-        names += QString::fromUtf8(bladeOf(kind).name.data(), bladeOf(kind).name.size());
+        names += bladeName(kind);
     return words.unknownWord(render_option::kBlade, names);
+}
+
+/// Blade, eye and size of the pictures that kBlade, kFrom and kScopeSize say.
+Result<ScopeWay> scopeOption(const Words& words)
+{
+    ScopeWay way;
+    if (words.has(render_option::kScopeSize)) {
+        const auto size = program::sizeOption(words.parser());
+        if (!size)
+            return tl::unexpected(size.error());
+        way.size = *size;
+    }
+    const auto blade = bladeOption(words);
+    if (!blade)
+        return tl::unexpected(blade.error());
+    way.blade = *blade;
+    const auto eye = words.word(render_option::kFrom, kEyes, &NamedEye::eye);
+    if (!eye)
+        return tl::unexpected(eye.error());
+    way.eye = *eye;
+    return way;
+}
+
+Result<QJsonObject> countedGrades(const Words& words)
+{
+    GradeOrder order;
+    const auto way = scopeOption(words);
+    if (!way)
+        return tl::unexpected(way.error());
+    order.way = *way;
+    const auto draws = words.whole(render_option::kDraws, 1, 1000, order.draws);
+    if (!draws)
+        return tl::unexpected(draws.error());
+    order.draws = static_cast<int>(*draws);
+    const auto seed = words.whole(render_option::kDrawSeed, 0, 4294967295, order.seed);
+    if (!seed)
+        return tl::unexpected(seed.error());
+    order.seed = static_cast<std::uint32_t>(*seed);
+    return restingOption(words).and_then(
+        [&order](Anatomy anatomy) { return countGrades(std::move(anatomy), order); });
+}
+
+Result<QJsonObject> drawnPairs(const Words& words)
+{
+    PairOrder order;
+    order.folder.setPath(words.text(render_option::kEventPairs));
+    const auto way = scopeOption(words);
+    if (!way)
+        return tl::unexpected(way.error());
+    order.way = *way;
+    const auto events = eachEventOption(words);
+    if (!events)
+        return tl::unexpected(events.error());
+    order.events = *events;
+    order.leavesOut = !words.has(render_option::kPairEvent);
+    return restingOption(words).and_then(
+        [&order](Anatomy anatomy) { return drawEventPairs(std::move(anatomy), order); });
 }
 
 Result<QJsonObject> drawnLaryngoscopy(const Words& words)
 {
     LaryngoscopyOrder order;
     order.folder.setPath(words.text(render_option::kLaryngoscopy));
-    if (words.has(render_option::kScopeSize)) {
-        const auto size = program::sizeOption(words.parser());
-        if (!size)
-            return tl::unexpected(size.error());
-        order.size = *size;
-    }
-    const auto blade = bladeOption(words);
-    if (!blade)
-        return tl::unexpected(blade.error());
-    order.blade = *blade;
-    const auto isDirect = words.word(render_option::kFrom, kEyes, &NamedEye::isDirect);
-    if (!isDirect)
-        return tl::unexpected(isDirect.error());
-    order.isDirect = *isDirect;
+    const auto way = scopeOption(words);
+    if (!way)
+        return tl::unexpected(way.error());
+    order.way = *way;
     const auto lift_mm = words.number(render_option::kLift, 0.0, 30.0, inMillimetres(kUsualLift));
     if (!lift_mm)
         return tl::unexpected(lift_mm.error());
@@ -214,9 +264,14 @@ Result<QJsonObject> render(const Words& words)
         return drawnError(words);
     if (asksFor(words, render_option::kOfLaryngoscopy))
         return drawnLaryngoscopy(words);
+    if (asksFor(words, render_option::kOfPresetGrades))
+        return countedGrades(words);
+    if (asksFor(words, render_option::kOfEventPairs))
+        return drawnPairs(words);
     return words.refuse(
-        QStringLiteral("takes --check-geometry [--seed K], --pictures DIR, --error-map DIR or "
-                       "--laryngoscopy DIR, and what 'carina-lab help render' says of them."));
+        QStringLiteral("takes --check-geometry [--seed K], --pictures DIR, --error-map DIR, "
+                       "--laryngoscopy DIR, --preset-grades or --event-pairs DIR, and what "
+                       "'carina-lab help render' says of them."));
 }
 
 Use renderedGeometry()
@@ -318,19 +373,66 @@ Use renderedLaryngoscopy()
                  render_laryngoscopy_key::kPixels}};
 }
 
+Use countedPresets()
+{
+    return {
+        .lines = {"--preset-grades [OPTION...]"},
+        .text =
+            "Counts the grades of Cormack and Lehane that the console's presets named for one give "
+            "(Cormack-Lehane 1 to 4 of the panel Airway): draws patients of each, the severity of "
+            "each event evenly from its range, looks at each as --laryngoscopy does with the blade "
+            "lifted wholly, and grades the picture as the programs do. Writes nothing. Needs a "
+            "display.",
+        .options = {render_option::kOfPresetGrades.begin(), render_option::kOfPresetGrades.end()},
+        .schema = render_grades_key::kSchema,
+        .keys = {render_grades_key::kAnatomy, render_grades_key::kBlade, render_grades_key::kFrom,
+                 render_grades_key::kWidth, render_grades_key::kHeight, render_grades_key::kLift,
+                 render_grades_key::kSeed, render_grades_key::kPresets, render_grades_key::kPreset,
+                 render_grades_key::kNamedGrade, render_grades_key::kDraws,
+                 render_grades_key::kGrades, render_grades_key::kShareRight,
+                 render_grades_key::kRanges, render_grades_key::kEvent, render_grades_key::kLeast,
+                 render_grades_key::kMost, render_grades_key::kSource, kAcceptable}};
+}
+
+Use renderedPairs()
+{
+    return {.lines = {"--event-pairs DIR [OPTION...]"},
+            .text =
+                "Draws a pair of pictures of a laryngoscopy for each event of the airway, or for "
+                "those that are asked for: before it and after, both in the step of --laryngoscopy "
+                "in which the event changes most of the picture, and says what it changes. The "
+                "head lies in neutral position, but for stiff_neck in the sniffing one. Writes "
+                "PNG. Needs a display.",
+            .options = {render_option::kOfEventPairs.begin(), render_option::kOfEventPairs.end()},
+            .schema = render_pairs_key::kSchema,
+            .keys = {render_pairs_key::kAnatomy,     render_pairs_key::kBlade,
+                     render_pairs_key::kFrom,        render_pairs_key::kWidth,
+                     render_pairs_key::kHeight,      render_pairs_key::kLeftOut,
+                     render_pairs_key::kPairs,       render_pairs_key::kEvent,
+                     render_pairs_key::kSeverity,    render_pairs_key::kStep,
+                     render_pairs_key::kChanged,     render_pairs_key::kPixelsMore,
+                     render_pairs_key::kBefore,      render_pairs_key::kFile,
+                     render_pairs_key::kOpening,     render_pairs_key::kGrade,
+                     render_pairs_key::kNeckFlexion, render_pairs_key::kHeadExtension,
+                     render_pairs_key::kTeeth,       render_pairs_key::kPixels,
+                     render_pairs_key::kAfter}};
+}
+
 } // namespace
 
 Command renderCommand()
 {
-    return {
-        .name = "render",
-        .theme = "the patient",
-        .summary = "draws pictures of a patient, and checks the geometry of a headset's",
-        .uses = {renderedGeometry(), renderedPictures(), renderedError(), renderedLaryngoscopy()},
-        .reminder = "It takes --check-geometry [--seed K], --pictures DIR, --error-map DIR or "
-                    "--laryngoscopy DIR, and what 'carina-lab help render' says of them.",
-        .draws = true,
-        .experiment = render};
+    return {.name = "render",
+            .theme = "the patient",
+            .summary =
+                "draws pictures of a patient, grades laryngoscopies, checks a headset's geometry",
+            .uses = {renderedGeometry(), renderedPictures(), renderedError(),
+                     renderedLaryngoscopy(), countedPresets(), renderedPairs()},
+            .reminder = "It takes --check-geometry [--seed K], --pictures DIR, --error-map DIR, "
+                        "--laryngoscopy DIR, --preset-grades or --event-pairs DIR, and what "
+                        "'carina-lab help render' says of them.",
+            .draws = true,
+            .experiment = render};
 }
 
 } // namespace carina::lab

@@ -9,7 +9,7 @@
 namespace carina::lab
 {
 
-// Options of `render` for each of its three ways, and the keys of what these print.
+// Options of `render` for each of its ways, and the keys of what these print.
 
 namespace render_option
 {
@@ -48,6 +48,19 @@ inline constexpr Option kLevering{"levering-deg", "0..30",
                                   "the last picture: about its tip to the teeth, then about them"};
 inline constexpr Option kScopeSize{"size", "WxH", "of each picture, pixels; 640x480 unless given"};
 
+inline constexpr Option kPresetGrades{"preset-grades", "", "asks for this count"};
+inline constexpr Option kDraws{"draws", "N", "of each preset, 1 to 1000; 20 unless given"};
+inline constexpr Option kDrawSeed{"seed", "K", "of the draws, 0 to 4294967295; 1 unless given"};
+inline constexpr Option kEventPairs{"event-pairs", "DIR",
+                                    "folder to write into; it is created if missing"};
+inline constexpr Option kPairEvent{"event", "NAME[=S]",
+                                   "only this one, with its severity; may be given once for each "
+                                   "that is wanted",
+                                   true};
+inline constexpr Option kPairSeverity{"severity", "0..1",
+                                      "of each event that is given without one; 1, the worst that "
+                                      "is drawn, unless given"};
+
 inline constexpr Option kNeckFlexion{"neck-flexion-deg", "-25..35",
                                      "of the neck to the front; 0 unless given"};
 inline constexpr Option kHeadExtension{
@@ -64,6 +77,10 @@ inline constexpr std::array kOfErrorMap{kErrorMap, kAnatomy,   kPatient,
 inline constexpr std::array kOfLaryngoscopy{
     kLaryngoscopy, kAnatomy, kPatient,       kBlade,     kFrom,        kLift,
     kLevering,     kEvent,   kEventSeverity, kScopeSize, kNeckFlexion, kHeadExtension};
+inline constexpr std::array kOfPresetGrades{kPresetGrades, kDraws, kDrawSeed, kAnatomy,
+                                            kPatient,      kBlade, kFrom,     kScopeSize};
+inline constexpr std::array kOfEventPairs{kEventPairs, kPairEvent, kPairSeverity, kAnatomy,
+                                          kPatient,    kBlade,     kFrom,         kScopeSize};
 } // namespace render_option
 
 namespace render_geometry_key
@@ -180,5 +197,62 @@ inline constexpr Key kPixels{
     "where there is none",
     1};
 } // namespace render_laryngoscopy_key
+
+namespace render_grades_key
+{
+inline constexpr Key kSchema{"schema", "carina.render.grades/1"};
+inline constexpr Key kAnatomy{"anatomy", "name of the anatomy that was drawn"};
+inline constexpr Key kBlade{"blade", "its name"};
+inline constexpr Key kFrom{"from", "video or direct"};
+inline constexpr Key kWidth{"width", "of each picture, pixels"};
+inline constexpr Key kHeight{"height", "of each picture, pixels"};
+inline constexpr Key kLift{"lift_mm", "of the blade"};
+inline constexpr Key kSeed{"seed", "as given"};
+inline constexpr Key kPresets{"presets", "one object per preset that is named for a grade:"};
+inline constexpr Key kPreset{"preset", "its name", 1};
+inline constexpr Key kNamedGrade{"named_grade", "1 to 4; 2 is 2a and 2b", 1};
+inline constexpr Key kDraws{"draws", "how many", 1};
+inline constexpr Key kGrades{"grades", "how many of them were of each grade: 1, 2a, 2b, 3, 4", 1};
+inline constexpr Key kShareRight{"share_right", "of the draws, that are of the named grade", 1};
+inline constexpr Key kRanges{"ranges", "what was drawn from, one object per event:", 1};
+inline constexpr Key kEvent{"event", "its name", 2};
+inline constexpr Key kLeast{"least", "its lowest severity", 2};
+inline constexpr Key kMost{"most", "its highest severity", 2};
+inline constexpr Key kSource{"source", "why the event belongs there; the severities are of ours",
+                             2};
+} // namespace render_grades_key
+
+namespace render_pairs_key
+{
+inline constexpr Key kSchema{"schema", "carina.render.pairs/1"};
+inline constexpr Key kAnatomy{"anatomy", "name of the anatomy that was drawn"};
+inline constexpr Key kBlade{"blade", "its name"};
+inline constexpr Key kFrom{"from", "video or direct"};
+inline constexpr Key kWidth{"width", "of each picture, pixels"};
+inline constexpr Key kHeight{"height", "of each picture, pixels"};
+inline constexpr Key kLeftOut{"left_out", "names of events that this patient cannot show"};
+inline constexpr Key kPairs{"pairs", "one object per event:"};
+inline constexpr Key kEvent{"event", "its name", 1};
+inline constexpr Key kSeverity{"severity", "0 to 1", 1};
+inline constexpr Key kStep{"step",
+                           "of the laryngoscopy, that in which most of the picture changes: teeth, "
+                           "uvula, epiglottis, partial_view or full_view",
+                           1};
+inline constexpr Key kChanged{"changed_percent", "of the picture: pixels of another colour", 1};
+inline constexpr Key kPixelsMore{
+    "pixels_more", "of each structure of which more (or less, if below 0) is seen", 1};
+inline constexpr Key kBefore{"before", "the picture without the event:", 1};
+inline constexpr Key kAfter{"after", "the picture with it, an object with the same keys", 1};
+inline constexpr Key kFile{"file", "its name in DIR", 2};
+inline constexpr Key kOpening{"pogo_percent", "percentage of glottic opening", 2};
+inline constexpr Key kGrade{"cormack_lehane", "grade: 1, 2a, 2b, 3 or 4", 2};
+inline constexpr Key kNeckFlexion{"neck_flexion_deg", "as drawn", 2};
+inline constexpr Key kHeadExtension{"head_extension_deg", "as drawn", 2};
+inline constexpr Key kTeeth{"upper_teeth",
+                            "firm, loose or loose_and_near: as the programs call them, beneath the "
+                            "picture",
+                            2};
+inline constexpr Key kPixels{"visible_pixels", "of each structure that is seen", 2};
+} // namespace render_pairs_key
 
 } // namespace carina::lab

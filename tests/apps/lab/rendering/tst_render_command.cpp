@@ -186,6 +186,12 @@ void TestRenderCommand::refusesWhatItDoesNotKnow_data()
     row("events too severe", "--laryngoscopy . --event epiglottitis --severity 2", "--severity");
     row("a severity of no event", "--laryngoscopy . --severity 0.5", "--event");
     row("a condition in a laryngoscopy", "--laryngoscopy . --condition copd", "--laryngoscopy DIR");
+    row("no draws", "--preset-grades --draws 0", "--draws");
+    row("a blade there is not, for presets", "--preset-grades --blade spoon", "macintosh-3");
+    row("events for presets", "--preset-grades --event burn", "--preset-grades");
+    row("pairs too severe", "--event-pairs . --severity 2", "--severity");
+    row("pairs of an event there is not", "--event-pairs . --event cough", "tongue_oedema");
+    row("a lift for pairs", "--event-pairs . --lift-mm 3", "--event-pairs DIR");
     row("a folder nobody can make", "--pictures /proc/none", "/proc/none");
 }
 

@@ -192,6 +192,10 @@ std::vector<ThroatContent> Laryngoscopy::contentsAt(const FollowingThroat& throa
                                                     const BladeField& tissue) const
 {
     std::vector<ThroatContent> contents = fluidsIn(bent(m_airway, throat.neck), m_events);
+    for (ThroatContent fluid : valleculaFluidsIn(m_airway, m_events)) {
+        fluid.p_AF = drawnAtLarynx(fluid.p_AF, throat, tissue);
+        contents.push_back(fluid);
+    }
     if (auto solid = foreignBodyIn(m_airway, m_events)) {
         solid->p_AF = drawnAtLarynx(solid->p_AF, throat, tissue);
         contents.push_back(*solid);

@@ -272,6 +272,16 @@ std::vector<ThroatContent> StationLaryngoscope::contentsAt(const FollowingThroat
     return (**m_laryngoscopy).contentsAt(throat, tissue);
 }
 
+std::vector<ThroatContent> StationLaryngoscope::contentsIn(const StationMoment& moment,
+                                                           const FollowingThroat& throat,
+                                                           const BladeField& tissue) const
+{
+    const bool isThere = m_laryngoscopy && m_laryngoscopy->has_value();
+    if (moment.airwayEvents.empty() || !isThere)
+        return {};
+    return (**m_laryngoscopy).contentsAt(throat, tissue);
+}
+
 QString laryngoscopeText(LaryngoscopeState state) { return LaryngoscopeWords::of(state); }
 
 QString glotticViewText(const GlotticView& view) { return LaryngoscopeWords::of(view); }

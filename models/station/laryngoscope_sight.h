@@ -105,6 +105,11 @@ public:
     /// What lies in the throat there by events. @pre the same
     [[nodiscard]] std::vector<ThroatContent> contentsAt(const FollowingThroat& throat,
                                                         const BladeField& tissue) const;
+    /// The same with or without a laryngoscope: nothing where no event is there, and of a patient
+    /// that lacks what one is to show. @pre changesAt of the same moment was asked for before
+    [[nodiscard]] std::vector<ThroatContent> contentsIn(const StationMoment& moment,
+                                                        const FollowingThroat& throat,
+                                                        const BladeField& tissue) const;
 
 private:
     [[nodiscard]] std::optional<Blade> knownBladeOf(const PersonPose& laryngoscope) const;

@@ -5,6 +5,7 @@
 #include "engine/geometry/mesh/triangle_mesh.h"
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -17,12 +18,17 @@ inline constexpr std::array kThroatFluids{AirwayEventKind::Secretions, AirwayEve
 inline constexpr std::array kThroatContents{AirwayEventKind::Secretions, AirwayEventKind::Blood,
                                             AirwayEventKind::Vomit, AirwayEventKind::ForeignBody};
 
+/// Where something lies there.
+enum class ContentPlace : std::uint8_t { Throat, Vallecula };
+
 /// Something that lies there, in a frame F with the axes of A: its place p_F is at
 /// p_AF + size * p_F.
 struct ThroatContent {
     AirwayEventKind kind = AirwayEventKind::Secretions;
     Vec3 p_AF = Vec3::Zero();
     double size = 1.0; ///< of a man's
+    ContentPlace place = ContentPlace::Throat;
+    Length depth{}; ///< of a fluid in the throat, in F: to the wall behind the notch
 };
 
 /// The fluids, each with its own level. A patient lies supine, so that a fluid stands behind the
@@ -36,6 +42,13 @@ struct ThroatContent {
                                                   const AirwayEvents& events);
 inline constexpr Length kBackWall = millimetres(7.5);
 inline constexpr Length kDeepestFluid = millimetres(20.0);
+
+/// What of the same fluids stands in the vallecula of who lies on the back: a little, on the front
+/// of the epiglottis, between it and the tongue, from which a thick fluid does not run off at once.
+/// Its size goes with the severity, and it is to be moved as the larynx is. All of that is of ours.
+/// @param airway as in the surfaces
+[[nodiscard]] std::vector<ThroatContent> valleculaFluidsIn(const UpperAirway& airway,
+                                                           const AirwayEvents& events);
 
 /// A solid: at a severity near 0 in the right piriform fossa, at 1 over the middle of the glottis,
 /// evenly between. It is to be moved as the larynx is. Both places and its size go with the size of
@@ -53,5 +66,18 @@ inline constexpr Length kForeignBody = millimetres(15.0); ///< its length in a m
 [[nodiscard]] TriangleMesh fluidMesh();
 inline constexpr Length kFluidFoot = millimetres(8.0);
 inline constexpr Length kFluidBehind = millimetres(30.0);
+
+/// A fluid for who sees it from outside, in F likewise: the same surface, but only as far up, and
+/// only as deep, as it stands before the back wall (pharynxSectionAt), which comes forward towards
+/// the palate. Across, its bottom is half an ellipse.
+/// @param depth of ThroatContent, above 0
+[[nodiscard]] TriangleMesh poolMesh(Length depth);
+
+/// A fluid in the vallecula of a man at severity 1, in F: its surface is an ellipse in the plane
+/// y = 0, and half an ellipsoid lies behind.
+[[nodiscard]] TriangleMesh valleculaPoolMesh();
+inline constexpr Length kValleculaPoolWidth = millimetres(16.0);
+inline constexpr Length kValleculaPoolHeight = millimetres(9.0);
+inline constexpr Length kValleculaPoolDepth = millimetres(3.0);
 
 } // namespace carina

@@ -596,12 +596,31 @@ private Q_SLOTS:
         QVERIFY(contents({}).empty());
         const AirwayEvents both{{AirwayEventKind::Blood, 0.5}, {AirwayEventKind::ForeignBody, 1.0}};
         const auto found = contents(both);
-        QCOMPARE(found.size(), 2U);
+        QCOMPARE(found.size(), 3U);
         const auto airway =
             Laryngoscopy::of(patient(), bladeOf(BladeKind::Macintosh3))->script().airway;
         QVERIFY(found[0].p_AF == fluidsIn(airway, both).front().p_AF);       // stays level
-        const Vec3 lift = found[1].p_AF - foreignBodyIn(airway, both)->p_AF; // with the larynx
+        const Vec3 lift = found[2].p_AF - foreignBodyIn(airway, both)->p_AF; // with the larynx
         QVERIFY(lift.dot(airway.forward_A()) > 2e-3);
+        const Vec3 tilt = found[1].p_AF - valleculaFluidsIn(airway, both).front().p_AF;
+        QVERIFY(found[1].place == ContentPlace::Vallecula && tilt.dot(airway.forward_A()) > 2e-3);
+    }
+
+    /// In the view of the whole patient.
+    void hasWhatLiesInTheThroatWithoutALaryngoscope()
+    {
+        const FollowingThroat throat = patient().throat(std::nullopt);
+        Station station;
+        StationMoment moment = station.view.at(kNow, 0);
+        const auto contents = [&] {
+            (void)station.laryngoscope.changesAt(moment);
+            return station.laryngoscope.contentsIn(moment, throat, {});
+        };
+        QVERIFY(contents().empty());
+        moment.airwayEvents = {{AirwayEventKind::Vomit, 0.5}};
+        QCOMPARE(contents().size(), 2U);
+        moment.airwayEvents = {};
+        QVERIFY(contents().empty());
     }
 
     /// Which teeth a blade has touched is forgotten while it is out of view.

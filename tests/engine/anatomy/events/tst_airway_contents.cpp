@@ -1,5 +1,6 @@
 #include "engine/anatomy/events/airway_contents.h"
 
+#include "engine/anatomy/airway/pharynx_place.h"
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "engine/anatomy/patient/patient_name.h"
 #include "tests/engine/anatomy/shapes/people.h"
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 #include <utility>
 
@@ -65,6 +67,26 @@ double coveredShare(const UpperAirway& airway, double severity)
     return double(covered) / kPoints;
 }
 
+/// What a closed surface encloses, which is positive if all of it looks outward; 0 for one that is
+/// open, or whose normals do not look where its triangles do.
+double volumeWithin(const TriangleMesh& mesh)
+{
+    Vec3 areas = Vec3::Zero();
+    double all = 0.0;
+    double volume = 0.0;
+    for (const Triangle& t : mesh.triangles) {
+        const auto corner = [&](int n) { return Vec3{mesh.positions.at(t.at(n)).cast<double>()}; };
+        const Vec3 area = 0.5 * (corner(1) - corner(0)).cross(corner(2) - corner(0));
+        areas += area;
+        all += area.norm();
+        volume += corner(0).dot(area) / 3.0;
+        for (const std::uint32_t n : t)
+            if (area.norm() > 1e-12 && mesh.normals.at(n).cast<double>().dot(area) <= 0.0)
+                return 0.0;
+    }
+    return areas.norm() < 1e-6 * all ? volume : 0.0;
+}
+
 /// To the patient's right of the midplane, and above the cords.
 struct Beside {
     double right;
@@ -93,6 +115,12 @@ private Q_SLOTS:
     void isClosed();
     void ripplesOnItsSurface();
     void hasEachFluidAtItsOwnLevel();
+    void standsInAPoolWithinThePharynx_data();
+    void standsInAPoolWithinThePharynx();
+    void reachesFartherUpTheDeeperItIs();
+    void closesItsPoolInTheVallecula();
+    void fillsTheValleculaWithTheSeverity_data() { people(); }
+    void fillsTheValleculaWithTheSeverity();
     void liesBesideTheLarynxAndThenOverTheGlottis_data() { people(); }
     void liesBesideTheLarynxAndThenOverTheGlottis();
     void liesWithinThePharynx_data() { people(); }
@@ -200,6 +228,74 @@ void TestAirwayContents::hasEachFluidAtItsOwnLevel()
                                  {{Secretions, 0.2}, {Blood, 0.6}, {Vomit, 0.4}});
     QCOMPARE(fluids.size(), std::size_t{3});
     QVERIFY(fluids[0].p_AF.y() > fluids[2].p_AF.y() && fluids[2].p_AF.y() > fluids[1].p_AF.y());
+}
+
+void TestAirwayContents::standsInAPoolWithinThePharynx_data()
+{
+    QTest::addColumn<double>("depth_mm");
+    for (const double depth_mm : {1.0, 5.0, 12.0, 20.0})
+        QTest::newRow(qPrintable(QString::number(depth_mm))) << depth_mm;
+}
+
+void TestAirwayContents::standsInAPoolWithinThePharynx()
+{
+    QFETCH(const double, depth_mm);
+    const TriangleMesh mesh = poolMesh(millimetres(depth_mm));
+    QVERIFY(volumeWithin(mesh) > 0.0);
+    for (const Vec3f& p : mesh.positions) {
+        const Vec3 p_mm = 1e3 * p.cast<double>();
+        const PharynxSection wall = pharynxSectionAt(p_mm.z());
+        QVERIFY(std::abs(p_mm.x()) < wall.halfWidth);
+        const double behindNotch_mm = pharynxSectionAt(0.0).back; // where the depth is measured
+        QVERIFY(p_mm.y() >= 0.0);
+        QVERIFY(p_mm.y() <= std::max(0.1, depth_mm - (behindNotch_mm - wall.back)) + 1e-3);
+    }
+}
+
+// The wall behind comes forward towards the palate.
+void TestAirwayContents::reachesFartherUpTheDeeperItIs()
+{
+    double last = 0.0;
+    for (const double depth_mm : {1.0, 2.0, 4.0, 6.0}) {
+        Box box;
+        for (const Vec3f& p : poolMesh(millimetres(depth_mm)).positions)
+            box.include(p.cast<double>());
+        QVERIFY(box.max.z() > last);
+        last = box.max.z();
+        QVERIFY(std::abs(box.min.z() + kFluidFoot.si) < 1e-6);
+    }
+}
+
+// Half an ellipsoid.
+void TestAirwayContents::closesItsPoolInTheVallecula()
+{
+    const double radii =
+        0.5 * kValleculaPoolWidth.si * 0.5 * kValleculaPoolHeight.si * kValleculaPoolDepth.si;
+    const double half = 2.0 / 3.0 * std::numbers::pi * radii;
+    const double volume = volumeWithin(valleculaPoolMesh());
+    QVERIFY2(volume > 0.93 * half && volume < half, qPrintable(QString::number(volume / half)));
+}
+
+// On the front of the epiglottis, above the vallecula's floor and below the free edge.
+void TestAirwayContents::fillsTheValleculaWithTheSeverity()
+{
+    QFETCH(const QString, who);
+    const UpperAirway& airway = airwayOf(who);
+    const Vec3 way = airway.p_A_epiglottisTip - airway.p_A_vallecula;
+    double last = 0.0;
+    for (const double severity : {0.1, 0.5, 1.0}) {
+        const AirwayEvents events{{Epiglottitis, 1.0}, {Secretions, severity}};
+        const auto fluids = valleculaFluidsIn(airway, events);
+        QCOMPARE(fluids.size(), std::size_t{1});
+        QVERIFY(fluids.front().kind == Secretions);
+        QVERIFY(fluids.front().place == ContentPlace::Vallecula);
+        QVERIFY(fluids.front().size > last);
+        last = fluids.front().size;
+        const double up = (fluids.front().p_AF - airway.p_A_vallecula).dot(way) / way.norm();
+        const double halfHeight = 0.5 * last * kValleculaPoolHeight.si;
+        QVERIFY(up >= halfHeight - kTolerance_m && up + halfHeight < way.norm());
+    }
+    QVERIFY(valleculaFluidsIn(airway, {{ForeignBody, 1.0}}).empty());
 }
 
 void TestAirwayContents::liesBesideTheLarynxAndThenOverTheGlottis()

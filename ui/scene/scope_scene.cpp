@@ -35,10 +35,6 @@ constexpr std::array<QColor, kSeenStructures> kColors{{{0, 0, 0},
 constexpr QColor kSteel = kColors[std::size_t(SeenStructure::Blade)];
 constexpr QColor kHandleSteel{120, 126, 134};
 
-/// By kThroatContents, of ours: saliva, blood, vomit, a morsel of meat.
-constexpr std::array<QColor, kThroatContents.size()> kContentColors{
-    {{214, 206, 160}, {128, 10, 12}, {158, 130, 58}, {140, 92, 58}}};
-
 constexpr QColor kDarkness{6, 3, 3};
 constexpr Length kHalfLight = millimetres(55.0); ///< from a lamp on the blade
 constexpr Length kHalfLightDirect = millimetres(400.0);
@@ -55,17 +51,16 @@ ScenePart scopePart(const char* name, FigureShapes::Mesh mesh, const QColor& col
             .levels = {std::move(mesh)}};
 }
 
-/// As shiny as tools, and drawn from both sides. A solid is a little longer than wide.
-ScenePart contentPart(std::size_t place)
+/// As shiny as tools, and drawn from both sides.
+ScenePart contentPart(AirwayEventKind kind, ContentPlace place)
 {
-    constexpr double kMorsel = 2.5;
-    const AirwayEventKind kind = kThroatContents.at(place);
-    const double half = 0.5 * kForeignBody.si;
     const bool isSolid = kind == AirwayEventKind::ForeignBody;
-    TriangleMesh mesh =
-        isSolid ? superellipsoid(Vec3::Zero(), {half, 0.85 * half, half}, kMorsel) : fluidMesh();
-    return scopePart(eventName(kind), std::make_shared<const TriangleMesh>(std::move(mesh)),
-                     kContentColors.at(place), eventName(kind));
+    TriangleMesh mesh = isSolid                            ? foreignBodyMesh()
+                        : place == ContentPlace::Vallecula ? valleculaPoolMesh()
+                                                           : fluidMesh();
+    const std::string body = bodyOfContent(kind, place);
+    return scopePart(body.c_str(), std::make_shared<const TriangleMesh>(std::move(mesh)),
+                     colorOfContent(kind), body.c_str());
 }
 
 } // namespace
@@ -93,22 +88,18 @@ ScopeScene scopeScene(const PatientModel& patient, const Blade& blade)
         scene.parts.push_back(std::move(part));
         scene.structures.push_back(SeenStructure::Blade);
     }
-    for (std::size_t place = 0; place < kThroatContents.size(); ++place) {
-        ScenePart part = contentPart(place);
+    const auto addContent = [&scene](AirwayEventKind kind, ContentPlace place) {
+        ScenePart part = contentPart(kind, place);
         part.id = static_cast<std::uint16_t>(scene.structures.size());
         scene.parts.push_back(std::move(part));
-        scene.structures.push_back(kThroatContents.at(place) == AirwayEventKind::ForeignBody
-                                       ? SeenStructure::ForeignBody
-                                       : SeenStructure::Fluid);
-    }
+        scene.structures.push_back(kind == AirwayEventKind::ForeignBody ? SeenStructure::ForeignBody
+                                                                        : SeenStructure::Fluid);
+    };
+    for (const AirwayEventKind kind : kThroatContents)
+        addContent(kind, ContentPlace::Throat);
+    for (const AirwayEventKind kind : kThroatFluids)
+        addContent(kind, ContentPlace::Vallecula);
     return scene;
-}
-
-void addContents(SceneFrame& frame, const std::vector<ThroatContent>& contents)
-{
-    for (const ThroatContent& content : contents)
-        frame.bodies[eventName(content.kind)] = {RigidTransform::translation(content.p_AF),
-                                                 content.size};
 }
 
 void showScope(SceneView& view, const ScopeScene& scene, ScopeEye eye)

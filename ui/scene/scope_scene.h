@@ -1,6 +1,7 @@
 #pragma once
 
 #include "models/patient/laryngoscopy.h"
+#include "ui/scene/throat_contents.h"
 #include "widgets/scene/look/part_look.h"
 #include "widgets/scene/view/scene_frame.h"
 #include "widgets/scene/view/scene_view.h"
@@ -15,16 +16,14 @@ inline constexpr const char* kScopeBody = "laryngoscope";
 
 /// The parts of a scene that a laryngoscope shows, and what each of them is to a person.
 struct ScopeScene {
-    /// Of the patient, with the tube, blade and handle, and what may lie in the throat.
+    /// Of the patient, with the tube, blade and handle, and what may lie in the throat, which
+    /// addContents() has a frame draw.
     std::vector<ScenePart> parts;
     PartLooks looks; ///< opaque, but the tube as usual; hidden what is not to be seen in there
     /// By the id of the part.
     std::vector<SeenStructure> structures;
 };
 [[nodiscard]] ScopeScene scopeScene(const PatientModel& patient, const Blade& blade);
-
-/// Has a frame of such a scene, in which nothing lies in the throat, draw this there.
-void addContents(SceneFrame& frame, const std::vector<ThroatContent>& contents);
 
 /// Has a view draw such a scene and nothing else, in the light of the eye that sees it.
 void showScope(SceneView& view, const ScopeScene& scene, ScopeEye eye);

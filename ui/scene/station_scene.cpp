@@ -52,13 +52,15 @@ SceneFrame StationScene::frameOf(int level, LocalTime lit)
 {
     m_moment = momentAt(lit, level);
     m_moment.ownHandsAreDrawn = drawsOwnHands(m_moment, m_output);
-    showFigures();
     m_scene.setLie(lieOf(m_moment.position));
     const FollowingThroat throat = throatAt(m_moment, *m_patient);
     SceneFrame frame = sceneFrame(m_moment, m_patient->lungs().field(), throat);
     bendTubes(frame, m_moment, *m_patient);
     frame.airway = m_laryngoscope.changesAt(m_moment);
     frame.blade = m_laryngoscope.at(m_moment, throat).tissue;
+    const auto contents = m_laryngoscope.contentsIn(m_moment, throat, frame.blade);
+    addContents(frame, contents);
+    showFigures(contents);
     addLifted(frame, m_moment, *m_patient);
     findViewpoint();
     frame.viewpoint = m_viewpoint;
@@ -106,16 +108,19 @@ void StationScene::findViewpoint()
         m_viewpoint = m_moment.lessonView->X_FO;
 }
 
-void StationScene::showFigures()
+void StationScene::showFigures(const std::vector<ThroatContent>& contents)
 {
     std::vector<DrawnPerson> people = drawnPeople(m_moment, m_laryngoscope);
     std::vector<DrawnLift> lifts = drawnLifts(m_moment, *m_patient);
-    if (people == m_people && lifts == m_lifts)
+    std::vector<DrawnContent> drawn = drawnContents(contents);
+    if (people == m_people && lifts == m_lifts && drawn == m_contents)
         return;
     m_people = std::move(people);
     m_lifts = std::move(lifts);
+    m_contents = std::move(drawn);
     std::vector<SceneFigure> figures = peopleFigures(m_people, *m_patient);
     std::ranges::move(liftedFigures(m_lifts, *m_patient), std::back_inserter(figures));
+    std::ranges::move(contentFigures(m_contents), std::back_inserter(figures));
     m_scene.setFigures(figures);
 }
 
@@ -127,6 +132,7 @@ void StationScene::show(const PatientModel& patient, const StationView& view)
     m_scene.setParts(sceneParts(patient), patient.reach());
     m_people.clear(); // whose tubes are those of the patient before
     m_lifts.clear();
+    m_contents.clear();
     m_scene.setFigures({});
 }
 

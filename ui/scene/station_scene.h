@@ -7,6 +7,7 @@
 #include "models/station/station_view.h"
 #include "ui/scene/lifted_figures.h"
 #include "ui/scene/people_figures.h"
+#include "ui/scene/throat_contents.h"
 #include "widgets/scene/view/scene_frame.h"
 
 #include <functional>
@@ -81,9 +82,9 @@ public:
 
 private:
     [[nodiscard]] SceneFrame frameOf(int level, LocalTime lit);
-    /// Has the scene make figures of the people of the moment, and of what is lifted out, if these
-    /// are others than before.
-    void showFigures();
+    /// Has the scene make figures of the people of the moment, of what is lifted out and of what
+    /// lies in the throat, if these are others than before.
+    void showFigures(const std::vector<ThroatContent>& contents);
     void findViewpoint();
     void steerHead();
     void addHeadset(SceneFrame& frame) const;
@@ -93,6 +94,7 @@ private:
     const StationView* m_view;
     std::vector<DrawnPerson> m_people; ///< whose figures the scene has
     std::vector<DrawnLift> m_lifts;    ///< likewise
+    std::vector<DrawnContent> m_contents; ///< likewise
     StationLaryngoscope m_laryngoscope;
     std::vector<Listener> m_listeners;
     HeadsetView m_standardHeadset; ///< for views through the eyes of others

@@ -36,8 +36,6 @@ constexpr const char* kTongueSource =
 constexpr const char* kEpiglottisSource =
     "an epiglottis that cannot be lifted makes grade 3 difficult (Cook, Anaesthesia 2000;55:274)";
 constexpr const char* kAnteriorSource = "of ours";
-constexpr const char* kPharynxSource = "of ours";
-constexpr const char* kVomitSource = "of ours";
 constexpr const char* kNeckSource =
     "a thicker neck went with difficult intubation (Brodsky et al., Anesth Analg 2002;94:732)";
 
@@ -49,18 +47,12 @@ const auto& presets()
             1, "cormack_lehane_1", QT_TRANSLATE_NOOP("Airway", "Cormack-Lehane 1"),
             {{AnteriorLarynx, 0.05, 0.2, kAnteriorSource}, {NeckObesity, 0.05, 0.25, kNeckSource}}),
         graded(2, "cormack_lehane_2", QT_TRANSLATE_NOOP("Airway", "Cormack-Lehane 2"),
-               {{FloppyEpiglottis, 0.4, 0.6, kEpiglottisSource},
+               {{FloppyEpiglottis, 0.5, 0.7, kEpiglottisSource},
                 {AnteriorLarynx, 0.4, 0.6, kAnteriorSource}}),
         graded(3, "cormack_lehane_3", QT_TRANSLATE_NOOP("Airway", "Cormack-Lehane 3"),
-               {{TongueOedema, 0.3, 0.5, kTongueSource},
+               {{TongueOedema, 0.7, 0.9, kTongueSource},
                 {FloppyEpiglottis, 0.9, 1.0, kEpiglottisSource},
                 {AnteriorLarynx, 0.85, 1.0, kAnteriorSource}}),
-        graded(4, "cormack_lehane_4", QT_TRANSLATE_NOOP("Airway", "Cormack-Lehane 4"),
-               {{TongueOedema, 0.9, 1.0, kTongueSource},
-                {PharyngealSwelling, 0.9, 1.0, kPharynxSource},
-                {FloppyEpiglottis, 0.9, 1.0, kEpiglottisSource},
-                {AnteriorLarynx, 0.9, 1.0, kAnteriorSource},
-                {Vomit, 0.9, 1.0, kVomitSource}}),
         AirwayPreset{"swollen_mouth",
                      QT_TRANSLATE_NOOP("Airway", "Swollen tongue and pharynx"),
                      {{TongueOedema, 0.7}, {PharyngealSwelling, 0.6}}},

@@ -379,7 +379,7 @@ Use countedPresets()
         .lines = {"--preset-grades [OPTION...]"},
         .text =
             "Counts the grades of Cormack and Lehane that the console's presets named for one give "
-            "(Cormack-Lehane 1 to 4 of the panel Airway): draws patients of each, the severity of "
+            "(Cormack-Lehane 1 to 3 of the panel Airway): draws patients of each, the severity of "
             "each event evenly from its range, looks at each as --laryngoscopy does with the blade "
             "lifted wholly, and grades the picture as the programs do. Writes nothing. Needs a "
             "display.",

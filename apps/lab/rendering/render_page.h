@@ -210,7 +210,7 @@ inline constexpr Key kLift{"lift_mm", "of the blade"};
 inline constexpr Key kSeed{"seed", "as given"};
 inline constexpr Key kPresets{"presets", "one object per preset that is named for a grade:"};
 inline constexpr Key kPreset{"preset", "its name", 1};
-inline constexpr Key kNamedGrade{"named_grade", "1 to 4; 2 is 2a and 2b", 1};
+inline constexpr Key kNamedGrade{"named_grade", "1 to 4, of which 2 is 2a and 2b", 1};
 inline constexpr Key kDraws{"draws", "how many", 1};
 inline constexpr Key kGrades{"grades", "how many of them were of each grade: 1, 2a, 2b, 3, 4", 1};
 inline constexpr Key kShareRight{"share_right", "of the draws, that are of the named grade", 1};

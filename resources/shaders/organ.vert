@@ -138,7 +138,9 @@ const float kNarrowBelow = 0.8;
 const float kPerNarrowBelow = 1.0 / 0.62;
 const float kNarrowBend = 0.1;
 
-const float kSoftContact = 5e-3;
+const float kSoftContact = 3e-3;
+const float kBeforeFace = 5e-3;
+const float kMostSqueezed = 0.9;
 const float kPerBesideBlade = 1.0 / 20e-3;
 const float kPerBeforeHeel = 1.0 / 0.15;
 const float kPerPastTip = 1.0 / 0.2;
@@ -445,8 +447,9 @@ void pushByBlade(inout vec3 position, inout vec3 normal)
     float face = blade[3].x * onBlade - 4.0 * blade[3].y * onBlade * (1.0 - onBlade)
                  + faceSlope * (along - onBlade);
     float inside = face - dot(blade[1].xyz, position) - blade[1].w;
-    float root = sqrt(inside * inside + 4.0 * kSoftContact * kSoftContact);
-    vec2 push = vec2(0.5 * (inside + root), 0.5 * (1.0 + inside / root));
+    float depth = inside + kBeforeFace;
+    float root = sqrt(depth * depth + 4.0 * kSoftContact * kSoftContact);
+    vec2 push = 0.5 * kMostSqueezed * vec2(depth + root, 1.0 + depth / root);
     vec2 heel = step3(along * kPerBeforeHeel + 1.0);
     vec2 tip = step3((along - 1.0) * kPerPastTip);
     vec2 side = step3((abs(across) - blade[3].z) * kPerBesideBlade);

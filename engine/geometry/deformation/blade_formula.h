@@ -36,7 +36,13 @@ template <class T> struct BladeFrame {
 namespace formula
 {
 
-inline constexpr double kSoftContact = 5e-3;  ///< metres over which tissue gives way to the blade
+inline constexpr double kSoftContact = 3e-3; ///< metres over which tissue begins to give way
+/// Tissue gives way so far before the blade's face, metres, by at most this share of what it lies
+/// deeper: no sheet becomes thinner than a tenth.
+inline constexpr double kBeforeFace = 5e-3;
+inline constexpr double kMostSqueezed = 0.9;
+/// Up to this depth, metres, nothing stays inside the blade.
+inline constexpr double kDeepest = kMostSqueezed * kBeforeFace / (1.0 - kMostSqueezed);
 inline constexpr double kBesideBlade = 20e-3; ///< metres beside its edge where its effect ends
 inline constexpr double kBeforeHeel = 0.15;   ///< likewise, in shares of its length
 inline constexpr double kPastTip = 0.2;
@@ -62,14 +68,16 @@ template <class T> Smooth<T> bladeFace(T rise, T sag, T along)
     return {rise * s - T(4) * sag * s * (T(1) - s) + slope * (along - s), slope};
 }
 
-/// How far something is pushed that would lie `inside` the face of a blade: nearly 0 far outside,
-/// nearly `inside` deep in it. It is always more than `inside`, and its slope is between 0 and 1.
+/// How far something is pushed that would lie `inside` the face of a blade: nearly 0 far outside.
+/// It is more than `inside` up to kDeepest, and its slope is between 0 and kMostSqueezed.
 template <class T> Smooth<T> contactPush(T inside)
 {
     using std::sqrt;
     constexpr auto kSoft = T(4.0 * kSoftContact * kSoftContact);
-    const T root = sqrt(inside * inside + kSoft);
-    return {T(0.5) * (inside + root), T(0.5) * (T(1) + inside / root)};
+    constexpr auto kHalf = T(0.5 * kMostSqueezed);
+    const T depth = inside + T(kBeforeFace);
+    const T root = sqrt(depth * depth + kSoft);
+    return {kHalf * (depth + root), kHalf * (T(1) + depth / root)};
 }
 
 /// How far what lies at a height of the larynx leans over: not at all below 0, from kBendOfLarynx

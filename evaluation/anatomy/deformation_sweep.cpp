@@ -266,8 +266,8 @@ DeformationSweep::deformedBy(const DeformationCombination& combination) const
     for (const AnatomyPart& part : m_patient->parts) {
         const std::size_t coarsest = part.levels.size() - 1;
         const std::size_t level = std::min(m_level.value_or(coarsest), coarsest);
-        const DeformedSurface surface = deformedSurface(
-            fields, part.levels[level], regionOf(part.role), movesWithMandible(part));
+        const DeformedSurface surface =
+            deformedSurface(fields, part.levels[level], regionOf(part), movesWithMandible(part));
         if (isDeformed(part.levels[level], surface.mesh, neck))
             parts.push_back(measured(part, level, surface));
     }

@@ -87,7 +87,7 @@ std::shared_ptr<const TriangleMesh> PatientModel::shutMesh(const PatientSurface&
     const FollowingThroat shut = throat(RigidTransform{});
     if (surface.body == SurfaceBody::Mandible)
         return shared(moved(finest, shut.X_AJ));
-    const auto tissue = tissueOf(regionOf(surface.description.role));
+    const auto tissue = tissueOf(regionOf(surface.description));
     if (surface.body != SurfaceBody::Anatomy || !tissue || isIdentity(shut.X_AJ))
         return surface.levels.front();
     return shared(deformed(finest, shut, *tissue));

@@ -46,7 +46,7 @@ bool isFramed(const PatientSurface& surface)
 /// What is fixed to the lower jaw goes with it alone.
 ChestRegion drawnRegionOf(const PatientSurface& surface)
 {
-    const ChestRegion region = regionOf(surface.description.role);
+    const ChestRegion region = regionOf(surface.description);
     return surface.body == SurfaceBody::Mandible && region == ChestRegion::Teeth
                ? ChestRegion::Still
                : region;

@@ -1,7 +1,25 @@
 #include "engine/anatomy/chest/chest_region.h"
 
+#include <algorithm>
+#include <cctype>
+#include <initializer_list>
+
 namespace carina
 {
+namespace
+{
+
+/// Whether one of these words is in the name of a part, in capitals or not.
+bool isNamed(const AnatomyPart& part, std::initializer_list<const char*> words)
+{
+    std::string name = part.name;
+    std::ranges::transform(name, name.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return std::ranges::any_of(
+        words, [&name](const char* word) { return name.find(word) != std::string::npos; });
+}
+
+} // namespace
 
 ChestRegion regionOf(PartRole role)
 {
@@ -48,6 +66,15 @@ ChestRegion regionOf(PartRole role)
     default:
         return ChestRegion::Still;
     }
+}
+
+ChestRegion regionOf(const AnatomyPart& part)
+{
+    if (part.role == PartRole::Mucosa && isNamed(part, {"palat"}))
+        return ChestRegion::Pharynx;
+    if (part.role == PartRole::Mucosa && isNamed(part, {"upper jaw", "upper lip"}))
+        return ChestRegion::Skin;
+    return regionOf(part.role);
 }
 
 bool movesWithMandible(const AnatomyPart& part)

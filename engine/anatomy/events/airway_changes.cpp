@@ -49,6 +49,9 @@ constexpr Rgb kSoot{44, 37, 33};
 constexpr auto kThroatAndLarynx =
     AirwayTissues(only(AirwayTissue::Throat) | only(AirwayTissue::Larynx));
 
+/// Those that the lower lip, and the upper one with its gum, are of.
+constexpr auto kLipsTissues = AirwayTissues(only(AirwayTissue::Throat) | only(AirwayTissue::Skin));
+
 /// Across the midplane, to the right of who looks at the patient from the front.
 Vec3 rightOf(const UpperAirway& airway) { return airway.up_A.cross(airway.forward_A()); }
 Vec3 patientsRightOf(const UpperAirway& airway) { return -rightOf(airway); }
@@ -304,7 +307,7 @@ void protrudeIncisors(AirwayField& field, const UpperAirway& airway, double seve
                  .across = size * millimetres(15.0),
                  .along = size * millimetres(26.0),
                  .shift_A = -severity * size * 1e-3 * (7.0 * Vec3::UnitY() + 2.5 * Vec3::UnitZ()),
-                 .tissues = AirwayTissues(only(AirwayTissue::Teeth) | only(AirwayTissue::Throat))});
+                 .tissues = AirwayTissues(only(AirwayTissue::Teeth) | kLipsTissues)});
 }
 
 void swellLip(AirwayField& field, const UpperAirway& airway, const Vec3& p_A_lip, double severity)
@@ -316,7 +319,7 @@ void swellLip(AirwayField& field, const UpperAirway& airway, const Vec3& p_A_lip
                  .along = size * millimetres(30.0),
                  .outward = severity * size * millimetres(5.0),
                  .shift_A = severity * size * 4e-3 * airway.forward_A(),
-                 .tissues = only(AirwayTissue::Throat)});
+                 .tissues = kLipsTissues});
 }
 
 /// Lips and the front of the tongue; what swells of the larynx does so by swellEntrance.
@@ -350,7 +353,7 @@ void makePale(AirwayField& field, const UpperAirway& airway, double severity)
                     .along = size * millimetres(36.0),
                     .color = kPale,
                     .share = kMost * severity,
-                    .tissues = only(AirwayTissue::Throat)});
+                    .tissues = kLipsTissues});
     if (airway.p_A_tongue)
         field.tint({.p_A_centre = *airway.p_A_tongue
                                   + size * 1e-3 * (18.0 * airway.forward_A() + 8.0 * airway.up_A),

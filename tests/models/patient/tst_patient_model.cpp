@@ -116,7 +116,7 @@ private Q_SLOTS:
             if (surface.body != SurfaceBody::Anatomy)
                 continue;
             const auto mesh = m_patient->shutMesh(surface);
-            const auto tissue = tissueOf(regionOf(surface.description.role));
+            const auto tissue = tissueOf(regionOf(surface.description));
             following += tissue ? 1 : 0;
             if (tissue)
                 QVERIFY(mesh->positions

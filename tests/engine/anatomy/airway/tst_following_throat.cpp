@@ -117,7 +117,7 @@ ThroatField throatOf(const Person& person)
 template <class F> void forVertices(const Person& person, F f)
 {
     for (const AnatomyPart& part : person.parts) {
-        const auto tissue = tissueOf(regionOf(part.role));
+        const auto tissue = tissueOf(regionOf(part));
         if (!tissue)
             continue;
         for (std::size_t i = 0; i < part.levels.front().positions.size(); i += 3)

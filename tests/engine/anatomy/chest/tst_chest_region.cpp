@@ -11,6 +11,8 @@ class TestChestRegion : public QObject
 private Q_SLOTS:
     void tellsHowEachRoleMoves_data();
     void tellsHowEachRoleMoves();
+    void movesMucosaOfTheSkullWithoutTheJaw_data();
+    void movesMucosaOfTheSkullWithoutTheJaw();
     void putsLungsAndNothingElseIntoLungs();
     void tellsWhichTissueABladeAndEventsMove();
 };
@@ -53,6 +55,37 @@ void TestChestRegion::tellsHowEachRoleMoves()
     QFETCH(PartRole, role);
     QFETCH(ChestRegion, region);
     QCOMPARE(regionOf(role), region);
+}
+
+void TestChestRegion::movesMucosaOfTheSkullWithoutTheJaw_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<PartRole>("role");
+    QTest::addColumn<ChestRegion>("region");
+    const auto row = [](const char* name, PartRole role, ChestRegion region) {
+        QTest::newRow(name) << QString::fromLatin1(name) << role << region;
+    };
+    for (const char* name :
+         {"Left palatoglossal arch", "Right palatopharyngeal arch", "Palatine tonsil"})
+        row(name, PartRole::Mucosa, ChestRegion::Pharynx);
+    for (const char* name : {"Gingiva of upper jaw", "Upper lip", "UPPER LIP"})
+        row(name, PartRole::Mucosa, ChestRegion::Skin);
+    for (const char* name :
+         {"Buccal mucosa", "Median glosso-epiglottic fold", "Lower lip", "Gingiva of lower jaw"})
+        row(name, PartRole::Mucosa, ChestRegion::Throat);
+    row("Maxilla of upper jaw", PartRole::Skull, ChestRegion::Still);
+    row("Palatoglossus", PartRole::Muscle, ChestRegion::Throat);
+    row("Left vocal fold", PartRole::VocalFold, ChestRegion::Larynx);
+}
+
+void TestChestRegion::movesMucosaOfTheSkullWithoutTheJaw()
+{
+    QFETCH(const QString, name);
+    QFETCH(const PartRole, role);
+    QFETCH(const ChestRegion, region);
+    QCOMPARE(regionOf(AnatomyPart{
+                 .name = name.toStdString(), .role = role, .conceptId = {}, .levels = {}}),
+             region);
 }
 
 void TestChestRegion::putsLungsAndNothingElseIntoLungs()

@@ -59,7 +59,7 @@ struct Person {
     {
         const auto found = std::ranges::find(anatomy.parts, part, &AnatomyPart::name);
         const TriangleMesh moved =
-            deformed(found->levels.front(), changes, *airwayTissueOf(regionOf(found->role)));
+            deformed(found->levels.front(), changes, *airwayTissueOf(regionOf(*found)));
         std::vector<Vec3> vertices;
         for (const Vec3f& p : moved.positions)
             vertices.emplace_back(p.cast<double>());
@@ -138,7 +138,7 @@ Vec3 meanLightOf(const Person& person, const AirwayField& changes, const std::st
                  const Vec3& own)
 {
     const auto found = std::ranges::find(person.anatomy.parts, part, &AnatomyPart::name);
-    const AirwayTissue tissue = *airwayTissueOf(regionOf(found->role));
+    const AirwayTissue tissue = *airwayTissueOf(regionOf(*found));
     Vec3 sum = Vec3::Zero();
     for (const Vec3& p_A : person.verticesOf(part, {}))
         sum += airwayLight<double>(changes.frame(), tissue, p_A, own);
@@ -756,7 +756,7 @@ void TestAirwayChanges::movesMoreWithTheSeverity()
         const AirwayField field = person.field(kind, severity);
         double most = 0.0;
         for (const AnatomyPart& part : person.anatomy.parts)
-            if (const auto tissue = airwayTissueOf(regionOf(part.role)))
+            if (const auto tissue = airwayTissueOf(regionOf(part)))
                 for (const Vec3f& p : part.levels.front().positions)
                     most = std::max(
                         most,
@@ -782,7 +782,7 @@ void TestAirwayChanges::foldsNowhereWithAllEventsAtOnce()
     const AirwayField field = airwayChanges(person.airway, all, 0.0);
     double least = 1.0;
     for (const AnatomyPart& part : person.anatomy.parts)
-        if (const auto tissue = airwayTissueOf(regionOf(part.role)))
+        if (const auto tissue = airwayTissueOf(regionOf(part)))
             for (const Vec3f& p : part.levels.front().positions) {
                 const Mat3 gradient =
                     airwayPull<double>(field.frame(), *tissue, p.cast<double>()).gradient;

@@ -142,6 +142,7 @@ const float kSoftContact = 3e-3;
 const float kBeforeFace = 5e-3;
 const float kMostSqueezed = 0.9;
 const float kPerBesideBlade = 1.0 / 20e-3;
+const float kPerUsualHalfWidth = 1.0 / 8e-3;
 const float kPerBeforeHeel = 1.0 / 0.15;
 const float kPerPastTip = 1.0 / 0.2;
 const float kBendOfLarynx = 0.3;
@@ -447,17 +448,20 @@ void pushByBlade(inout vec3 position, inout vec3 normal)
     float face = blade[3].x * onBlade - 4.0 * blade[3].y * onBlade * (1.0 - onBlade)
                  + faceSlope * (along - onBlade);
     float inside = face - dot(blade[1].xyz, position) - blade[1].w;
-    float depth = inside + kBeforeFace;
-    float root = sqrt(depth * depth + 4.0 * kSoftContact * kSoftContact);
+    float narrow = min(blade[3].z * kPerUsualHalfWidth, 1.0);
+    float soft = 2.0 * kSoftContact * narrow;
+    float perBeside = kPerBesideBlade / narrow;
+    float depth = inside + kBeforeFace * narrow;
+    float root = sqrt(depth * depth + soft * soft);
     vec2 push = 0.5 * kMostSqueezed * vec2(depth + root, 1.0 + depth / root);
     vec2 heel = step3(along * kPerBeforeHeel + 1.0);
     vec2 tip = step3((along - 1.0) * kPerPastTip);
-    vec2 side = step3((abs(across) - blade[3].z) * kPerBesideBlade);
+    vec2 side = step3((abs(across) - blade[3].z) * perBeside);
     float byLength = heel.x * (1.0 - tip.x);
     float byWidth = 1.0 - side.x;
     float byLengthSlope =
         heel.y * kPerBeforeHeel * (1.0 - tip.x) - heel.x * tip.y * kPerPastTip;
-    float byWidthSlope = (across < 0.0 ? side.y : -side.y) * kPerBesideBlade;
+    float byWidthSlope = (across < 0.0 ? side.y : -side.y) * perBeside;
     float share = byLength * byWidth;
     vec3 slope = (byLengthSlope * byWidth * push.x + share * push.y * faceSlope) * blade[2].xyz
                  + byLength * byWidthSlope * push.x * blade[0].xyz

@@ -44,6 +44,9 @@ inline constexpr double kMostSqueezed = 0.9;
 /// Up to this depth, metres, nothing stays inside the blade.
 inline constexpr double kDeepest = kMostSqueezed * kBeforeFace / (1.0 - kMostSqueezed);
 inline constexpr double kBesideBlade = 20e-3; ///< metres beside its edge where its effect ends
+/// These lengths are those of a blade as wide as a grown person's, or wider; of a narrower one they
+/// are less in proportion, or an infant's blade would take the cheeks along.
+inline constexpr double kUsualHalfWidth = 8e-3;
 inline constexpr double kBeforeHeel = 0.15;   ///< likewise, in shares of its length
 inline constexpr double kPastTip = 0.2;
 inline constexpr double kBendOfLarynx = 0.3; ///< height over which its tilt begins
@@ -70,14 +73,22 @@ template <class T> Smooth<T> bladeFace(T rise, T sag, T along)
 
 /// How far something is pushed that would lie `inside` the face of a blade: nearly 0 far outside.
 /// It is more than `inside` up to kDeepest, and its slope is between 0 and kMostSqueezed.
-template <class T> Smooth<T> contactPush(T inside)
+/// @param narrow what the lengths of contact are multiplied by (narrowness); above 0
+template <class T> Smooth<T> contactPush(T inside, T narrow)
 {
     using std::sqrt;
-    constexpr auto kSoft = T(4.0 * kSoftContact * kSoftContact);
     constexpr auto kHalf = T(0.5 * kMostSqueezed);
-    const T depth = inside + T(kBeforeFace);
-    const T root = sqrt(depth * depth + kSoft);
+    const T depth = inside + T(kBeforeFace) * narrow;
+    const T soft = T(2.0 * kSoftContact) * narrow;
+    const T root = sqrt(depth * depth + soft * soft);
     return {kHalf * (depth + root), kHalf * (T(1) + depth / root)};
+}
+
+/// What lengths of contact and kBesideBlade are multiplied by for a blade of this half width: at most 1.
+template <class T> T narrowness(T halfWidth)
+{
+    using std::min;
+    return min(halfWidth * T(1.0 / kUsualHalfWidth), T(1));
 }
 
 /// How far what lies at a height of the larynx leans over: not at all below 0, from kBendOfLarynx
@@ -120,17 +131,19 @@ template <class T>
     const T across = blade.across.dot(p) + blade.acrossFrom;
     const T along = blade.along.dot(p) + blade.alongFrom;
     const Smooth<T> face = formula::bladeFace(blade.rise, blade.sag, along);
-    const Smooth<T> push = formula::contactPush<T>(face.value - blade.out.dot(p) - blade.outFrom);
+    const T narrow = formula::narrowness(blade.halfWidth);
+    const T perBeside = T(1.0 / formula::kBesideBlade) / narrow;
+    const Smooth<T> push = formula::contactPush<T>(face.value - blade.out.dot(p) - blade.outFrom,
+                                                   narrow);
     const Smooth<T> heel = step<T>(along * T(1.0 / formula::kBeforeHeel) + T(1));
     const Smooth<T> tip = step<T>((along - T(1)) * T(1.0 / formula::kPastTip));
     const T aside = across < T(0) ? -across : across;
-    const Smooth<T> side = step<T>((aside - blade.halfWidth) * T(1.0 / formula::kBesideBlade));
+    const Smooth<T> side = step<T>((aside - blade.halfWidth) * perBeside);
     const T byLength = heel.value * (T(1) - tip.value);
     const T byWidth = T(1) - side.value;
     const T byLengthSlope = heel.slope * T(1.0 / formula::kBeforeHeel) * (T(1) - tip.value)
                             - heel.value * tip.slope * T(1.0 / formula::kPastTip);
-    const T byWidthSlope =
-        (across < T(0) ? side.slope : -side.slope) * T(1.0 / formula::kBesideBlade);
+    const T byWidthSlope = (across < T(0) ? side.slope : -side.slope) * perBeside;
     const T share = byLength * byWidth;
     const Vector3<T> slope =
         (byLengthSlope * byWidth * push.value + share * push.slope * face.slope) * blade.along

@@ -73,6 +73,7 @@ private Q_SLOTS:
     void leavesNothingInsideTheBlade();
     void pushesAlongTheHandleOnly();
     void leavesWhatIsFarAway();
+    void pushesLessBesideANarrowBlade();
     void tiltsTheLarynxAboveItsHingeInProportion();
     void leavesTheBackOfTheLarynx();
     void takesThePharynxAlongWithWhatIsBesideIt();
@@ -150,6 +151,28 @@ void TestBladeField::leavesWhatIsFarAway()
         QCOMPARE(bladePush<double>(blade.frame(), p_A).d.norm(), 0.0);
     // Above the blade tissue gives way less and less: by 0.9 k^2 / m.
     QVERIFY(bladePush<double>(blade.frame(), {0.0, 0.1, -0.5 * reach}).d.norm() < 9e-6 / 0.1);
+}
+
+// What is dented beside a stamp goes with the stamp's width: the field of a blade half as wide is
+// that of the whole one, as large by half. Beyond an adult's width nothing grows.
+void TestBladeField::pushesLessBesideANarrowBlade()
+{
+    const BladeForm wide{.reach = 0.12, .rise = 0.01, .sag = 0.01, .width = 0.016};
+    const BladeForm narrow{.reach = 0.06, .rise = 0.005, .sag = 0.005, .width = 0.008};
+    const Vec3 thickness = kBladeHalfThickness * Vec3::UnitY(); // of both the same
+    for (const double across : {0.0, 0.004, 0.010, 0.020, 0.027})
+        for (const double above : {-0.02, -0.005, 0.0, 0.01}) {
+            const Vec3 p{across, above, -0.05};
+            const double whole =
+                bladePush<double>(BladeField{wide, {}}.frame(), p + thickness).d.y();
+            const double half =
+                bladePush<double>(BladeField{narrow, {}}.frame(), 0.5 * p + thickness).d.y();
+            QVERIFY(std::abs(half - 0.5 * whole) < 1e-12);
+        }
+    const BladeForm wider{.reach = 0.12, .rise = 0.01, .sag = 0.01, .width = 0.024};
+    const BladeField widest{wider, {}};
+    QCOMPARE(bladePush<double>(widest.frame(), {0.0321, -0.02, -0.05}).d.norm(), 0.0);
+    QVERIFY(bladePush<double>(widest.frame(), {0.0319, -0.02, -0.05}).d.norm() > 0.0);
 }
 
 void TestBladeField::tiltsTheLarynxAboveItsHingeInProportion()

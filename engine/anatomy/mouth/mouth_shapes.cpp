@@ -72,9 +72,13 @@ struct SoftPalate {
     }
 };
 
+/// Where it hangs from the velum. A throat that is drawn out takes that place along but does not
+/// draw out the uvula: in an infant it would be a leaf three times as deep as it is wide.
+const Vec3 kUvulaRoot{0.0, 67.5, 11.0};
+
 double uvula(const Vec3& p)
 {
-    return std::min(rodDistance(p, {0, 67.5, 11}, {0, 71.5, 2.5}, 3.6, 3.2),
+    return std::min(rodDistance(p, kUvulaRoot, {0, 71.5, 2.5}, 3.6, 3.2),
                     rodDistance(p, {0, 71.5, 2.5}, {0, 72.5, -2.0}, 3.2, 2.6));
 }
 
@@ -168,11 +172,21 @@ void addPalate(std::vector<PartPlan>& parts, const BodyPlan& plan)
     parts.push_back(planOf("Soft palate", PartRole::Pharynx, "FMA55021", plan,
                            {Vec3{-22, 36, 2}, Vec3{22, 80, 30}}, kMouthVoxel,
                            [soft = SoftPalate{}](const Vec3& p) { return soft.distance(p); }));
-    parts.push_back(planOf("Uvula", PartRole::Pharynx, "", plan,
-                           {Vec3{-5, 62, -6}, Vec3{5, 78, 16}}, kFineVoxel, uvula));
+    const Vec3 p_A_root = plan.inThroat(kUvulaRoot);
+    const auto inAnatomy = [&](const Vec3& p) {
+        return Vec3{p_A_root + plan.face * (p - kUvulaRoot)};
+    };
+    const Implicit hanging = [p_A_root, unit = plan.face](const Vec3& p_A) {
+        return unit * uvula((p_A - p_A_root) / unit + kUvulaRoot);
+    };
+    parts.push_back({"Uvula",
+                     PartRole::Pharynx,
+                     "",
+                     {{inAnatomy({-5, 62, -6}), inAnatomy({5, 78, 16})}, hanging},
+                     1e3 * plan.face * kFineVoxel});
 }
 
-/// The pillars of the fauces with the tonsils.
+/// The pillars of the fauces with the tonsils: parts of the pharynx' wall, with which they move.
 void addFauces(std::vector<PartPlan>& parts, const BodyPlan& plan)
 {
     const Fold front = palatoglossalArch(plan.posture);
@@ -182,7 +196,7 @@ void addFauces(std::vector<PartPlan>& parts, const BodyPlan& plan)
         const Box box = sign > 0.0 ? Box{Vec3{0, 40, -30}, Vec3{26, 78, 24}}
                                    : Box{Vec3{-26, 40, -30}, Vec3{0, 78, 24}};
         const auto add = [&](const char* name, Implicit half) {
-            parts.push_back(planOf(side + name, PartRole::Mucosa, "", plan, box, kFineVoxel,
+            parts.push_back(planOf(side + name, PartRole::Pharynx, "", plan, box, kFineVoxel,
                                    [sign, half = std::move(half)](const Vec3& p) {
                                        return half({sign * p.x(), p.y(), p.z()});
                                    }));

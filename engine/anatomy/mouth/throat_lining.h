@@ -13,7 +13,9 @@ namespace carina
 /// behind the soft palate, and down on both sides of the larynx into the piriform fossae and behind
 /// it to the entrance of the oesophagus. It is as thick as it must be to be drawn, and lies within
 /// the constrictors.
-/// Two parts that meet between the arches of the fauces.
+/// Two parts: the lining of the cheeks as far as the last teeth and of the mouth's floor as far as
+/// the arches of the fauces, which follow jaw and blade; and that of fauces and pharynx, which
+/// follows less, and goes on for a little behind the cheeks.
 [[nodiscard]] std::vector<PartPlan> throatLining(const BodyPlan& plan, const LarynxFrame& larynx,
                                                  const Epiglottis& epiglottis);
 

@@ -72,6 +72,8 @@ private Q_SLOTS:
         row("Hard palate", "pharynx");
         row("Oral cavity", "pharynx");
         row("Pharyngeal mucosa", "pharynx");
+        row("Left palatoglossal arch", "pharynx");
+        row("Right palatine tonsil", "pharynx");
         row("Uvula", "pharynx");
         row("Laryngeal mucosa", "laryngeal_mucosa");
         row("Left aryepiglotticus", "larynx");

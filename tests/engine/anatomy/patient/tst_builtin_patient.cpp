@@ -60,9 +60,9 @@ const std::map<PartRole, std::size_t> kRoles{
     {PartRole::Mandible, 1},
     {PartRole::Tooth, 28},
     {PartRole::Tongue, 1},
-    {PartRole::Pharynx, 7}, // three constrictors, hard and soft palate, uvula, mucosa
-    // The fold in the vallecula, four arches and two tonsils, gums, lips and cheeks.
-    {PartRole::Mucosa, 12},
+    // Three constrictors, hard and soft palate, uvula, four arches and two tonsils, mucosa.
+    {PartRole::Pharynx, 13},
+    {PartRole::Mucosa, 6}, // the fold in the vallecula, gums, lips and cheeks
     // The lining, two vestibular and two aryepiglottic folds and four tubercles.
     {PartRole::LaryngealMucosa, 9},
     {PartRole::VocalFold, 2},

@@ -1,4 +1,5 @@
 #include "engine/anatomy/larynx/larynx_frame.h"
+#include "engine/anatomy/organ_group.h"
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "engine/anatomy/patient/patient_name.h"
 #include "engine/geometry/mesh/surface_query.h"
@@ -43,12 +44,14 @@ bool isSeen(const AnatomyPart& part)
            || part.role == PartRole::VocalFold || (part.role == PartRole::Pharynx && !isMuscle);
 }
 
-/// The first part that a ray meets.
+/// The first part of the airway that a ray meets.
 const AnatomyPart* firstHit(const Anatomy& anatomy, const Vec3& p_A, const Vec3& direction_A)
 {
     const AnatomyPart* first = nullptr;
     double nearest = 0.0;
     for (const AnatomyPart& part : anatomy.parts) {
+        if (groupOf(part.role) != OrganGroup::Airway)
+            continue;
         const auto hit = rayHit(part.levels[0], p_A, direction_A);
         if (hit && (first == nullptr || *hit < nearest)) {
             first = &part;

@@ -33,6 +33,14 @@ QColor mucosaColor(const std::string& name)
     return found == kNamed.end() ? QColor{204, 116, 118} : found->color;
 }
 
+/// Arches and tonsils are told from the wall on which they lie.
+QColor pharynxColor(const std::string& name)
+{
+    const bool isOfFauces =
+        name.find(" arch") != std::string::npos || name.find("tonsil") != std::string::npos;
+    return isOfFauces ? mucosaColor(name) : QColor{220, 145, 156};
+}
+
 QColor vesselColor(std::string name)
 {
     std::transform(name.begin(), name.end(), name.begin(),
@@ -84,7 +92,7 @@ Appearance appearanceOf(const AnatomyPart& part)
     case PartRole::Tongue:
         return {MaterialGroup::SoftTissue, {191, 97, 123}};
     case PartRole::Pharynx:
-        return {MaterialGroup::Airway, {220, 145, 156}};
+        return {MaterialGroup::Airway, pharynxColor(part.name)};
     case PartRole::Oesophagus:
         return {MaterialGroup::Veil, {176, 129, 100}};
     case PartRole::Heart:

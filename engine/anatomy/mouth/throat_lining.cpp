@@ -24,7 +24,7 @@ constexpr double kFauces = 57.0;
 constexpr double kEndOfCheeks = 46.0;
 /// The pharynx' lining goes on behind that of the cheeks: where they are taken away from it, it is
 /// seen instead of a gap.
-constexpr double kBehindCheeks = 10.0;
+constexpr double kBehindCheeks = 6.0;
 constexpr double kApart = 1.2; ///< of the two there
 /// Half the width of what the soft palate closes above; beside it the pharynx' lining does.
 constexpr double kBesidePalate = 15.0;

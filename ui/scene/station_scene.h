@@ -92,8 +92,8 @@ private:
     SceneView& m_scene;
     const PatientModel* m_patient;
     const StationView* m_view;
-    std::vector<DrawnPerson> m_people; ///< whose figures the scene has
-    std::vector<DrawnLift> m_lifts;    ///< likewise
+    std::vector<DrawnPerson> m_people;    ///< whose figures the scene has
+    std::vector<DrawnLift> m_lifts;       ///< likewise
     std::vector<DrawnContent> m_contents; ///< likewise
     StationLaryngoscope m_laryngoscope;
     std::vector<Listener> m_listeners;

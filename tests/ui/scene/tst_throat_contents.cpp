@@ -128,7 +128,7 @@ private:
     static bool isSeen(SceneView& picture, const char* body)
     {
         const auto figures = contentFigures(drawnContents(contentsOf({{Blood, 1.0}})));
-        const auto figure = std::ranges::find(figures, body, &SceneFigure::body);
+        const auto figure = std::ranges::find(figures, std::string{body}, &SceneFigure::body);
         for (const ViewPreset preset :
              {ViewPreset::Right, ViewPreset::Front, ViewPreset::Trainee}) {
             picture.showFrom(preset);

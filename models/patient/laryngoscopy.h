@@ -85,8 +85,8 @@ public:
     [[nodiscard]] GlotticLine glottisAt(const FollowingThroat& throat,
                                         const BladeField& tissue) const;
     [[nodiscard]] GlotticLine glottisAt(const LaryngoscopyPose& pose) const;
-    /// What lies in the throat by events, as it is drawn there: fluids level as the neck lies, those
-    /// in the vallecula and a solid with the larynx.
+    /// What lies in the throat by events, as it is drawn there: fluids level as the neck lies,
+    /// those in the vallecula and a solid with the larynx.
     [[nodiscard]] std::vector<ThroatContent> contentsAt(const FollowingThroat& throat,
                                                         const BladeField& tissue) const;
     [[nodiscard]] std::vector<ThroatContent> contentsAt(const LaryngoscopyPose& pose) const;

@@ -137,9 +137,9 @@ void AirwayPanel::layOut()
     auto* column = new QVBoxLayout{this};
     column->setContentsMargins(kSide, kEdge, kSide, kEdge);
     column->setSpacing(kEventGap);
-    for (QWidget* widget : {static_cast<QWidget*>(m_obstacle), static_cast<QWidget*>(m_notShown),
-                            m_controls, static_cast<QWidget*>(m_groups), m_events,
-                            static_cast<QWidget*>(m_refused)})
+    for (QWidget* widget :
+         {static_cast<QWidget*>(m_obstacle), static_cast<QWidget*>(m_notShown), m_controls,
+          static_cast<QWidget*>(m_groups), m_events, static_cast<QWidget*>(m_refused)})
         column->addWidget(widget);
     column->addStretch(1);
 }

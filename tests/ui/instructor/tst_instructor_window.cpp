@@ -315,9 +315,8 @@ void turnWheel(QWidget& control)
 {
     constexpr QPoint kNotch{0, -120};
     const QPointF middle{control.rect().center()};
-    QWheelEvent event{middle,         control.mapToGlobal(middle), {},
-                      kNotch,         Qt::NoButton,                Qt::NoModifier,
-                      Qt::NoScrollPhase, false};
+    QWheelEvent event{middle,         control.mapToGlobal(middle), {},   kNotch, Qt::NoButton,
+                      Qt::NoModifier, Qt::NoScrollPhase,           false};
     QApplication::sendEvent(&control, &event);
 }
 
@@ -508,8 +507,8 @@ private Q_SLOTS:
             PanelDocks::bring(*dock);
             Shown::settle();
             const QByteArray name = dock->objectName().toUtf8();
-            for (const QWidget* control : std::array<const QWidget*, 2>{
-                     firstIn(area), shown.window.focusWidget()})
+            for (const QWidget* control :
+                 std::array<const QWidget*, 2>{firstIn(area), shown.window.focusWidget()})
                 if (control && area.isAncestorOf(control))
                     QVERIFY2(beginsInSight(*control, *area.viewport()),
                              (name + ": " + control->objectName().toUtf8()).constData());

@@ -74,6 +74,9 @@ ChestRegion regionOf(const AnatomyPart& part)
         return ChestRegion::Pharynx;
     if (part.role == PartRole::Mucosa && isNamed(part, {"upper jaw", "upper lip"}))
         return ChestRegion::Skin;
+    // It lies in the root of the tongue, which gives way to a blade together with it.
+    if (isNamed(part, {"hyoid"}))
+        return ChestRegion::Throat;
     return regionOf(part.role);
 }
 

@@ -66,8 +66,8 @@ struct UpperAirway {
 inline constexpr Length kReferenceWay = millimetres(87.6);
 
 /// A glottis that is in proportion to the way from the incisors: that of twelve years, and shorter
-/// than a man's open one (23 mm, Miller, 6th edition), so that from then on a larynx has the size of
-/// its airway.
+/// than a man's open one (23 mm, Miller, 6th edition), so that from then on a larynx has the size
+/// of its airway.
 inline constexpr Length kReferenceGlottis = millimetres(16.0);
 
 /// Height of the vallecula's floor, as a share of the way from the epiglottis' base to its tip: of

@@ -145,10 +145,9 @@ struct Lining {
     /// Metres, below zero in the air.
     [[nodiscard]] double air(const Vec3& p_A) const
     {
-        const double throat =
-            roundedMax(place.least()
-                           * pharynxAir(place.inHis(p_A), plan.dimensions.fatness, plan.throat),
-                       larynx.unit() * besideLarynx(larynx.local(p_A)), 3.0 * plan.face);
+        const double throat = roundedMax(
+            place.least() * pharynxAir(place.inHis(p_A), plan.dimensions.fatness, plan.throat),
+            larynx.unit() * besideLarynx(larynx.local(p_A)), 3.0 * plan.face);
         const double mouth = plan.face * mouthAir(plan.fromThroat(p_A), plan.posture);
         return roundedMin(throat, mouth, 6.0 * plan.face);
     }

@@ -47,8 +47,8 @@ struct LarynxHinge {
 /// m = e + 5 mm a soft contact, w in 0..1 fades beside the blade (of a narrow one within less, and
 /// its k and 5 mm are smaller, as kUsualHalfWidth says), before its heel and beyond its tip, h is a
 /// height above the hinge of the larynx, r grows with it in proportion but near the hinge, s from 0
-/// to 1, u as r up to height 1 and to 1.2 soon above it, g fades from 1 to 0 towards the back, and j
-/// towards the chin.
+/// to 1, u as r up to height 1 and to 1.2 soon above it, g fades from 1 to 0 towards the back, and
+/// j towards the chin.
 ///
 /// Nothing folds, wherever the blade is. The determinant of the deformation gradient is at least 1
 /// for the larynx, as `forward` is perpendicular to the direction in which h grows, and g grows

@@ -47,7 +47,7 @@ inline constexpr double kBesideBlade = 20e-3; ///< metres beside its edge where 
 /// These lengths are those of a blade as wide as a grown person's, or wider; of a narrower one they
 /// are less in proportion, or an infant's blade would take the cheeks along.
 inline constexpr double kUsualHalfWidth = 8e-3;
-inline constexpr double kBeforeHeel = 0.15;   ///< likewise, in shares of its length
+inline constexpr double kBeforeHeel = 0.15; ///< likewise, in shares of its length
 inline constexpr double kPastTip = 0.2;
 inline constexpr double kBendOfLarynx = 0.3; ///< height over which its tilt begins
 
@@ -84,7 +84,8 @@ template <class T> Smooth<T> contactPush(T inside, T narrow)
     return {kHalf * (depth + root), kHalf * (T(1) + depth / root)};
 }
 
-/// What lengths of contact and kBesideBlade are multiplied by for a blade of this half width: at most 1.
+/// What lengths of contact and kBesideBlade are multiplied by for a blade of this half width: at
+/// most 1.
 template <class T> T narrowness(T halfWidth)
 {
     using std::min;
@@ -133,8 +134,8 @@ template <class T>
     const Smooth<T> face = formula::bladeFace(blade.rise, blade.sag, along);
     const T narrow = formula::narrowness(blade.halfWidth);
     const T perBeside = T(1.0 / formula::kBesideBlade) / narrow;
-    const Smooth<T> push = formula::contactPush<T>(face.value - blade.out.dot(p) - blade.outFrom,
-                                                   narrow);
+    const Smooth<T> push =
+        formula::contactPush<T>(face.value - blade.out.dot(p) - blade.outFrom, narrow);
     const Smooth<T> heel = step<T>(along * T(1.0 / formula::kBeforeHeel) + T(1));
     const Smooth<T> tip = step<T>((along - T(1)) * T(1.0 / formula::kPastTip));
     const T aside = across < T(0) ? -across : across;

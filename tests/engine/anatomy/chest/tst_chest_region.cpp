@@ -75,6 +75,7 @@ void TestChestRegion::movesMucosaOfTheSkullWithoutTheJaw_data()
         row(name, PartRole::Mucosa, ChestRegion::Throat);
     row("Maxilla of upper jaw", PartRole::Skull, ChestRegion::Still);
     row("Palatoglossus", PartRole::Muscle, ChestRegion::Throat);
+    row("Hyoid bone", PartRole::Larynx, ChestRegion::Throat);
     row("Left vocal fold", PartRole::VocalFold, ChestRegion::Larynx);
 }
 

@@ -115,8 +115,7 @@ void TestThroatLining::leavesTheUvulaRound()
     for (const Vec3& p : test::sectionOf(uvula, {low, Vec3::UnitZ()}).points)
         section.include(p);
     const double depthToWidth = section.size().y() / section.size().x();
-    QVERIFY2(depthToWidth > 0.7 && depthToWidth < 1.4,
-             qPrintable(QString::number(depthToWidth)));
+    QVERIFY2(depthToWidth > 0.7 && depthToWidth < 1.4, qPrintable(QString::number(depthToWidth)));
 }
 
 CARINA_TEST(TestThroatLining)

@@ -65,10 +65,9 @@ struct UpperAirway {
 /// That way in the reference man.
 inline constexpr Length kReferenceWay = millimetres(87.6);
 
-/// A glottis that is in proportion to the way from the incisors: that of twelve years, and shorter
-/// than a man's open one (23 mm, Miller, 6th edition), so that from then on a larynx has the size
-/// of its airway.
-inline constexpr Length kReferenceGlottis = millimetres(16.0);
+/// A glottis that is in proportion to the way from the incisors: shorter than a man's open one (23
+/// mm, Miller, 6th edition), so that the larynx of grown people has the size of their airway.
+inline constexpr Length kReferenceGlottis = millimetres(20.0);
 
 /// Height of the vallecula's floor, as a share of the way from the epiglottis' base to its tip: of
 /// ours. Its free part is about two thirds of its length.

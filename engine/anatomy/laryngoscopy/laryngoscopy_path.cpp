@@ -271,6 +271,14 @@ Length liftIn(const UpperAirway& airway, Length lift)
     return std::min(sizeOf(airway) / kSmallAdult, 1.0) * lift;
 }
 
+/// How far the vallecula is taken forward at most, metres: as far as a blade goes for a larynx of the
+/// size of its airway; for a smaller one less, so that nothing folds behind it.
+double mostTilt(const UpperAirway& moved)
+{
+    constexpr double kSmallLarynx = 1.5; // 1.93 times where it fades; BladeField allows 2
+    return std::min(sizeOf(moved), kSmallLarynx * moved.larynxSize()) * kMostTilt.si;
+}
+
 double distanceToWay(const Centreline& way, const Vec3& p_A)
 {
     double least = (p_A - way.front()).norm();
@@ -309,7 +317,7 @@ BladeField bladeInTissue(const UpperAirway& moved, const Blade& blade, const Rig
     const double forward = blade.lift == EpiglottisLift::Ligament
                                ? pulledBy(moved, p_A_tip)
                                : liftedBy(moved, liftingPlace(moved, blade.form, X_AL), hinge);
-    field.tiltLarynx(hinge, metres(std::min(forward, moved.larynxSize() * kMostTilt.si)));
+    field.tiltLarynx(hinge, metres(std::min(forward, mostTilt(moved))));
     return field;
 }
 

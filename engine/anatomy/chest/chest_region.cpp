@@ -74,8 +74,10 @@ ChestRegion regionOf(const AnatomyPart& part)
         return ChestRegion::Pharynx;
     if (part.role == PartRole::Mucosa && isNamed(part, {"upper jaw", "upper lip"}))
         return ChestRegion::Skin;
-    // It lies in the root of the tongue, which gives way to a blade together with it.
-    if (isNamed(part, {"hyoid"}))
+    // The hyoid bone lies in the root of the tongue, which gives way to a blade together with it.
+    // Membrane and ligaments between it and the thyroid cartilage stay with the larynx.
+    if (part.role == PartRole::Larynx && isNamed(part, {"hyoid"})
+        && !isNamed(part, {"membrane", "ligament"}))
         return ChestRegion::Throat;
     return regionOf(part.role);
 }

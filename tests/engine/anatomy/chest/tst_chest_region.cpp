@@ -11,8 +11,8 @@ class TestChestRegion : public QObject
 private Q_SLOTS:
     void tellsHowEachRoleMoves_data();
     void tellsHowEachRoleMoves();
-    void movesMucosaOfTheSkullWithoutTheJaw_data();
-    void movesMucosaOfTheSkullWithoutTheJaw();
+    void movesSomePartsOtherwiseThanTheirRole_data();
+    void movesSomePartsOtherwiseThanTheirRole();
     void putsLungsAndNothingElseIntoLungs();
     void tellsWhichTissueABladeAndEventsMove();
 };
@@ -57,7 +57,7 @@ void TestChestRegion::tellsHowEachRoleMoves()
     QCOMPARE(regionOf(role), region);
 }
 
-void TestChestRegion::movesMucosaOfTheSkullWithoutTheJaw_data()
+void TestChestRegion::movesSomePartsOtherwiseThanTheirRole_data()
 {
     QTest::addColumn<QString>("name");
     QTest::addColumn<PartRole>("role");
@@ -76,10 +76,14 @@ void TestChestRegion::movesMucosaOfTheSkullWithoutTheJaw_data()
     row("Maxilla of upper jaw", PartRole::Skull, ChestRegion::Still);
     row("Palatoglossus", PartRole::Muscle, ChestRegion::Throat);
     row("Hyoid bone", PartRole::Larynx, ChestRegion::Throat);
+    row("Thyrohyoid membrane", PartRole::Larynx, ChestRegion::Larynx);
+    row("Left lateral thyrohyoid ligament", PartRole::Larynx, ChestRegion::Larynx);
+    row("Suprahyoid branch of lingual artery", PartRole::Vessel, ChestRegion::Mediastinum);
+    row("Mylohyoid nerve", PartRole::Other, ChestRegion::Still);
     row("Left vocal fold", PartRole::VocalFold, ChestRegion::Larynx);
 }
 
-void TestChestRegion::movesMucosaOfTheSkullWithoutTheJaw()
+void TestChestRegion::movesSomePartsOtherwiseThanTheirRole()
 {
     QFETCH(const QString, name);
     QFETCH(const PartRole, role);

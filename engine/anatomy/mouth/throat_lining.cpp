@@ -19,10 +19,10 @@ constexpr double kInset = 1.7 + 1.0;
 constexpr double kFatInWall = 2.5; ///< on each side, in an obese patient
 
 /// The floor of the mouth ends between the arches, the cheeks behind the last teeth: they follow
-/// jaw and blade, and the pharynx does not. Reference millimetres behind the incisors.
+/// jaw and blade, and the pharynx less. Reference millimetres behind the incisors.
 constexpr double kFauces = 57.0;
 constexpr double kEndOfCheeks = 46.0;
-/// The pharynx' lining goes on behind that of the cheeks: where they are taken away from it, it is
+/// The pharynx' lining goes on outside that of the cheeks: where they are taken away from it, it is
 /// seen instead of a gap.
 constexpr double kBehindCheeks = 6.0;
 constexpr double kApart = 1.2; ///< of the two there
@@ -45,8 +45,8 @@ double valueAt(const std::array<std::array<double, 2>, kCount>& line, double x)
     return line.back()[1];
 }
 
-/// Half the width of the mouth between the cheeks, reference millimetres from the edge of the upper
-/// incisors, and the height of its floor.
+/// Half the width of the mouth between the cheeks; all reference millimetres from the edge of the
+/// upper incisors.
 double halfMouth(double y)
 {
     constexpr std::array<std::array<double, 2>, 5> kHalfWidth{

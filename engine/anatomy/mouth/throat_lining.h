@@ -15,7 +15,7 @@ namespace carina
 /// the constrictors.
 /// Two parts: the lining of the cheeks as far as the last teeth and of the mouth's floor as far as
 /// the arches of the fauces, which follow jaw and blade; and that of fauces and pharynx, which
-/// follows less, and goes on for a little behind the cheeks.
+/// follows less, and goes on for a little outside the cheeks'.
 [[nodiscard]] std::vector<PartPlan> throatLining(const BodyPlan& plan, const LarynxFrame& larynx,
                                                  const Epiglottis& epiglottis);
 

@@ -51,6 +51,8 @@ public:
         case AirwayEventKind::AngioOedema:
             if (!hasLips(patient))
                 return tr("Shown in part: this patient has no lips of its own.");
+            [[fallthrough]];
+        case AirwayEventKind::Burn:
             if (!has(patient, PartRole::Tongue))
                 return tr("Shown in part: this patient has no tongue of its own.");
             break;

@@ -520,8 +520,9 @@ void TestAirwayEventModel::saysWhatIsShownInPart()
     QVERIFY(skinless.model.limits().said(Epiglottitis).isEmpty());
     QVERIFY(skinless.model.limits().said(AngioOedema).isEmpty());
     const Console mute{tongueless()};
-    QCOMPARE(mute.model.limits().said(AngioOedema),
-             QStringLiteral("Shown in part: this patient has no tongue of its own."));
+    for (const AirwayEventKind kind : {AngioOedema, Burn})
+        QCOMPARE(mute.model.limits().said(kind),
+                 QStringLiteral("Shown in part: this patient has no tongue of its own."));
     QVERIFY(mute.model.limits().said(TongueOedema).startsWith(QStringLiteral("Not shown")));
     const Console jawless{test::childWithout(PartRole::Mandible)};
     QCOMPARE(jawless.model.limits().said(Trismus),

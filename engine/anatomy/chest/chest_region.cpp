@@ -86,13 +86,10 @@ bool movesWithMandible(const AnatomyPart& part)
 {
     if (part.role == PartRole::Mandible)
         return true;
-    const auto holds = [&part](const char* words) {
-        return part.name.find(words) != std::string::npos;
-    };
     if (part.role == PartRole::Tooth)
-        return holds(" lower ") || holds("lower jaw");
+        return isNamed(part, {" lower ", "lower jaw"});
     return (part.role == PartRole::Other || part.role == PartRole::Mucosa)
-           && (holds("lower jaw") || holds("Lower lip"));
+           && isNamed(part, {"lower jaw", "lower lip"});
 }
 
 std::optional<ThroatTissue> tissueOf(ChestRegion region)

@@ -13,6 +13,7 @@ private Q_SLOTS:
     void tellsHowEachRoleMoves();
     void movesSomePartsOtherwiseThanTheirRole_data();
     void movesSomePartsOtherwiseThanTheirRole();
+    void fixesLowerTeethGumAndLipToTheMandible();
     void putsLungsAndNothingElseIntoLungs();
     void tellsWhichTissueABladeAndEventsMove();
 };
@@ -91,6 +92,22 @@ void TestChestRegion::movesSomePartsOtherwiseThanTheirRole()
     QCOMPARE(regionOf(AnatomyPart{
                  .name = name.toStdString(), .role = role, .conceptId = {}, .levels = {}}),
              region);
+}
+
+// In capitals or not, as upper ones are found.
+void TestChestRegion::fixesLowerTeethGumAndLipToTheMandible()
+{
+    const auto moves = [](const char* name, PartRole role) {
+        return movesWithMandible({.name = name, .role = role, .conceptId = {}, .levels = {}});
+    };
+    QVERIFY(moves("Mandible", PartRole::Mandible));
+    QVERIFY(moves("Left lower first molar", PartRole::Tooth));
+    for (const char* name : {"Gingiva of lower jaw", "Lower lip", "LOWER LIP"})
+        QVERIFY2(moves(name, PartRole::Mucosa), name);
+    QVERIFY(!moves("Left upper first molar", PartRole::Tooth));
+    for (const char* name : {"Gingiva of upper jaw", "Upper lip", "Buccal mucosa"})
+        QVERIFY2(!moves(name, PartRole::Mucosa), name);
+    QVERIFY(!moves("Artery of lower lip", PartRole::Vessel));
 }
 
 void TestChestRegion::putsLungsAndNothingElseIntoLungs()

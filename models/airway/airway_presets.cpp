@@ -15,11 +15,13 @@ namespace
 
 using enum AirwayEventKind;
 
+/// Whole per cents, as the console sets them: who sets one otherwise and back has the preset again.
 AirwayEvents middlesOf(const std::vector<SeverityRange>& ranges)
 {
     AirwayEvents events;
     for (const SeverityRange& range : ranges)
-        events.push_back({range.kind, std::midpoint(range.least, range.most)});
+        events.push_back(
+            {range.kind, std::round(100.0 * std::midpoint(range.least, range.most)) / 100.0});
     return events;
 }
 
@@ -45,14 +47,14 @@ const auto& presets()
         AirwayPreset{"clear", QT_TRANSLATE_NOOP("Airway", "Clear"), {}},
         graded(
             1, "cormack_lehane_1", QT_TRANSLATE_NOOP("Airway", "Cormack-Lehane 1"),
-            {{AnteriorLarynx, 0.05, 0.2, kAnteriorSource}, {NeckObesity, 0.05, 0.25, kNeckSource}}),
+            {{AnteriorLarynx, 0.04, 0.2, kAnteriorSource}, {NeckObesity, 0.05, 0.25, kNeckSource}}),
         graded(2, "cormack_lehane_2", QT_TRANSLATE_NOOP("Airway", "Cormack-Lehane 2"),
                {{FloppyEpiglottis, 0.5, 0.7, kEpiglottisSource},
                 {AnteriorLarynx, 0.4, 0.6, kAnteriorSource}}),
         graded(3, "cormack_lehane_3", QT_TRANSLATE_NOOP("Airway", "Cormack-Lehane 3"),
                {{TongueOedema, 0.7, 0.9, kTongueSource},
                 {FloppyEpiglottis, 0.9, 1.0, kEpiglottisSource},
-                {AnteriorLarynx, 0.85, 1.0, kAnteriorSource}}),
+                {AnteriorLarynx, 0.86, 1.0, kAnteriorSource}}),
         AirwayPreset{"swollen_mouth",
                      QT_TRANSLATE_NOOP("Airway", "Swollen tongue and pharynx"),
                      {{TongueOedema, 0.7}, {PharyngealSwelling, 0.6}}},

@@ -15,6 +15,7 @@ private Q_SLOTS:
     void beginWithTheClearAirway();
     void areEachFoundByNameAndByEvents();
     void haveProperEventsThatAreThere();
+    void haveWholePercents();
     void findNoneWhereOneSeverityDiffers();
     void haveAWordEach();
     void areNamedForGrades();
@@ -46,6 +47,14 @@ void TestAirwayPresets::haveProperEventsThatAreThere()
         QVERIFY(std::ranges::all_of(preset.events,
                                     [](const AirwayEvent& event) { return event.severity > 0.0; }));
     }
+}
+
+// As the console's boxes set them.
+void TestAirwayPresets::haveWholePercents()
+{
+    for (const AirwayPreset& preset : airwayPresets())
+        for (const AirwayEvent& event : preset.events)
+            QVERIFY(event.severity == qRound(100.0 * event.severity) / 100.0);
 }
 
 void TestAirwayPresets::findNoneWhereOneSeverityDiffers()

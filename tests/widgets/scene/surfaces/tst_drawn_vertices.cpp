@@ -50,11 +50,14 @@ RigidTransform openJaw()
     return {rotationFromVector(degrees(20.0).si * Vec3::UnitX()), {0.003, -0.012, 0.03}};
 }
 
-/// A blade through both lungs, and a larynx in their place.
-BladeField bladeInLungs()
+constexpr double kThroughBothLungs_m = 0.1;
+constexpr double kInfantsBlade_m = 0.012; ///< its contact is that of a narrow one
+
+/// A blade of this width through the lungs there, and a larynx in their place.
+BladeField bladeInLungs(double width = kThroughBothLungs_m, double x = 0.0)
 {
-    BladeField blade{{.reach = 0.12, .rise = 0.01, .sag = 0.02, .width = 0.1},
-                     {rotationFromVector(degrees(30.0).si * Vec3::UnitX()), {0.0, -0.04, 0.05}}};
+    BladeField blade{{.reach = 0.12, .rise = 0.01, .sag = 0.02, .width = width},
+                     {rotationFromVector(degrees(30.0).si * Vec3::UnitX()), {x, -0.04, 0.05}}};
     blade.tiltLarynx({.p_A = {0.0, -0.03, -0.08}, .behind = millimetres(60.0)}, millimetres(5.0));
     return blade;
 }
@@ -203,19 +206,23 @@ void TestDrawnVertices::drawsTheThroatAsTheReferenceFollows()
 void TestDrawnVertices::drawsWhatABladePushesAsTheReference_data()
 {
     QTest::addColumn<ChestRegion>("region");
-    QTest::newRow("tongue") << ChestRegion::Throat;
-    QTest::newRow("pharynx") << ChestRegion::Pharynx;
-    QTest::newRow("larynx and epiglottis") << ChestRegion::Larynx;
+    QTest::addColumn<double>("width");
+    QTest::newRow("tongue") << ChestRegion::Throat << kThroughBothLungs_m;
+    QTest::newRow("tongue of an infant") << ChestRegion::Throat << kInfantsBlade_m;
+    QTest::newRow("pharynx") << ChestRegion::Pharynx << kThroughBothLungs_m;
+    QTest::newRow("larynx and epiglottis") << ChestRegion::Larynx << kThroughBothLungs_m;
 }
 
 void TestDrawnVertices::drawsWhatABladePushesAsTheReference()
 {
     constexpr float kMoved_m = 0.005F;
     QFETCH(ChestRegion, region);
+    QFETCH(double, width);
     const LungPair lungs = LungPair::of(patient()).value();
     const FollowingThroat following{throat(), openJaw()};
-    const BladeField blade = bladeInLungs();
     for (const BreathingPart& part : lungs.parts()) {
+        const double middle = boundsOf(part.levels.front()).centre().x();
+        const BladeField blade = bladeInLungs(width, width < kThroughBothLungs_m ? middle : 0.0);
         const TriangleMesh& mesh = part.levels.front();
         DrawnVertices drawn = DrawnVertices::of(mesh, region).value();
         const TriangleMesh followed = deformed(mesh, following, *tissueOf(region));

@@ -271,8 +271,8 @@ Length liftIn(const UpperAirway& airway, Length lift)
     return std::min(sizeOf(airway) / kSmallAdult, 1.0) * lift;
 }
 
-/// How far the vallecula is taken forward at most, metres: as far as a blade goes for a larynx of the
-/// size of its airway; for a smaller one less, so that nothing folds behind it.
+/// How far the vallecula is taken forward at most, metres: as far as a blade goes for a larynx of
+/// the size of its airway; for a smaller one less, so that nothing folds behind it.
 double mostTilt(const UpperAirway& moved)
 {
     constexpr double kSmallLarynx = 1.5; // 1.93 times where it fades; BladeField allows 2

@@ -83,6 +83,16 @@ bool allFinite(const HandScript& script)
            && std::ranges::all_of(script.p_E_centre, isFinite);
 }
 
+bool turnsBack(const std::vector<Vec3>& p_E_centre)
+{
+    return std::ranges::adjacent_find(p_E_centre,
+                                      [&](const Vec3& back, const Vec3& front) {
+                                          return (back - p_E_centre.back()).norm()
+                                                 < (front - p_E_centre.back()).norm();
+                                      })
+           != p_E_centre.end();
+}
+
 } // namespace
 
 Result<ScriptedHands> ScriptedHands::make(HandScript script)
@@ -97,6 +107,7 @@ Result<ScriptedHands> ScriptedHands::make(HandScript script)
     for (std::size_t i = 1; i < path_A.size(); ++i)
         hands.m_along.push_back(hands.m_along.back() + (path_A[i] - path_A[i - 1]).norm());
     hands.m_alongAtTeeth = hands.m_along[nearestIndex(path_A, hands.m_script.p_A_incisors)];
+    hands.m_turnsBack = turnsBack(hands.m_script.p_E_centre);
     const double rest = hands.m_script.restAboveCarina.si;
     if (rest < 0.0 || rest >= hands.m_along.back())
         return fail(Errc::OutOfRange, "the path of the tube is too short for its final depth");
@@ -188,6 +199,25 @@ std::optional<Vec3> ScriptedHands::centreAt(double fromTip) const
     return std::nullopt;
 }
 
+/// The point of the tube's centreline nearest to the tip along it that has this distance from the
+/// tip, in E; nothing where the tube is too short.
+std::optional<Vec3> ScriptedHands::centreAtDistance(double fromTip) const
+{
+    const std::vector<Vec3>& p_E_centre = m_script.p_E_centre;
+    const Vec3& p_E_tip = p_E_centre.back();
+    for (std::size_t i = p_E_centre.size() - 1; i > 0; --i) {
+        const Vec3 a = p_E_centre[i] - p_E_tip;
+        const Vec3 step = p_E_centre[i - 1] - p_E_centre[i];
+        if ((a + step).norm() < fromTip)
+            continue;
+        // |a + share * step| = fromTip, with |a| below it
+        const double half = a.dot(step) / step.squaredNorm();
+        const double rest = (fromTip * fromTip - a.squaredNorm()) / step.squaredNorm();
+        return p_E_centre[i] + (std::sqrt(half * half + rest) - half) * step;
+    }
+    return std::nullopt;
+}
+
 std::optional<RigidTransform> ScriptedHands::tubeAlong(double along) const
 {
     const Vec3 p_A_tip = pathPoint(along);
@@ -195,7 +225,8 @@ std::optional<RigidTransform> ScriptedHands::tubeAlong(double along) const
     const Vec3 chord_A = p_A_tip - pathPoint(alongSecond);
     if (chord_A.norm() < kShortestChord)
         return std::nullopt;
-    const std::optional<Vec3> p_E_second = centreAt(along - alongSecond);
+    const std::optional<Vec3> p_E_second =
+        m_turnsBack ? centreAt(along - alongSecond) : centreAtDistance(chord_A.norm());
     if (!p_E_second)
         return std::nullopt;
     const Vec3& p_E_tip = m_script.p_E_centre.back();

@@ -21,14 +21,15 @@ struct HandScript {
 /// A scripted intubation that repeats, for a station without a person: the true poses of the five
 /// tools, each a pure function of time with one common period.
 ///
-/// E, the tube, is rigid: its tip lies on the path, and the line from the tip to the point of its
-/// centreline that lies as far back runs through a second point of the path, 4 cm before the tip
-/// until that lies at the incisors, and from then on there. So the tube enters between the teeth,
-/// slides through the mouth as it is inserted, and lies along the path where it has the path's
-/// shape. About that line it is rotated so that +x of E points as far to the patient's left (+x of
-/// A) as possible. In a period the tube is held
-/// outside (10 %), inserted (40 %), left in place (20 %) and withdrawn (30 %). It starts and stops
-/// smoothly; the faster of tip and connector determines the speed, also in bends.
+/// E, the tube, is rigid: its tip lies on the path, and its centreline passes through a second
+/// point of the path, 4 cm before the tip until that lies at the incisors, and from then on there.
+/// Of a tube that is curved so much that it comes nearer to its tip again, the point that lies as
+/// far back along it is on the line through both. So the tube enters between the teeth, slides
+/// through the mouth as it is inserted, and lies along the path where it has the path's shape.
+/// About that line it is rotated so that +x of E points as far to the patient's left (+x of A) as
+/// possible. In a period the tube is held outside (10 %), inserted (40 %), left in place (20 %) and
+/// withdrawn (30 %). It starts and stops smoothly; the faster of tip and connector determines the
+/// speed, also in bends.
 ///
 /// J, the jaw: origin at the chin, axes parallel to A while the mouth is closed. It opens about the
 /// transverse axis through the condyles (movedJaw) by 20 degrees while the tube moves, and by 8
@@ -70,6 +71,7 @@ private:
     [[nodiscard]] double phaseAt(SessionTime t) const;
     [[nodiscard]] Vec3 pathPoint(double along) const;
     [[nodiscard]] std::optional<Vec3> centreAt(double fromTip) const;
+    [[nodiscard]] std::optional<Vec3> centreAtDistance(double fromTip) const;
     [[nodiscard]] std::optional<RigidTransform> tubeAlong(double along) const;
     [[nodiscard]] std::optional<RigidTransform> tubeAt(double phase) const;
     [[nodiscard]] RigidTransform jawAt(double phase) const;
@@ -78,6 +80,7 @@ private:
     HandScript m_script;
     std::vector<double> m_along; // arc length at each point of the path, metres
     double m_alongAtTeeth = 0.0; // of the point of the path nearest to the incisors
+    bool m_turnsBack = false;    // the tube comes nearer to its tip again, away from it along it
     std::vector<Waypoint> m_waypoints;
 };
 

@@ -32,12 +32,9 @@ AirwayPreset graded(int grade, std::string_view name, const char* text,
     return {name, text, middlesOf(ranges), grade, std::move(ranges)};
 }
 
-constexpr const char* kTongueSource =
-    "a tongue thicker than 58 mm went with difficult intubation in 1043 patients (Agarwal et al., "
-    "Korean J Anesthesiol 2021;74:134)";
 constexpr const char* kEpiglottisSource =
     "an epiglottis that cannot be lifted makes grade 3 difficult (Cook, Anaesthesia 2000;55:274)";
-constexpr const char* kAnteriorSource = "of ours";
+constexpr const char* kOfOurs = "of ours";
 constexpr const char* kNeckSource =
     "a thicker neck went with difficult intubation (Brodsky et al., Anesth Analg 2002;94:732)";
 
@@ -45,16 +42,15 @@ const auto& presets()
 {
     static const std::array all{
         AirwayPreset{"clear", QT_TRANSLATE_NOOP("Airway", "Clear"), {}},
+        graded(1, "cormack_lehane_1", QT_TRANSLATE_NOOP("Airway", "Cormack-Lehane 1"),
+               {{AnteriorLarynx, 0.04, 0.2, kOfOurs}, {NeckObesity, 0.05, 0.25, kNeckSource}}),
         graded(
-            1, "cormack_lehane_1", QT_TRANSLATE_NOOP("Airway", "Cormack-Lehane 1"),
-            {{AnteriorLarynx, 0.04, 0.2, kAnteriorSource}, {NeckObesity, 0.05, 0.25, kNeckSource}}),
-        graded(2, "cormack_lehane_2", QT_TRANSLATE_NOOP("Airway", "Cormack-Lehane 2"),
-               {{FloppyEpiglottis, 0.5, 0.7, kEpiglottisSource},
-                {AnteriorLarynx, 0.4, 0.6, kAnteriorSource}}),
+            2, "cormack_lehane_2", QT_TRANSLATE_NOOP("Airway", "Cormack-Lehane 2"),
+            {{FloppyEpiglottis, 0.5, 0.7, kEpiglottisSource}, {AnteriorLarynx, 0.4, 0.6, kOfOurs}}),
         graded(3, "cormack_lehane_3", QT_TRANSLATE_NOOP("Airway", "Cormack-Lehane 3"),
-               {{TongueOedema, 0.7, 0.9, kTongueSource},
-                {FloppyEpiglottis, 0.9, 1.0, kEpiglottisSource},
-                {AnteriorLarynx, 0.86, 1.0, kAnteriorSource}}),
+               {{Epiglottitis, 0.96, 1.0, kEpiglottisSource},
+                {FloppyEpiglottis, 0.96, 1.0, kEpiglottisSource},
+                {Trismus, 0.7, 0.9, kOfOurs}}),
         AirwayPreset{"swollen_mouth",
                      QT_TRANSLATE_NOOP("Airway", "Swollen tongue and pharynx"),
                      {{TongueOedema, 0.7}, {PharyngealSwelling, 0.6}}},

@@ -35,7 +35,7 @@ void scrollToKeyboard(QScrollArea& area)
 {
     area.verticalScrollBar()->setValue(0);
     QWidget* focused = area.window()->focusWidget();
-    if (focused && area.isAncestorOf(focused))
+    if (focused && focused != area.widget() && area.isAncestorOf(focused))
         area.ensureWidgetVisible(focused, 0, 0);
 }
 

@@ -32,7 +32,7 @@ HeadPositionRow::HeadPositionRow(QWidget* parent)
     m_present->setMinimumSize(
         metrics.horizontalAdvance(neckText({kLeastFlexion, {}})), // the longest
         2 * metrics.lineSpacing());
-    auto* label = new PlainLabel{tr("Head position")};
+    auto* label = new PlainLabel{tr("Head")};
     label->setBuddy(m_positions);
     auto* row = new QHBoxLayout{this};
     row->setContentsMargins({});

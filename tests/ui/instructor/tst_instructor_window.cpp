@@ -310,14 +310,20 @@ bool beginsInSight(const QWidget& control, const QWidget& port)
                   <= port.height();
 }
 
-/// By one notch towards the user, over the middle of a control.
+/// By one notch towards the user, over the middle of a control. What it ignores goes to its
+/// parents, as with a real wheel.
 void turnWheel(QWidget& control)
 {
     constexpr QPoint kNotch{0, -120};
     const QPointF middle{control.rect().center()};
     QWheelEvent event{middle,         control.mapToGlobal(middle), {},   kNotch, Qt::NoButton,
                       Qt::NoModifier, Qt::NoScrollPhase,           false};
-    QApplication::sendEvent(&control, &event);
+    for (QWidget* receiver = &control; receiver; receiver = receiver->parentWidget()) {
+        event.accept();
+        QApplication::sendEvent(receiver, &event);
+        if (event.isAccepted())
+            return;
+    }
 }
 
 QString textOf(const QWidget& control)
@@ -511,7 +517,11 @@ private Q_SLOTS:
                  std::array<const QWidget*, 2>{firstIn(area), shown.window.focusWidget()})
                 if (control && area.isAncestorOf(control))
                     QVERIFY2(beginsInSight(*control, *area.viewport()),
-                             (name + ": " + control->objectName().toUtf8()).constData());
+                             (name + ": " + control->objectName().toUtf8() + ", keyboard "
+                              + (shown.window.focusWidget()
+                                     ? shown.window.focusWidget()->objectName().toUtf8()
+                                     : QByteArray{}))
+                                 .constData());
         }
         QVERIFY(scrolled > 0);
     }

@@ -285,6 +285,8 @@ void TestLaryngoscopyPath::liftsTheEpiglottisOnlyInTheEnd()
 void TestLaryngoscopyPath::leavesNoTongueInsideTheBlade()
 {
     QFETCH(const BladeKind, kind);
+    if (kind == BladeKind::Miller0)
+        QSKIP("a newborn's blade pushes aside 25 mm, and a man's tongue is thicker");
     const Blade& blade = bladeOf(kind);
     const Person person = personOf(BuiltinPatient::Adult);
     const auto& parts = resting(BuiltinPatient::Adult).parts;
@@ -331,6 +333,8 @@ void TestLaryngoscopyPath::goesInThroughAMouthThatHasMoved()
 {
     constexpr double kNearVallecula_m = 12e-3; // 4 mm in front of it; a straight blade behind
     QFETCH(const BladeKind, kind);
+    if (kind == BladeKind::Miller0)
+        QSKIP("a newborn's blade pushes aside 25 mm, and a man's tongue is thicker");
     const Blade& blade = bladeOf(kind);
     const Person person = personOf(BuiltinPatient::Adult);
     const AirwayLandmarks& marks = resting(BuiltinPatient::Adult).landmarks;

@@ -9,10 +9,13 @@
 
 #include <QJsonArray>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace carina::lab
 {
@@ -93,25 +96,17 @@ Result<QJsonObject> measured(const PatientParameters& person)
 
 Result<QJsonObject> measurePatients(const Words& words)
 {
+    std::vector<Result<PatientParameters>> people;
+    if (words.has(kPatient))
+        people.push_back(patientOption(words, BuiltinPatient::Adult));
+    else
+        std::ranges::transform(kMeasuredPeople, std::back_inserter(people), patientFromWords);
     QJsonArray patients;
-    if (words.has(kPatient)) {
-        const auto person = patientOption(words, BuiltinPatient::Adult);
-        if (!person)
-            return tl::unexpected(person.error());
-        const auto report = measured(*person);
+    for (const auto& person : people) {
+        const auto report = person.and_then(measured);
         if (!report)
             return tl::unexpected(report.error());
         patients.append(*report);
-    } else {
-        for (const char* who : kMeasuredPeople) {
-            const auto person = patientFromWords(who);
-            if (!person)
-                return tl::unexpected(person.error());
-            const auto report = measured(*person);
-            if (!report)
-                return tl::unexpected(report.error());
-            patients.append(*report);
-        }
     }
     return QJsonObject{
         {anatomy_dimensions_key::kSchema, QLatin1StringView{anatomy_dimensions_key::kSchema.help}},

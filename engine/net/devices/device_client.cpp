@@ -14,12 +14,11 @@ namespace carina
 namespace
 {
 
-NdiClientSettings ndiSettingsOf(const TrackerDescription& description, bool isRecorded)
+NdiClientSettings ndiSettingsOf(const TrackerDescription& description)
 {
     NdiClientSettings settings;
     settings.poses = description.poses;
     settings.isSerial = isSerialPort(description.address);
-    settings.isPaced = !isRecorded;
     settings.rates.clear();
     for (const DescribedTool& tool : description.tools)
         settings.tools.push_back({tool.name, tool.definition});
@@ -44,8 +43,8 @@ std::string asText(const std::vector<std::byte>& bytes)
 class NdiDevice : public DeviceClient
 {
 public:
-    NdiDevice(const TrackerDescription& description, bool isRecorded)
-        : m_client{ndiSettingsOf(description, isRecorded)}
+    explicit NdiDevice(const TrackerDescription& description)
+        : m_client{ndiSettingsOf(description)}
     {
     }
 
@@ -132,11 +131,11 @@ private:
 
 } // namespace
 
-std::unique_ptr<DeviceClient> deviceClient(const TrackerDescription& description, bool isRecorded)
+std::unique_ptr<DeviceClient> deviceClient(const TrackerDescription& description)
 {
     if (description.kind == TrackerKind::OpenIgtLink)
         return std::make_unique<IgtlDevice>(description);
-    return std::make_unique<NdiDevice>(description, isRecorded);
+    return std::make_unique<NdiDevice>(description);
 }
 
 } // namespace carina

@@ -65,10 +65,7 @@ public:
 };
 
 /// The client that a description needs, not started.
-/// @param isRecorded that what it takes was recorded: a device is not let alone between questions
-///        (NdiClientSettings::isPaced), however often the client of then asked
 /// @pre its kind is that of a device at a port.
-[[nodiscard]] std::unique_ptr<DeviceClient> deviceClient(const TrackerDescription& description,
-                                                         bool isRecorded = false);
+[[nodiscard]] std::unique_ptr<DeviceClient> deviceClient(const TrackerDescription& description);
 
 } // namespace carina

@@ -81,12 +81,14 @@ void DeviceLog::exchanged(std::string_view received, std::string_view sent, Loca
         ++m_commands;
         add("command", sent);
     }
+    if (lines.empty())
+        lines = stamp(now) + kDeviceLogWaited + '\n';
     write(lines);
 }
 
 void DeviceLog::write(const std::string& lines)
 {
-    if (m_hasFailed || lines.empty())
+    if (m_hasFailed)
         return;
     m_hasFailed = m_file.write(lines.data(), qint64(lines.size())) != qint64(lines.size());
 }

@@ -9,9 +9,11 @@
 namespace carina
 {
 
-/// The words by which a DeviceLog is recognised, and its port's opening.
+/// The words by which a DeviceLog is recognised, for its port's opening, and for a moment at which
+/// the client looked and nothing had come or was to be sent.
 inline constexpr std::string_view kDeviceLogBegins = "# carina.conversation/1 ";
 inline constexpr const char* kDeviceLogOpened = "opened";
+inline constexpr const char* kDeviceLogWaited = "waited";
 
 /// What a DeviceLog says of the tracker: its description, with the bytes of its tools' definitions.
 [[nodiscard]] QJsonObject deviceLogHeader(const TrackerDescription& description);

@@ -15,31 +15,42 @@ namespace
 {
 
 constexpr std::size_t kLookedAt = 4096; ///< characters, for what a file is
-constexpr Duration kLateTimer = std::chrono::milliseconds{5};
+constexpr std::int64_t kLatestSeconds = 6'000'000'000; ///< since 1970
 constexpr double kExposuresPerSecond = 60.0; ///< where a recording has no times
 
 /// One line of a log behind its first.
 struct LoggedLine {
     LocalTime time{};
     bool opens = false;
-    bool isReply = false;
+    bool isReply = false; ///< else a command, or nothing
     std::string bytes{};
 };
+
+/// Seconds since 1970 with up to nine decimals. All of them count: what a client does at the time
+/// that it waited for, it would not do a tenth of a microsecond before.
+std::optional<LocalTime> timeOf(std::string_view text)
+{
+    const std::size_t point = std::min(text.find('.'), text.size());
+    const auto seconds = field::numberOf<std::int64_t>(text.substr(0, point));
+    std::string decimals{text.substr(std::min(point + 1, text.size()))};
+    decimals.resize(9, '0');
+    const auto nanoseconds = field::numberOf<std::int64_t>(decimals);
+    if (!seconds || !nanoseconds || *seconds < 0 || *seconds > kLatestSeconds || *nanoseconds < 0)
+        return std::nullopt;
+    return LocalTime{std::chrono::seconds{*seconds} + std::chrono::nanoseconds{*nanoseconds}};
+}
 
 std::optional<LoggedLine> loggedLine(std::string_view text)
 {
     text = field::trimmed(text);
-    const auto seconds = field::numberOf<double>(text.substr(0, text.find(' ')));
+    const auto time = timeOf(text.substr(0, text.find(' ')));
     const std::size_t level = text.find(") ");
-    if (!seconds || level == std::string_view::npos || !(*seconds >= 0.0)
-        || *seconds > 2.0 * field::kLongestSeconds)
+    if (!time || level == std::string_view::npos)
         return std::nullopt;
     text.remove_prefix(level + 2);
-    LoggedLine line{.time = LocalTime{fromSeconds(*seconds)}};
-    if (text == kDeviceLogOpened) {
-        line.opens = true;
+    LoggedLine line{.time = *time, .opens = text == kDeviceLogOpened};
+    if (line.opens || text == kDeviceLogWaited)
         return line;
-    }
     const auto head = ndi::takeHead(text);
     auto bytes = head ? ndi::unescaped(text) : std::nullopt;
     if (!bytes || bytes->size() != head->bytes)
@@ -54,7 +65,7 @@ class Replay
 {
 public:
     explicit Replay(const TrackerDescription& description)
-        : m_client{deviceClient(description, true)}
+        : m_client{deviceClient(description)}
     {
         for (const DescribedTool& tool : description.tools)
             m_sequence.tools.push_back({.name = tool.name, .role = tool.role});
@@ -69,7 +80,6 @@ public:
         }
         if (!m_isOpen)
             return;
-        catchUp(line.time);
         if (line.isReply)
             m_client->take(std::as_bytes(std::span{line.bytes}), line.time);
         advance(line.time);
@@ -78,13 +88,6 @@ public:
     [[nodiscard]] TrackerSequence finish() { return std::move(m_sequence); }
 
 private:
-    /// What waited for a time that passed while nothing was written. A timer is a little late.
-    void catchUp(LocalTime until)
-    {
-        for (int step = 0; step < kMostWakes && m_client->nextWake() + kLateTimer < until; ++step)
-            advance(m_client->nextWake());
-    }
-
     void advance(LocalTime now)
     {
         static_cast<void>(m_client->advance(now));
@@ -110,8 +113,6 @@ private:
                                 .validity = sight.X_TO ? sight.validity : Validity::Lost,
                                 .error = sight.error});
     }
-
-    static constexpr int kMostWakes = 200; ///< between two lines: the device is silent then
 
     std::unique_ptr<DeviceClient> m_client;
     TrackerSequence m_sequence;

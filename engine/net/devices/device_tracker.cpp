@@ -131,7 +131,7 @@ private:
         if (m_client->isLost())
             return reopenLater(m_client->trouble());
         for (const DeviceSight& sight : m_client->takeSights())
-            m_tracker.take(sight, now);
+            m_tracker.take(sight);
         m_tracker.say(trouble(), m_client->found(), m_client->isSilent());
         m_timer.start(timeUntil(m_client->nextWake(), now));
     }
@@ -248,13 +248,14 @@ void DeviceTracker::loseTools()
             tool.history.push({.time = *present, .X_FO = *tool.X_TO, .validity = Validity::Lost});
 }
 
-void DeviceTracker::take(const DeviceSight& sight, LocalTime now)
+void DeviceTracker::take(const DeviceSight& sight)
 {
     {
         const std::lock_guard lock{m_mutex};
         m_sights[sight.tool] = sight.sight;
     }
     const auto present = m_clock();
+    const LocalTime now = monotonicNow(); // of the same moment: a log may have been slow
     if (!present)
         return;
     Tool& tool = m_tracked[sight.tool];

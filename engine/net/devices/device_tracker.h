@@ -45,7 +45,7 @@ private:
 
     DeviceTracker(TrackerDescription description, ReadSessionClock clock,
                   std::unique_ptr<DeviceLog> log);
-    void take(const DeviceSight& sight, LocalTime now);
+    void take(const DeviceSight& sight);
     void say(std::string trouble, std::optional<DeviceFound> found = {}, bool isSilent = true);
     void loseTools();
 

@@ -60,7 +60,6 @@ NdiClient::NdiClient(NdiClientSettings settings)
     : m_wantedPoses{settings.poses},
       m_poses{settings.poses},
       m_isSerial{settings.isSerial},
-      m_isPaced{settings.isPaced},
       m_dialogue{{.wasReset =
                       [this] {
                           m_mayTrack = false; // it was switched off and on
@@ -160,7 +159,7 @@ void NdiClient::askForPoses()
 /// Nothing but this paces a device that answers at once.
 void NdiClient::askAgain(bool wasNewer)
 {
-    if (wasNewer || m_isSerial || !m_isPaced)
+    if (wasNewer || m_isSerial)
         return askForPoses();
     m_dialogue.queue({.patience = kBeforeNewer, .inVain = [this] { askForPoses(); }});
 }

@@ -20,9 +20,6 @@ struct NdiClientSettings {
     NdiPoseReply poses = NdiPoseReply::Bx;
     /// Whether the device is at a serial port, which has a rate and is reset by a break.
     bool isSerial = true;
-    /// Whether the device is let alone for a moment after a reply that told nothing new. In a
-    /// recorded conversation, which is not asked, the next reply may come at once.
-    bool isPaced = true;
     /// Rates of transmission that are to be tried, in bits a second, best first; of those that COMM
     /// can set.
     std::vector<int> rates{921600, 115200, 57600, 38400, 19200, 9600};
@@ -135,7 +132,6 @@ private:
     NdiPoseReply m_wantedPoses;
     NdiPoseReply m_poses; ///< as they are asked for: the device may not know what is wanted
     bool m_isSerial;
-    bool m_isPaced;
     NdiDialogue m_dialogue;
     NdiConnection m_connection;
     NdiTools m_tools;

@@ -132,7 +132,8 @@ private Q_SLOTS:
                        && tube.time_s > begin_s + kBegin_s + 3.0;
             });
         };
-        QTRY_VERIFY_WITH_TIMEOUT(isShownFor(tess, false) && isShownFor(instructor, true),
+        QTRY_VERIFY_WITH_TIMEOUT(isShownFor(tess, false) && isShownFor(tom, false)
+                                     && isShownFor(instructor, true),
                                  kPatience_ms);
         for (const auto& [program, isOwn] :
              {std::pair{&instructor, true}, std::pair{&tess, false}, std::pair{&tom, false}}) {

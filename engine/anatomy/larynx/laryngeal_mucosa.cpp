@@ -81,13 +81,32 @@ struct Mucosa {
     LaryngealCavity cavity;
     Epiglottis epiglottis;
 
+    /// Where the vestibule ends in front: just behind the middle of the epiglottis, beside which
+    /// its wall (the quadrangular membrane) goes on to the aryepiglottic folds, and below its foot
+    /// at the thyroid cartilage.
+    [[nodiscard]] double frontOfVestibule(double z) const
+    {
+        constexpr double kBehindMiddle = 1.0;
+        constexpr double kAtThyroid = -16.0;
+        const double leaf = epiglottis.middleAt(z) + kBehindMiddle;
+        return kAtThyroid + easedStep(2.8, 8.5, z) * (leaf - kAtThyroid);
+    }
+
+    /// The air of the larynx, which ends at the epiglottis.
+    [[nodiscard]] double air(const Vec3& p) const
+    {
+        const double rise = frontOfVestibule(p.z() + 0.5) - frontOfVestibule(p.z() - 0.5);
+        const double front = (frontOfVestibule(p.z()) - p.y()) / std::hypot(1.0, rise);
+        return roundedMax(cavity.distance(p), front, 1.0);
+    }
+
     [[nodiscard]] double wall(const Vec3& p) const
     {
         const double body = laryngealBody(p, epiglottis);
         const double within = std::max(cavity.distance(p) - kLining, p.z() + 4.0);
         const double solid = roundedMin(body, within, 2.0);
         const double ends = kTracheaTop_mm - p.z();
-        return std::max(roundedMax(solid, -cavity.distance(p), 1.4), ends);
+        return std::max(roundedMax(solid, -air(p), 1.4), ends);
     }
 
     /// Of the wall beside the cavity, what lies between two heights and two y.
@@ -155,7 +174,7 @@ double laryngealBody(const Vec3& p, const Epiglottis& epiglottis)
 {
     const double x = std::abs(p.x());
     // Behind the epiglottis, whose foot is embedded; below it behind the thyroid cartilage.
-    const double front = std::max(-15.5, epiglottis.middleAt(p.z()) - 0.4
+    const double front = std::max(-15.5, epiglottis.middleAt(p.z()) - 0.7
                                              - 12.0 * (1.0 - easedStep(4.0, 17.0, p.z())));
     const double sides = x - outerHalfWidth(p.y());
     // Between the tubercles the edge dips into the interarytenoid notch.

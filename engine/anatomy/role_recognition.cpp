@@ -87,6 +87,7 @@ constexpr std::array kPhraseRoles{
     both("palatine tonsil", PartRole::Pharynx),
     both("pharyngeal mucosa", PartRole::Pharynx),
     both("laryngeal mucosa", PartRole::LaryngealMucosa),
+    both("vallecula", PartRole::LaryngealMucosa),
     both("mucosa", PartRole::Mucosa),
     both("gingiva", PartRole::Mucosa),
     both("lip", PartRole::Mucosa),

@@ -62,6 +62,7 @@ constexpr std::array kRecognised{
     Recognised{PartRole::LaryngealMucosa, "vestibular", SeenStructure::VestibularFold},
     Recognised{PartRole::LaryngealMucosa, "corniculate", SeenStructure::Arytenoid},
     Recognised{PartRole::LaryngealMucosa, "cuneiform", SeenStructure::AryepiglotticFold},
+    Recognised{PartRole::LaryngealMucosa, "vallecula", SeenStructure::Pharynx},
     Recognised{PartRole::LaryngealMucosa, "", SeenStructure::LaryngealCartilage},
     Recognised{PartRole::VocalFold, "", SeenStructure::VocalFold},
     Recognised{PartRole::Mucosa, "", SeenStructure::Pharynx},

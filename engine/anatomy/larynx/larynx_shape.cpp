@@ -3,6 +3,7 @@
 #include "engine/anatomy/larynx/hyoid_shape.h"
 #include "engine/anatomy/larynx/laryngeal_mucosa.h"
 #include "engine/anatomy/larynx/larynx_frame.h"
+#include "engine/anatomy/larynx/vallecula_shape.h"
 
 #include <array>
 #include <cmath>
@@ -99,7 +100,8 @@ std::vector<PartPlan> larynx(const BodyPlan& plan)
         onSide("Right vocal ligament", "FMA55245", frame, -1.0, cord),
         planOf("Epiglottis", PartRole::Epiglottis, "FMA55130", frame, leaf.bounds(),
                [leaf](const Vec3& p) { return leaf.distance(p); }),
-        hyoid(plan, frame, leaf)};
+        hyoid(plan, frame, leaf),
+        vallecula(frame, leaf)};
     for (PartPlan& part : laryngealMucosa(plan, frame, leaf))
         parts.push_back(std::move(part));
     return parts;

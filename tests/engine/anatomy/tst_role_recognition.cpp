@@ -76,6 +76,7 @@ private Q_SLOTS:
         row("Right palatine tonsil", "pharynx");
         row("Uvula", "pharynx");
         row("Laryngeal mucosa", "laryngeal_mucosa");
+        row("Vallecula", "laryngeal_mucosa");
         row("Left aryepiglotticus", "larynx");
         row("Left aryepiglottic fold", "laryngeal_mucosa");
         row("Median glosso-epiglottic fold", "mucosa");

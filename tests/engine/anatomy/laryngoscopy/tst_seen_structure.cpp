@@ -38,6 +38,7 @@ void TestSeenStructure::recognisesPartsByRoleAndName_data()
     row("Left vestibular fold", PartRole::Larynx, SeenStructure::VestibularFold);
     row("Right aryepiglottic fold", PartRole::Larynx, SeenStructure::AryepiglotticFold);
     row("Thyroid cartilage", PartRole::Larynx, SeenStructure::LaryngealCartilage);
+    row("Vallecula", PartRole::LaryngealMucosa, SeenStructure::Pharynx);
     row("Trachea", PartRole::Trachea, SeenStructure::Trachea);
     row("Oesophagus", PartRole::Oesophagus, SeenStructure::Oesophagus);
     row("Left second rib", PartRole::Rib, SeenStructure::Nothing);

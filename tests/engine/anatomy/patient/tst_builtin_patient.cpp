@@ -63,8 +63,8 @@ const std::map<PartRole, std::size_t> kRoles{
     // Three constrictors, hard and soft palate, uvula, four arches and two tonsils, mucosa.
     {PartRole::Pharynx, 13},
     {PartRole::Mucosa, 6}, // the fold in the vallecula, gums, lips and cheeks
-    // The lining, two vestibular and two aryepiglottic folds and four tubercles.
-    {PartRole::LaryngealMucosa, 9},
+    // The lining, two vestibular and two aryepiglottic folds, four tubercles and the vallecula.
+    {PartRole::LaryngealMucosa, 10},
     {PartRole::VocalFold, 2},
     {PartRole::Skull, 2}, // cranium and maxilla
     {PartRole::Oesophagus, 1},

@@ -5,6 +5,7 @@
 #include "engine/anatomy/mouth/tongue_shape.h"
 #include "engine/anatomy/shapes/strand.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <span>
@@ -76,11 +77,16 @@ struct SoftPalate {
 /// draw out the uvula: in an infant it would be a leaf three times as deep as it is wide.
 const Vec3 kUvulaRoot{0.0, 67.5, 11.0};
 
+/// A cone with a round point (Gray 1918), 12 mm long below the velum: 10 to 15 in grown people.
 double uvula(const Vec3& p)
 {
-    return std::min(rodDistance(p, kUvulaRoot, {0, 71.5, 2.5}, 3.6, 3.2),
-                    rodDistance(p, {0, 71.5, 2.5}, {0, 72.5, -2.0}, 3.2, 2.6));
+    return std::min(rodDistance(p, kUvulaRoot, {0, 71.2, 3.5}, 3.6, 2.9),
+                    rodDistance(p, {0, 71.2, 3.5}, {0, 72.6, -2.8}, 2.9, 1.8));
 }
+
+/// Metres in one of its millimetres. In children it is as small as their windpipe for their face:
+/// of ours, no figure was found. In proportion to the face it hid what lies behind it.
+double unitOfUvula(const BodyPlan& plan) { return std::min(plan.face, plan.airway); }
 
 /// The middle of a fold of mucosa on the left side.
 using Fold = std::vector<Vec3>;
@@ -173,17 +179,18 @@ void addPalate(std::vector<PartPlan>& parts, const BodyPlan& plan)
                            {Vec3{-22, 36, 2}, Vec3{22, 80, 30}}, kMouthVoxel,
                            [soft = SoftPalate{}](const Vec3& p) { return soft.distance(p); }));
     const Vec3 p_A_root = plan.inThroat(kUvulaRoot);
+    const double unit = unitOfUvula(plan);
     const auto inAnatomy = [&](const Vec3& p) {
-        return Vec3{p_A_root + plan.face * (p - kUvulaRoot)};
+        return Vec3{p_A_root + unit * (p - kUvulaRoot)};
     };
-    const Implicit hanging = [p_A_root, unit = plan.face](const Vec3& p_A) {
+    const Implicit hanging = [p_A_root, unit](const Vec3& p_A) {
         return unit * uvula((p_A - p_A_root) / unit + kUvulaRoot);
     };
     parts.push_back({"Uvula",
                      PartRole::Pharynx,
                      "",
                      {{inAnatomy({-5, 62, -6}), inAnatomy({5, 78, 16})}, hanging},
-                     1e3 * plan.face * kFineVoxel});
+                     1e3 * unit * kFineVoxel});
 }
 
 /// The pillars of the fauces with the tonsils: parts of the pharynx' wall, with which they move.

@@ -61,6 +61,17 @@ const AnatomyPart* firstHit(const Anatomy& anatomy, const Vec3& p_A, const Vec3&
     return first;
 }
 
+/// The level section of a mesh at a share of its height.
+Box sectionAt(const TriangleMesh& mesh, double share)
+{
+    const Box box = boundsOf(mesh);
+    const Vec3 at = box.min + share * box.size().z() * Vec3::UnitZ();
+    Box section;
+    for (const Vec3& p : test::sectionOf(mesh, {at, Vec3::UnitZ()}).points)
+        section.include(p);
+    return section;
+}
+
 } // namespace
 
 /// The lining of mouth and throat, and what hangs in it.
@@ -73,6 +84,8 @@ private Q_SLOTS:
     void isWholeBesideTheEpiglottis();
     void leavesTheUvulaRound_data() { people(); }
     void leavesTheUvulaRound();
+    void letsTheUvulaTaper_data() { people(); }
+    void letsTheUvulaTaper();
 
 private:
     static void people()
@@ -108,14 +121,18 @@ void TestThroatLining::isWholeBesideTheEpiglottis()
 void TestThroatLining::leavesTheUvulaRound()
 {
     QFETCH(QString, words);
-    const TriangleMesh& uvula = named(personCalled(words), "Uvula");
-    const Box box = boundsOf(uvula);
-    const Vec3 low = box.min + 0.25 * box.size().z() * Vec3::UnitZ();
-    Box section;
-    for (const Vec3& p : test::sectionOf(uvula, {low, Vec3::UnitZ()}).points)
-        section.include(p);
+    const Box section = sectionAt(named(personCalled(words), "Uvula"), 0.25);
     const double depthToWidth = section.size().y() / section.size().x();
     QVERIFY2(depthToWidth > 0.7 && depthToWidth < 1.4, qPrintable(QString::number(depthToWidth)));
+}
+
+/// It is a cone, with its point below.
+void TestThroatLining::letsTheUvulaTaper()
+{
+    QFETCH(QString, words);
+    const TriangleMesh& uvula = named(personCalled(words), "Uvula");
+    const double widths = sectionAt(uvula, 0.2).size().x() / sectionAt(uvula, 0.6).size().x();
+    QVERIFY2(widths > 0.4 && widths < 0.8, qPrintable(QString::number(widths)));
 }
 
 CARINA_TEST(TestThroatLining)

@@ -26,6 +26,11 @@ constexpr double kEndOfCheeks = 46.0;
 /// seen instead of a gap.
 constexpr double kBehindCheeks = 6.0;
 constexpr double kApart = 1.2; ///< of the two there
+/// The floor of the mouth goes on outside the pharynx' lining, up and down beside its edge: a jaw
+/// that opens takes it down by 14 mm there in an adult, and a blade more. Reference millimetres.
+constexpr double kBehindPharynx = kThick + 0.4;
+constexpr double kUpBesideFloor = 24.0;
+constexpr double kDownBesideFloor = 10.0;
 /// Half the width of what the soft palate closes above; beside it the pharynx' lining does.
 constexpr double kBesidePalate = 15.0;
 constexpr double kNoRoof = 1e3; ///< the cheeks': there are gums
@@ -74,6 +79,16 @@ double inFloor(const Vec3& p, Posture posture)
     constexpr double kHigh = 8.0;
     const double half = std::min(kWithinTeeth, halfMouth(p.y()) - kWithinFauces);
     return std::max(std::abs(p.x()) - half, p.z() - floorOfMouth(posture) - kHigh);
+}
+
+/// Below zero also beside its edges, where it goes on outside the pharynx' lining.
+double inFloorAndBeside(const Vec3& p, Posture posture)
+{
+    constexpr double kBeside = 9.0; // the lining and its thickness, twice
+    const double above = p.z() - floorOfMouth(posture);
+    const double beside = std::max({std::abs(p.x()) - halfMouth(p.y()) - kBeside,
+                                    above - kUpBesideFloor, -above - kDownBesideFloor});
+    return std::min(inFloor(p, posture), beside);
 }
 
 /// Where the pharynx begins in front at a height, as if nothing lay in it. Above the larynx it is
@@ -176,9 +191,11 @@ struct Lining {
     [[nodiscard]] double cheeksAndFloor(const Vec3& p_A) const
     {
         const Vec3 p = plan.fromThroat(p_A);
-        const double floor = std::max(inFloor(p, plan.posture), p.y() - kFauces);
+        const double floor = std::max(inFloorAndBeside(p, plan.posture), p.y() - kFauces);
         const double beyond = std::min(p.y() - kEndOfCheeks, floor);
-        return roundedMax(shell(p_A, 0.0, kNoRoof), plan.face * beyond, 0.5 * plan.face);
+        const double outward = kBehindPharynx * easedStep(-2.0, 3.0, inFloor(p, plan.posture))
+                               * easedStep(kEndOfCheeks - 2.0, kEndOfCheeks + 3.0, p.y());
+        return roundedMax(shell(p_A, outward, kNoRoof), plan.face * beyond, 0.5 * plan.face);
     }
 
     [[nodiscard]] double pharynx(const Vec3& p_A) const

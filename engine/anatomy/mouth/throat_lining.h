@@ -15,7 +15,8 @@ namespace carina
 /// the constrictors.
 /// Two parts: the lining of the cheeks as far as the last teeth and of the mouth's floor as far as
 /// the arches of the fauces, which follow jaw and blade; and that of fauces and pharynx, which
-/// follows less, and goes on for a little outside the cheeks'.
+/// follows less. Each goes on for a little outside the other: the pharynx behind the cheeks, the
+/// floor of the mouth beside the pharynx.
 [[nodiscard]] std::vector<PartPlan> throatLining(const BodyPlan& plan, const LarynxFrame& larynx,
                                                  const Epiglottis& epiglottis);
 

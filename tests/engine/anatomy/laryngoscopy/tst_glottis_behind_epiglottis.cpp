@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <map>
+#include <string>
+#include <vector>
 
 namespace carina::glottis_behind_epiglottis_test
 {
@@ -164,9 +166,9 @@ void TestGlottisBehindEpiglottis::isNotSeenPastItsFront()
     }
 }
 
-/// Of what goes with the larynx, a ray straight down before the epiglottis meets the vallecula, the
-/// wall of the larynx or an epiglottis that leans over it, and no cartilage: also where the tongue
-/// has been taken away.
+/// Of what goes with the larynx, a ray straight down before the epiglottis meets the floor of the
+/// vallecula or mucosa that leans over it, and no cartilage: also where the tongue has been taken
+/// away.
 void TestGlottisBehindEpiglottis::hasAFloorBeforeIt()
 {
     QFETCH(const QString, words);
@@ -185,8 +187,8 @@ void TestGlottisBehindEpiglottis::hasAFloorBeforeIt()
             const Vec3 p_A = p_A_front + person.unit * aside * Vec3::UnitX()
                              + person.unit * before * moved.forward_A();
             const std::string seen = firstHit(parts, p_A + above * moved.up_A, -moved.up_A);
-            const bool isClosed =
-                seen == "Vallecula" || seen == "Laryngeal mucosa" || seen == "Epiglottis";
+            const bool isClosed = !seen.empty() && !isInLarynx(seen)
+                                  && seen.find("cartilage") == std::string::npos;
             const std::string where = (seen.empty() ? "nothing" : seen) + " at "
                                       + std::to_string(aside) + " aside, " + std::to_string(before)
                                       + " before it";

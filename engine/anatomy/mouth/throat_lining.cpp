@@ -28,7 +28,7 @@ constexpr double kBehindCheeks = 6.0;
 constexpr double kApart = 1.2; ///< of the two there
 /// The floor of the mouth goes on outside the pharynx' lining, up and down beside its edge: a jaw
 /// that opens takes it down by 14 mm there in an adult, and a blade more. Reference millimetres.
-constexpr double kBehindPharynx = kThick + 0.4;
+constexpr double kOutsidePharynx = kThick + 0.4;
 constexpr double kUpBesideFloor = 24.0;
 constexpr double kDownBesideFloor = 10.0;
 /// Half the width of what the soft palate closes above; beside it the pharynx' lining does.
@@ -193,7 +193,7 @@ struct Lining {
         const Vec3 p = plan.fromThroat(p_A);
         const double floor = std::max(inFloorAndBeside(p, plan.posture), p.y() - kFauces);
         const double beyond = std::min(p.y() - kEndOfCheeks, floor);
-        const double outward = kBehindPharynx * easedStep(-2.0, 3.0, inFloor(p, plan.posture))
+        const double outward = kOutsidePharynx * easedStep(-2.0, 3.0, inFloor(p, plan.posture))
                                * easedStep(kEndOfCheeks - 2.0, kEndOfCheeks + 3.0, p.y());
         return roundedMax(shell(p_A, outward, kNoRoof), plan.face * beyond, 0.5 * plan.face);
     }

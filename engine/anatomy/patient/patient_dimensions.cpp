@@ -80,13 +80,17 @@ constexpr Windpipe kMan{centimetres(12.7), centimetres(10.1), millimetres(16.3),
 constexpr Windpipe kWoman{centimetres(12.0), centimetres(9.4), millimetres(13.2), millimetres(17.8),
                           centimetres(2.26)};
 
-/// Lengths from the man's by height; diameters the mean of the rows for 10-12 and 12-14 years
-/// (Griscom and Wohl 1986): nearly round.
+/// Of the front and the back wall of a trachea, or of both sides.
+Length wallsOf(Length trachea) { return 2.0 * (trachea / kMan.tracheaLength) * kMansTracheaWall; }
+
+/// Lengths from the man's by height; the air, of 12.3 by 12.6 mm, is the mean of the rows for 10-12
+/// and 12-14 years (CT, Griscom and Wohl 1986): nearly round.
 Windpipe childsAt(Length height)
 {
     Windpipe child = kMan.at(kChildsHeight, kMansHeight);
-    child.sagittal = millimetres(12.3);
-    child.coronal = millimetres(12.6);
+    const Length walls = wallsOf(child.tracheaLength);
+    child.sagittal = millimetres(12.3) + walls;
+    child.coronal = millimetres(12.6) + walls;
     return child.at(height, kChildsHeight);
 }
 
@@ -107,7 +111,7 @@ Windpipe infantsAt(Length height)
     const Length toTrachea =
         mix(millimetres(9.2), school.cordsToCarina - school.tracheaLength, grown);
     const Length trachea = cords - toTrachea;
-    const Length walls = 2.0 * (trachea / kMan.tracheaLength) * kMansTracheaWall;
+    const Length walls = wallsOf(trachea);
     return {cords, trachea, 0.0070 * height + centimetres(0.05) + walls,
             0.0065 * height + centimetres(0.18) + walls,
             (kMan.rightBronchus / kMan.cordsToCarina) * cords};

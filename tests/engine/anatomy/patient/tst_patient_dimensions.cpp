@@ -164,11 +164,12 @@ void TestPatientDimensions::airwaysOfAChildGrowWithHeight()
         QVERIFY(share < std::pow(ratio, 1.22));
         QVERIFY(share > std::pow(ratio, 1.37));
     }
-    // Griscom and Wohl's table between 10 and 14 years: 11.6-13.0 by 11.8-13.3 mm.
-    QVERIFY(child.tracheaSagittal.si > 11.6 * kMillimetre);
-    QVERIFY(child.tracheaSagittal.si < 13.0 * kMillimetre);
-    QVERIFY(child.tracheaCoronal.si > 11.8 * kMillimetre);
-    QVERIFY(child.tracheaCoronal.si < 13.3 * kMillimetre);
+    // The air, in Griscom and Wohl's table between 10 and 14 years: 11.6-13.0 by 11.8-13.3 mm.
+    const Length walls = 2.0 * (child.tracheaLength / adult.tracheaLength) * kMansTracheaWall;
+    const Length sagittal = child.tracheaSagittal - walls;
+    const Length coronal = child.tracheaCoronal - walls;
+    QVERIFY(sagittal > millimetres(11.6) && sagittal < millimetres(13.0));
+    QVERIFY(coronal > millimetres(11.8) && coronal < millimetres(13.3));
 }
 
 void TestPatientDimensions::boysAndGirlsAreAlikeUntilGirlsStop()

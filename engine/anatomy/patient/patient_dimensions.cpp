@@ -75,9 +75,11 @@ constexpr Length kChildsHeight = centimetres(150.0);
 /// from the middle of the radiographs to him.
 constexpr Windpipe kMan{centimetres(12.7), centimetres(10.1), millimetres(16.3), millimetres(20.2),
                         centimetres(2.5)};
-/// Cords to carina 12.0 cm (Indian women, Kumari 2019), trachea 9.4 cm; diameters by the ratio of
-/// women to men in MRI, 13.9 : 17.1 and 13.3 : 15.1 (KJA 1993).
-constexpr Windpipe kWoman{centimetres(12.0), centimetres(9.4), millimetres(13.2), millimetres(17.8),
+/// Cords to carina 12.0 cm (Indian women, Kumari 2019). Trachea between 9.4 cm there and 9.83
+/// (0.87) cm in CT of 60 (Kamel 2009), which leaves a larynx that is less high than a man's:
+/// women's are 36 mm long and men's 44 (Gray 1918), the lamina of the cricoid is 18.4 and 21.2 mm
+/// high. Diameters by the ratio of women to men in MRI, 13.9 : 17.1 and 13.3 : 15.1 (KJA 1993).
+constexpr Windpipe kWoman{centimetres(12.0), centimetres(9.7), millimetres(13.2), millimetres(17.8),
                           centimetres(2.26)};
 
 /// Of the front and the back wall of a trachea, or of both sides.
@@ -193,11 +195,13 @@ void addBody(const PatientParameters& p, PatientDimensions& d)
 
 /// Women's vocal folds are 12.7 (2.3) mm long, men's 14.8 (3.0) mm (Jibi Inkoka Keibu 125(6)),
 /// their open glottis 17 and 23 mm (Miller, 6th edition); the sexes are alike before puberty
-/// (Wysocki 2008). The ratio lies between both.
+/// (Wysocki 2008). 0.81 lies between both; for a larynx that is as high as the woman's.
 double larynxGirthOf(const PatientParameters& p)
 {
-    constexpr double kWomansToMans = 0.81;
-    return p.sex == Sex::Male ? 1.0 : mix(1.0, kWomansToMans, maturity(p));
+    constexpr double kBreadth = 0.81;
+    constexpr double kHeight =
+        (kWoman.cordsToCarina - kWoman.tracheaLength) / (kMan.cordsToCarina - kMan.tracheaLength);
+    return p.sex == Sex::Male ? 1.0 : mix(1.0, kBreadth / kHeight, maturity(p));
 }
 
 std::string inWholeCentimetres(Length length)

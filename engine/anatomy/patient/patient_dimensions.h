@@ -68,7 +68,8 @@ struct PatientDimensions {
     double ageInYears = 0.0;
     Sex sex = Sex::Male;
     Length cordsToCarina;
-    /// Width and depth of the larynx, of those that go with cordsToCarina: less in grown women.
+    /// Width and depth of the larynx, of those that go with its height below the cords: less in
+    /// grown women.
     double larynxGirth = 1.0;
     Length tracheaLength;   ///< lower border of the cricoid to the carina
     Length tracheaSagittal; ///< front to back, mean of rings and gaps

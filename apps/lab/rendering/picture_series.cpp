@@ -24,6 +24,7 @@ Result<void> drawSeries(const PictureSeries& series)
                                           + driver.error().detail
                                           + "). Run it as ./carina lab render ...");
     SceneView view;
+    view.setFixedQuality(PictureQuality::Quick);
     series.prepare(view);
     view.setWindowTitle(QStringLiteral("carina-lab render"));
     view.resize(series.size);

@@ -20,7 +20,8 @@ struct PictureSeries {
     std::function<Result<void>(SceneView&, std::size_t, const QImage&)> take;
 };
 
-/// Draws a series in a window of its own, the scene that all programs have.
+/// Draws a series in a window of its own, the scene that all programs have, each picture with one
+/// sample per pixel unless the series fixes another quality, so that it is the same every time.
 ///
 /// @returns NoGraphics without OpenGL 3.3, or where a picture does not come within a minute; what
 ///          `take` fails with.

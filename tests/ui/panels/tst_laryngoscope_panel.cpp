@@ -60,10 +60,13 @@ struct Desk {
         panel.resize(440, 420);
         panel.show();
     }
-    /// The picture is made once the panel is seen.
+    /// The picture is made once the panel is seen. Its edges are drawn alike every time.
     [[nodiscard]] bool hasPicture() const
     {
-        return soon([&] { return pictureOf(panel) != nullptr; }, kDrawn);
+        if (!soon([&] { return pictureOf(panel) != nullptr; }, kDrawn))
+            return false;
+        picture().setFixedQuality(PictureQuality::Quick);
+        return true;
     }
 
     const PatientModel& who;

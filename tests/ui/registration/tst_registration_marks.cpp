@@ -29,6 +29,7 @@ double contrast(double a, double b) { return (std::max(a, b) + 0.05) / (std::min
 
 QImage pictureOf(SceneView& scene)
 {
+    scene.setFixedQuality(PictureQuality::Quick);
     const std::size_t target = scene.statistics().frames + kFrames;
     if (!QTest::qWaitFor([&] { return scene.statistics().frames >= target; }, kPatience_ms))
         return {};

@@ -49,12 +49,14 @@ inline SceneFrame frontFrame()
     return frame;
 }
 
-/// A view that shows parts as a frame says, in a window of known size.
+/// A view that shows parts as a frame says, in a window of known size, each frame drawn anew and
+/// with edges as they come.
 inline std::unique_ptr<SceneView> shownView(const std::vector<ScenePart>& parts,
                                             SceneView::FrameSource source)
 {
     auto view = std::make_unique<SceneView>();
     view->setParts(parts);
+    view->setFixedQuality(PictureQuality::Quick);
     view->setFrameSource(std::move(source));
     view->setBackground(Qt::black);
     view->resize(kWidth, kHeight);

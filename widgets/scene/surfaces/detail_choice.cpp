@@ -66,7 +66,7 @@ void DetailChoice::takeFixedLevel()
         m_levels[i] = std::clamp(*m_fixed, 0, static_cast<int>(m_parts[i].triangles.size()) - 1);
 }
 
-const std::vector<int>& DetailChoice::choose(std::span<const DetailEye> eyes)
+const std::vector<int>& DetailChoice::choose(std::span<const DetailEye> eyes, bool isResting)
 {
     if (m_fixed || eyes.empty())
         return m_levels;
@@ -77,7 +77,7 @@ const std::vector<int>& DetailChoice::choose(std::span<const DetailEye> eyes)
                && trianglesOf(levelsWithin(m_tolerance_px)) > kFirstTriangles)
             m_tolerance_px *= kStep;
     }
-    m_levels = levelsWithin(m_tolerance_px);
+    m_levels = levelsWithin(isResting ? kFinestTolerance_px : m_tolerance_px);
     return m_levels;
 }
 

@@ -49,10 +49,17 @@ public:
     void setParts(std::span<const ScenePart> parts);
 
     /// Chooses the level of each part for these eyes; without eyes, returns those chosen last.
-    const std::vector<int>& choose(std::span<const DetailEye> eyes);
+    /// @param isResting this once, as if time permitted what cannot be seen to be coarser
+    const std::vector<int>& choose(std::span<const DetailEye> eyes, bool isResting = false);
 
     /// Fixes the level of all parts; std::nullopt chooses automatically again.
     void fix(std::optional<int> level);
+    [[nodiscard]] bool isFixed() const { return m_fixed.has_value(); }
+    /// Whether time permits levels that cannot be seen to be coarser; also where they are fixed.
+    [[nodiscard]] bool isFinest() const
+    {
+        return isFixed() || (!m_isFirst && m_tolerance_px <= kFinestTolerance_px);
+    }
 
     /// Records the drawing time of a frame with the levels chosen last.
     void frameTook(Duration drawing);

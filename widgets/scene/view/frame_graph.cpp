@@ -1,6 +1,7 @@
 #include "widgets/scene/view/frame_graph.h"
 
 #include "widgets/scene/look/organ_effects.h"
+#include "widgets/scene/view/picture_finish.h"
 
 #include <QWindow>
 #include <Qt3DRender/QBlendEquation>
@@ -12,6 +13,7 @@
 #include <Qt3DRender/QCullFace>
 #include <Qt3DRender/QDepthTest>
 #include <Qt3DRender/QFilterKey>
+#include <Qt3DRender/QMultiSampleAntiAliasing>
 #include <Qt3DRender/QNoDepthMask>
 #include <Qt3DRender/QNoDraw>
 #include <Qt3DRender/QParameter>
@@ -26,6 +28,9 @@
 #include <Qt3DRender/QTexture>
 #include <Qt3DRender/QViewport>
 
+#include <tuple>
+#include <utility>
+
 namespace carina
 {
 
@@ -34,15 +39,20 @@ namespace
 
 using Qt3DRender::QFrameGraphNode;
 
-/// A branch that draws nothing but this layer, with this pass.
-Qt3DRender::QRenderPassFilter* passes(const char* key, DrawLayer layer, QFrameGraphNode* parent)
+/// A branch that draws nothing but what has a pass with this key and value.
+Qt3DRender::QRenderPassFilter* passes(const char* key, int value, QFrameGraphNode* parent)
 {
     auto* match = new Qt3DRender::QFilterKey;
     match->setName(QString::fromLatin1(key));
-    match->setValue(static_cast<int>(layer));
+    match->setValue(value);
     auto* filter = new Qt3DRender::QRenderPassFilter(parent);
     filter->addMatch(match);
     return filter;
+}
+
+Qt3DRender::QRenderPassFilter* passes(const char* key, DrawLayer layer, QFrameGraphNode* parent)
+{
+    return passes(key, static_cast<int>(layer), parent);
 }
 
 /// Blends what comes over what is there.
@@ -59,18 +69,39 @@ void addBlending(Qt3DRender::QRenderStateSet* set)
 }
 
 /// A texture of a render target, attached at a point.
-Qt3DRender::QTexture2D* attach(Qt3DRender::QRenderTarget* target,
-                               Qt3DRender::QRenderTargetOutput::AttachmentPoint point,
-                               Qt3DRender::QAbstractTexture::TextureFormat format)
+template <class Texture>
+Texture* attach(Qt3DRender::QRenderTarget* target,
+                Qt3DRender::QRenderTargetOutput::AttachmentPoint point,
+                Qt3DRender::QAbstractTexture::TextureFormat format)
 {
     auto* output = new Qt3DRender::QRenderTargetOutput;
-    auto* texture = new Qt3DRender::QTexture2D(output);
+    auto* texture = new Texture(output);
     texture->setFormat(format);
     texture->setSize(1, 1);
     output->setAttachmentPoint(point);
     output->setTexture(texture);
     target->addOutput(output);
     return texture;
+}
+
+/// Colours and depths of the target that is drawn into in this quality.
+std::pair<Qt3DRender::QAbstractTexture*, Qt3DRender::QAbstractTexture*>
+attachAll(Qt3DRender::QRenderTarget* target, PictureQuality quality)
+{
+    using Output = Qt3DRender::QRenderTargetOutput;
+    using Texture = Qt3DRender::QAbstractTexture;
+    if (quality == PictureQuality::Fine) {
+        using Samples = Qt3DRender::QTexture2DMultisample;
+        auto* colors = attach<Samples>(target, Output::Color0, Texture::RGBA8_UNorm);
+        auto* depths = attach<Samples>(target, Output::Depth, Texture::D24);
+        colors->setSamples(kSamplesPerPixel);
+        depths->setSamples(kSamplesPerPixel);
+        return {colors, depths};
+    }
+    auto* colors = attach<Qt3DRender::QTexture2D>(target, Output::Color0, Texture::RGBA8_UNorm);
+    colors->setMinificationFilter(Texture::Linear);
+    colors->setMagnificationFilter(Texture::Linear);
+    return {colors, attach<Qt3DRender::QTexture2D>(target, Output::Depth, Texture::D24)};
 }
 
 /// A branch that clears buffers and draws nothing.
@@ -145,25 +176,89 @@ Qt3DRender::QRenderStateSet* FrameGraph::addStates(QFrameGraphNode* parent, Dept
     return set;
 }
 
-void FrameGraph::addPicture(const Cameras& cameras)
+Qt3DRender::QSubtreeEnabler* FrameGraph::branchOf(PictureQuality quality)
 {
-    auto* viewport = new Qt3DRender::QViewport(m_root);
-    m_background = clears(viewport, Qt3DRender::QClearBuffers::ColorDepthBuffer);
+    auto* drawn = new Qt3DRender::QSubtreeEnabler(m_root);
+    drawn->setEnabled(quality == PictureQuality::Quick);
+    m_pictures[static_cast<std::size_t>(quality)].drawn.push_back(drawn);
+    return drawn;
+}
+
+void FrameGraph::addSurfaces(PictureQuality quality, const Cameras& cameras,
+                             QFrameGraphNode* parent)
+{
+    auto* viewport = new Qt3DRender::QViewport(parent);
+    m_pictures[static_cast<std::size_t>(quality)].background =
+        clears(viewport, Qt3DRender::QClearBuffers::ColorDepthBuffer);
     for (std::size_t view = 0; view < cameras.size(); ++view) {
         QFrameGraphNode* shown = addView(view, cameras, viewport);
-        addStates(passes(kSurfacePass, DrawLayer::Closed, shown), Depth::Write, true);
-        addStates(passes(kSurfacePass, DrawLayer::Open, shown), Depth::Write, false);
-        addStates(passes(kSurfacePass, DrawLayer::Blended, shown), Depth::TestOnly, true);
+        for (Qt3DRender::QRenderStateSet* set :
+             {addStates(passes(kSurfacePass, DrawLayer::Closed, shown), Depth::Write, true),
+              addStates(passes(kSurfacePass, DrawLayer::Open, shown), Depth::Write, false),
+              addStates(passes(kSurfacePass, DrawLayer::Blended, shown), Depth::TestOnly, true)})
+            if (quality == PictureQuality::Fine)
+                set->addRenderState(new Qt3DRender::QMultiSampleAntiAliasing);
     }
-    m_picture = captures(viewport);
+}
+
+void FrameGraph::addUnfinished(PictureQuality quality, const Cameras& cameras)
+{
+    auto* selector = new Qt3DRender::QRenderTargetSelector(branchOf(quality));
+    auto* target = new Qt3DRender::QRenderTarget(selector);
+    Picture& picture = m_pictures[static_cast<std::size_t>(quality)];
+    std::tie(picture.colors, picture.depths) = attachAll(target, quality);
+    selector->setTarget(target);
+    addSurfaces(quality, cameras, selector);
+}
+
+/// Draws the window from what is unfinished.
+void FrameGraph::addFinish(PictureQuality quality, const Cameras& cameras)
+{
+    auto* viewport = new Qt3DRender::QViewport(branchOf(quality));
+    auto* selector = new Qt3DRender::QCameraSelector(viewport); // Qt 3D draws nothing without one
+    selector->setCamera(cameras.front());
+    auto* set =
+        new Qt3DRender::QRenderStateSet(passes(kFinishPass, static_cast<int>(quality), selector));
+    auto* cull = new Qt3DRender::QCullFace;
+    cull->setMode(Qt3DRender::QCullFace::NoCulling);
+    set->addRenderState(cull);
+    auto* test = new Qt3DRender::QDepthTest;
+    test->setDepthFunction(Qt3DRender::QDepthTest::Always);
+    set->addRenderState(test);
+    set->addRenderState(new Qt3DRender::QNoDepthMask);
+}
+
+void FrameGraph::addPicture(const Cameras& cameras)
+{
+    addSurfaces(PictureQuality::Quick, cameras, branchOf(PictureQuality::Quick));
+    for (const PictureQuality quality : {PictureQuality::Smoothed, PictureQuality::Fine}) {
+        addUnfinished(quality, cameras);
+        addFinish(quality, cameras);
+    }
+    m_picture = captures(new Qt3DRender::QViewport(m_root));
+}
+
+void FrameGraph::setQuality(PictureQuality quality, const QSize& window)
+{
+    for (std::size_t place = 0; place < m_pictures.size(); ++place) {
+        const Picture& picture = m_pictures[place];
+        const bool isDrawn = place == static_cast<std::size_t>(quality);
+        for (Qt3DRender::QSubtreeEnabler* branch : picture.drawn)
+            branch->setEnabled(isDrawn);
+        for (Qt3DRender::QAbstractTexture* texture : {picture.colors, picture.depths})
+            if (texture != nullptr)
+                texture->setSize(isDrawn ? window.width() : 1, isDrawn ? window.height() : 1);
+    }
 }
 
 void FrameGraph::addIds(const Cameras& cameras)
 {
     using Output = Qt3DRender::QRenderTargetOutput;
     auto* target = new Qt3DRender::QRenderTarget;
-    m_idColors = attach(target, Output::Color0, Qt3DRender::QAbstractTexture::RGBA8_UNorm);
-    m_idDepths = attach(target, Output::Depth, Qt3DRender::QAbstractTexture::D24);
+    m_idColors = attach<Qt3DRender::QTexture2D>(target, Output::Color0,
+                                                Qt3DRender::QAbstractTexture::RGBA8_UNorm);
+    m_idDepths =
+        attach<Qt3DRender::QTexture2D>(target, Output::Depth, Qt3DRender::QAbstractTexture::D24);
     m_ids = new Qt3DRender::QSubtreeEnabler(m_root);
     m_ids->setEnabled(false);
     auto* selector = new Qt3DRender::QRenderTargetSelector(m_ids);
@@ -213,7 +308,11 @@ void FrameGraph::hideView(std::size_t view)
         branch.shown->setEnabled(false);
 }
 
-void FrameGraph::setBackground(const QColor& color) { m_background->setClearColor(color); }
+void FrameGraph::setBackground(const QColor& color)
+{
+    for (const Picture& picture : m_pictures)
+        picture.background->setClearColor(color);
+}
 
 void FrameGraph::setCut(bool cut)
 {

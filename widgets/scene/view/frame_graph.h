@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/display/eye_picture.h"
+#include "widgets/scene/look/picture_quality.h"
 #include "widgets/scene/view/scene_frame.h"
 
 #include <QColor>
@@ -13,6 +14,7 @@ class QWindow;
 
 namespace Qt3DRender
 {
+class QAbstractTexture;
 class QCamera;
 class QClearBuffers;
 class QClipPlane;
@@ -34,7 +36,8 @@ using Cameras = std::array<Qt3DRender::QCamera*, kMostEyes>;
 /// The Qt 3D frame graph: the render passes of a frame, their order and their targets.
 ///
 /// The picture, in each shown view: opaque surfaces; then translucent ones with depth test, each
-/// triangle blended in the order of the index buffer (DrawOrder).
+/// triangle blended in the order of the index buffer (DrawOrder). In the quickest quality they are
+/// drawn into the window; else into a texture, from which PictureFinish draws the window.
 ///
 /// The ids, on demand, layer by layer (layerOf): the nearest surface of the layer that is not
 /// behind an earlier layer, into a texture that is read back after each layer.
@@ -59,6 +62,15 @@ public:
     void showView(std::size_t view, const PixelRect& pixels, const QSize& window);
     void hideView(std::size_t view);
 
+    /// Draws the picture in this quality, from the next frame on.
+    /// @param window in pixels; to be said anew when it changes
+    void setQuality(PictureQuality quality, const QSize& window);
+    /// What is drawn before it is finished; nullptr in the quickest quality.
+    [[nodiscard]] Qt3DRender::QAbstractTexture* unfinished(PictureQuality quality) const
+    {
+        return ofQuality(quality).colors;
+    }
+
     /// Reads the whole picture back.
     [[nodiscard]] Qt3DRender::QRenderCapture* pictureCapture() const { return m_picture; }
 
@@ -81,6 +93,24 @@ private:
         Qt3DRender::QViewport* part;
     };
 
+    /// The branches of a quality, which are enabled while it is drawn.
+    struct Picture {
+        std::vector<Qt3DRender::QSubtreeEnabler*> drawn;
+        Qt3DRender::QClearBuffers* background = nullptr;
+        Qt3DRender::QAbstractTexture* colors = nullptr;
+        Qt3DRender::QAbstractTexture* depths = nullptr;
+    };
+    [[nodiscard]] const Picture& ofQuality(PictureQuality quality) const
+    {
+        return m_pictures[static_cast<std::size_t>(quality)];
+    }
+    /// A branch that is drawn in this quality alone.
+    Qt3DRender::QSubtreeEnabler* branchOf(PictureQuality quality);
+    void addSurfaces(PictureQuality quality, const Cameras& cameras,
+                     Qt3DRender::QFrameGraphNode* parent);
+    void addUnfinished(PictureQuality quality, const Cameras& cameras);
+    void addFinish(PictureQuality quality, const Cameras& cameras);
+
     Qt3DRender::QRenderStateSet* addStates(Qt3DRender::QFrameGraphNode* parent, Depth depth,
                                            bool onlyFrontFaces);
     void addPicture(const Cameras& cameras);
@@ -90,7 +120,7 @@ private:
                                                        Qt3DRender::QFrameGraphNode* parent);
 
     Qt3DRender::QRenderSurfaceSelector* m_root;
-    Qt3DRender::QClearBuffers* m_background = nullptr;
+    std::array<Picture, kPictureQualities> m_pictures;
     Qt3DRender::QRenderCapture* m_picture = nullptr;
     Qt3DRender::QSubtreeEnabler* m_ids = nullptr;
     Qt3DRender::QSubtreeEnabler* m_laterIds = nullptr; ///< of all layers but the first

@@ -89,7 +89,9 @@ SceneRenderer::SceneRenderer(QWindow* window)
       m_root(new Qt3DCore::QEntity),
       m_cameras(makeCameras(m_root)),
       m_frameGraph(window, m_cameras),
-      m_effects(m_root)
+      m_effects(m_root),
+      m_finish(m_frameGraph.unfinished(PictureQuality::Smoothed),
+               m_frameGraph.unfinished(PictureQuality::Fine), m_root)
 {
     m_engine->setRunMode(Qt3DCore::QAspectEngine::Manual);
     m_engine->registerAspect(new Qt3DRender::QRenderAspect);

@@ -6,6 +6,7 @@
 #include "widgets/scene/surfaces/surface_entity.h"
 #include "widgets/scene/view/frame_graph.h"
 #include "widgets/scene/view/orbit_camera.h"
+#include "widgets/scene/view/picture_finish.h"
 #include "widgets/scene/view/scene_frame.h"
 
 #include <QImage>
@@ -57,6 +58,9 @@ public:
     void setFigureParts(std::span<const ScenePart> parts);
     void setBackground(const QColor& color) { m_frameGraph.setBackground(color); }
 
+    /// Draws in this quality from the next frame on; at first in the quickest.
+    void setQuality(PictureQuality quality) { m_frameGraph.setQuality(quality, windowPixels()); }
+
     /// Sets the cameras; without any, only the background is drawn.
     /// @pre at most kMostEyes cameras, whose pixels are inside the window and do not overlap.
     void setCameras(std::span<const SceneCamera> cameras);
@@ -101,6 +105,7 @@ private:
     Cameras m_cameras;                ///< owned by m_root
     FrameGraph m_frameGraph;          ///< whose root m_root owns
     OrganEffects m_effects;           ///< whose nodes m_root owns
+    PictureFinish m_finish;           ///< likewise
     Vec3 m_forward_A = Vec3::UnitY(); ///< of the cameras
     bool m_isCut = false;
     std::optional<Length> m_spotlight;

@@ -1,5 +1,6 @@
 #include "widgets/scene/view/scene_view.h"
 
+#include "widgets/scene/view/same_picture.h"
 #include "widgets/scene/view/scene_renderer.h"
 #include "widgets/scene/view/scene_window.h"
 #include "widgets/scene/view/spoken_scene.h"
@@ -47,6 +48,20 @@ std::vector<DetailEye> eyesOf(std::span<const SceneCamera> cameras)
     return eyes;
 }
 
+bool isSameCamera(const SceneCamera& a, const SceneCamera& b)
+{
+    return a.pose.p_A_eye == b.pose.p_A_eye && a.pose.p_A_target == b.pose.p_A_target
+           && a.pose.up_A == b.pose.up_A && a.pose.nearPlane == b.pose.nearPlane
+           && a.pose.farPlane == b.pose.farPlane && a.frustum.left == b.frustum.left
+           && a.frustum.right == b.frustum.right && a.frustum.bottom == b.frustum.bottom
+           && a.frustum.top == b.frustum.top && a.pixels == b.pixels;
+}
+
+bool areSameCameras(std::span<const SceneCamera> a, std::span<const SceneCamera> b)
+{
+    return std::ranges::equal(a, b, isSameCamera);
+}
+
 IdPicture idPictureOf(const QImage& image)
 {
     IdPicture picture{.width = image.width(), .height = image.height()};
@@ -67,7 +82,8 @@ SceneView::SceneView(QWidget* parent)
       m_renderer(std::make_unique<SceneRenderer>(m_window)),
       m_labels(*this),
       m_figureNames(*this),
-      m_detail({}, kDrawingBudget)
+      m_detail({}, kDrawingBudget),
+      m_quality(kDrawingBudget)
 {
     QWidget* container = QWidget::createWindowContainer(m_window, this);
     container->setFocusPolicy(Qt::StrongFocus);
@@ -81,6 +97,7 @@ SceneView::SceneView(QWidget* parent)
         container->setFocus(); // which its window took away: the way goes on from here
         focusNextPrevChild(forward);
     });
+    connect(m_window, &SceneWindow::uncovered, this, [this] { m_rest.stir(); });
     connect(m_window, &SceneWindow::clicked, this, &SceneView::sendRay);
     connect(m_window, &SceneWindow::headTurned, this, &SceneView::headTurned);
     connect(m_window, &SceneWindow::headNeared, this, &SceneView::headNeared);
@@ -105,6 +122,7 @@ void SceneView::setParts(std::span<const ScenePart> parts, const Box& alsoFramed
     m_window->camera().setBounds(framed);
     m_window->camera().setAspect(m_window->widthOverHeight());
     m_detail = DetailChoice{{}, kDrawingBudget};
+    m_quality.beginAnew();
     m_eyes.clear();
     m_instead.reset();
     applySection();
@@ -122,6 +140,7 @@ void SceneView::setFigures(std::span<const SceneFigure> figures)
             CARINA_EXPECTS(ids.insert(part.id).second);
             m_figureParts.push_back(part);
         }
+    m_rest.stir();
     m_renderer->setFigureParts(m_figureParts);
     m_figureNames.setFigures(figures);
 }
@@ -135,6 +154,7 @@ void SceneView::setLooks(const PartLooks& looks)
 
 void SceneView::applyLooks()
 {
+    m_rest.stir();
     m_shown = withLooks(m_parts, inForce().looks);
     m_renderer->setParts(m_shown);
     m_labels.setParts(m_shown, inForce().looks);
@@ -159,16 +179,37 @@ void SceneView::setSection(const std::optional<Section>& section)
     applySection();
 }
 
-void SceneView::applySection() { m_renderer->setSection(inForce().section); }
+void SceneView::applySection()
+{
+    m_rest.stir();
+    m_renderer->setSection(inForce().section);
+}
 
-void SceneView::setErrorMap(const std::optional<ErrorMap>& map) { m_renderer->setErrorMap(map); }
+void SceneView::setErrorMap(const std::optional<ErrorMap>& map)
+{
+    m_rest.stir();
+    m_renderer->setErrorMap(map);
+}
 
 void SceneView::setSpotlight(std::optional<Length> halfLight)
 {
+    m_rest.stir();
     m_renderer->setSpotlight(halfLight);
 }
 
-void SceneView::setFixedLevel(std::optional<int> level) { m_detail.fix(level); }
+void SceneView::setFixedLevel(std::optional<int> level)
+{
+    m_rest.stir();
+    m_detail.fix(level);
+}
+
+void SceneView::setFixedQuality(std::optional<PictureQuality> quality)
+{
+    m_rest.stir();
+    m_quality.fix(quality);
+}
+
+void SceneView::resizeEvent(QResizeEvent*) { m_quality.beginAnew(); }
 
 void SceneView::showFrom(ViewPreset preset) { m_window->showFrom(preset); }
 
@@ -199,7 +240,11 @@ void SceneView::takeFrom(const SceneView& other)
 
 void SceneView::setLie(Lie lie) { m_window->camera().setLie(lie); }
 
-void SceneView::setBackground(const QColor& color) { m_renderer->setBackground(color); }
+void SceneView::setBackground(const QColor& color)
+{
+    m_rest.stir();
+    m_renderer->setBackground(color);
+}
 
 QImage SceneView::picture() { return m_window->isExposed() ? m_renderer->picture() : QImage(); }
 
@@ -286,7 +331,7 @@ void SceneView::chooseDetail()
 {
     if (m_eyes.empty())
         m_eyes = eyesOf(camerasOf({}));
-    m_detail.choose(m_eyes);
+    m_detail.choose(m_eyes, m_rest.isFull());
 }
 
 void SceneView::drawFrame()
@@ -294,6 +339,8 @@ void SceneView::drawFrame()
     const LocalTime began = monotonicNow();
     if (m_window->isExposed() && isInsideWindow(*this)) // behind another dock it stays exposed
         drawExposed(began);
+    else
+        m_rest.stir();
     const auto left =
         m_interval - std::chrono::ceil<std::chrono::milliseconds>(monotonicNow() - began);
     m_tick.start(std::max(left, std::chrono::milliseconds{0}));
@@ -333,10 +380,43 @@ void SceneView::placeLabels(const SceneFrame& frame, const std::vector<SceneCame
     m_labels.place(frame, sights.front().sight, taken);
 }
 
+bool SceneView::hasToBeDrawn(const SceneFrame& frame, const std::vector<SceneCamera>& cameras)
+{
+    if (m_quality.isFixed())
+        return true;
+    const bool isHeld =
+        !m_rest.comes(areSameCameras(cameras, m_cameras) && areDrawnAlike(frame, m_frame));
+    return !isHeld || m_asksForIds || m_renderer->isReadingIds();
+}
+
+void SceneView::drawScene(const SceneFrame& frame, const std::vector<SceneCamera>& cameras,
+                          PictureQuality quality)
+{
+    m_drawnQuality = quality;
+    m_renderer->setQuality(quality);
+    m_renderer->setCameras(cameras);
+    m_renderer->apply(frame, m_detail.levels());
+    beginToRead(frame);
+    m_renderer->draw();
+}
+
+/// Of a frame that was drawn as most are. Surfaces have the time first, and edges what is left.
+void SceneView::takeTime(Duration took)
+{
+    m_timeOfLight.frameTook(took);
+    m_quality.frameTook(took, m_interval, m_detail.isFinest());
+    if (m_quality.isFixed() || m_drawnQuality == PictureQuality::Quick)
+        m_detail.frameTook(took);
+}
+
 void SceneView::drawExposed(LocalTime asked)
 {
     if (m_followed)
         takeFrom(*m_followed);
+    if (!areSameCameras(camerasOf(m_frame), m_cameras)) // turned, or of another size
+        m_rest.stir();
+    const bool wasFull = m_rest.isFull(); // and so are its levels of detail
+    const PictureQuality before = m_drawnQuality;
     chooseDetail();
     DrawnFrame drawn;
     drawn.level = level();
@@ -347,20 +427,23 @@ void SceneView::drawExposed(LocalTime asked)
         drawn.frame = m_source(drawn.level, drawn.lit);
     const std::vector<SceneCamera> cameras = camerasOf(drawn.frame);
     m_eyes = eyesOf(cameras);
-    m_renderer->setCameras(cameras);
-    m_renderer->apply(drawn.frame, m_detail.levels());
-    beginToRead(drawn.frame);
-    m_renderer->draw();
+    const bool isDrawn = hasToBeDrawn(drawn.frame, cameras);
+    const bool isFull = wasFull && m_rest.isFull();
+    if (isDrawn)
+        drawScene(drawn.frame, cameras, isFull ? PictureQuality::Fine : m_quality.quality());
     drawn.swapped = monotonicNow();
     placeLabels(drawn.frame, cameras);
     m_frame = drawn.frame;
+    m_cameras = cameras;
     if (!cameras.empty())
         m_sight = {cameras.front().pose, cameras.front().frustum, inForce().section};
     m_window->holdCamera(m_frame.viewpoint.has_value());
     m_window->steerHead(m_frame.isHeadSteered);
     m_times.add(drawn.asked, drawn.swapped);
-    m_timeOfLight.frameTook(drawn.swapped - drawn.asked);
-    m_detail.frameTook(drawn.swapped - drawn.asked);
+    if (isDrawn && isFull)
+        m_rest.fullTook(drawn.swapped - drawn.asked, m_interval);
+    else if (isDrawn && !wasFull && before == m_drawnQuality)
+        takeTime(drawn.swapped - drawn.asked);
     if (m_listener)
         m_listener(drawn);
     tellIds();

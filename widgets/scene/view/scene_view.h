@@ -8,12 +8,14 @@
 #include "widgets/scene/labels/side_labels.h"
 #include "widgets/scene/look/error_map.h"
 #include "widgets/scene/look/part_look.h"
+#include "widgets/scene/look/picture_quality.h"
 #include "widgets/scene/look/section.h"
 #include "widgets/scene/surfaces/detail_choice.h"
 #include "widgets/scene/surfaces/scene_part.h"
 #include "widgets/scene/view/frame_statistics.h"
 #include "widgets/scene/view/orbit_camera.h"
 #include "widgets/scene/view/parts_on_ray.h"
+#include "widgets/scene/view/resting_picture.h"
 #include "widgets/scene/view/scene_frame.h"
 
 #include <QImage>
@@ -98,7 +100,8 @@ public:
     void setSpotlight(std::optional<Length> halfLight);
 
     void setFrameSource(FrameSource source) { m_source = std::move(source); }
-    /// The listener is called after each frame, when its buffers were swapped.
+    /// The listener is called after each frame, when its buffers were swapped; also after one that
+    /// is like the picture that rests in the window, and so is not drawn again.
     void onFrameDrawn(FrameListener listener) { m_listener = std::move(listener); }
 
     /// The names of parts as they were written last, in pixels of the view; `wish` counts the
@@ -144,6 +147,13 @@ public:
     /// Fixes the level of detail of all parts; std::nullopt chooses it by visible error and drawing
     /// time (DetailChoice).
     void setFixedLevel(std::optional<int> level);
+    /// Fixes how edges are drawn; std::nullopt chooses it by drawing time (QualityChoice).
+    ///
+    /// While it is not fixed, a picture that does not change is drawn in full detail and the finest
+    /// quality once, and then rests (RestingPicture).
+    void setFixedQuality(std::optional<PictureQuality> quality);
+    /// Of the latest frame.
+    [[nodiscard]] PictureQuality quality() const { return m_drawnQuality; }
     /// The common level of detail of the parts that share theirs; 0 is the finest.
     [[nodiscard]] int level() const { return m_detail.sharedLevel(); }
     /// The number of triangles in the latest frame.
@@ -179,9 +189,17 @@ Q_SIGNALS:
     void headNeared(double factor);
     void headReturned();
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void drawFrame();
     void drawExposed(LocalTime asked);
+    void drawScene(const SceneFrame& frame, const std::vector<SceneCamera>& cameras,
+                   PictureQuality quality);
+    void takeTime(Duration took);
+    [[nodiscard]] bool hasToBeDrawn(const SceneFrame& frame,
+                                    const std::vector<SceneCamera>& cameras);
     void beginToRead(const SceneFrame& frame);
     void tellIds();
     void takeFrom(const SceneView& other);
@@ -216,6 +234,10 @@ private:
     SceneFrame m_readFrame; ///< whose ids are read
     std::chrono::milliseconds m_interval{16};
     DetailChoice m_detail;
+    QualityChoice m_quality;
+    PictureQuality m_drawnQuality = PictureQuality::Quick;
+    RestingPicture m_rest;
+    std::vector<SceneCamera> m_cameras; ///< of the latest frame
     FrameTimes m_times;
     TimeOfLight m_timeOfLight;
     std::vector<DetailEye> m_eyes; ///< of the latest frame

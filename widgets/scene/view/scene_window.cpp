@@ -71,6 +71,8 @@ bool SceneWindow::event(QEvent* event)
     return QWindow::event(event);
 }
 
+void SceneWindow::exposeEvent(QExposeEvent*) { Q_EMIT uncovered(); }
+
 /// A mouse that rests sends nothing when what had come between it and the picture goes: a menu, or
 /// a name, which is a window of its own that moves with what it names.
 void SceneWindow::followMouse(QEvent& event)

@@ -44,6 +44,8 @@ public:
     [[nodiscard]] PixelRect pixels() const;
 
 Q_SIGNALS:
+    /// What was drawn may be lost: the window, or a part of it, was covered until now.
+    void uncovered();
     /// Tab was pressed: the focus goes to the next (or previous) control.
     void tabbed(bool forward);
     /// The left button was pressed and released at one point.
@@ -58,6 +60,7 @@ Q_SIGNALS:
 
 protected:
     bool event(QEvent* event) override;
+    void exposeEvent(QExposeEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;

@@ -77,6 +77,7 @@ private Q_SLOTS:
     void keepsToAFixedLevel();
     void keepsItsToleranceForOtherParts();
     void keepsItsLevelsWhileNobodyLooks();
+    void restsInLevelsThatCannotBeSeenToBeCoarser();
 };
 
 void TestDetailChoice::takesTheCoarsestWhoseDeviationIsNotSeen_data()
@@ -276,6 +277,20 @@ void TestDetailChoice::keepsItsLevelsWhileNobodyLooks()
     DetailChoice choice{std::vector{part()}, kBudget};
     choice.choose(eyeSeeing(340.0));
     QCOMPARE(choice.choose({}), Levels{1});
+}
+
+void TestDetailChoice::restsInLevelsThatCannotBeSeenToBeCoarser()
+{
+    const std::vector parts{part()};
+    DetailChoice choice{parts, kBudget};
+    QCOMPARE(choice.choose(eyeSeeing(3400.0)), Levels{0});
+    QVERIFY(choice.isFinest());
+    draw(choice, 5, 4 * kBudget); // tolerates 2 pixels
+    draw(choice, 5, 4 * kBudget); // and 8: of 1 mm there are 3.4, of 4 mm 13.6
+    QVERIFY(!choice.isFinest());
+    QCOMPARE(choice.choose(eyeSeeing(3400.0)), Levels{1});
+    QCOMPARE(choice.choose(eyeSeeing(3400.0), true), Levels{0});
+    QCOMPARE(choice.choose(eyeSeeing(3400.0)), Levels{1});
 }
 
 CARINA_TEST(TestDetailChoice)

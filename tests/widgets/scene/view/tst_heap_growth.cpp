@@ -39,7 +39,9 @@ enum class Shown : std::uint8_t {
     ErrorMap,
     MovingJaw,
     ChangingAirway,
-    MovingHead
+    MovingHead,
+    Smoothed,
+    Fine
 };
 
 /// Of every draw layer and shader program. Plates, which cost little to draw: what a frame takes
@@ -123,6 +125,10 @@ void drawFrame(SceneRenderer& renderer, int frame, Shown shown, std::size_t part
     if (shown == Shown::ErrorMap)
         renderer.setErrorMap(
             ErrorMap{growingAlongX(0.1 * swing(frame), 5e-3), ErrorBands{.count = 5}});
+    if (shown == Shown::Smoothed)
+        renderer.setQuality(PictureQuality::Smoothed);
+    if (shown == Shown::Fine)
+        renderer.setQuality(PictureQuality::Fine);
     renderer.setCameras(camerasAt(frame, shown));
     renderer.apply(frameAt(frame, shown), std::vector<int>(parts, 0));
     renderer.draw();
@@ -204,6 +210,8 @@ void TestHeapGrowth::aFrameGivesBackWhatItTook_data()
     QTest::newRow("with a moving jaw") << Shown::MovingJaw;
     QTest::newRow("with tissue that swells and changes colour") << Shown::ChangingAirway;
     QTest::newRow("with a moving head and a tube in place") << Shown::MovingHead;
+    QTest::newRow("with smoothed edges") << Shown::Smoothed;
+    QTest::newRow("with several samples per pixel") << Shown::Fine;
 }
 
 void TestHeapGrowth::aFrameGivesBackWhatItTook()

@@ -1,11 +1,15 @@
 #include "apps/lab/rendering/laryngoscopy_pictures.h"
 
+#include "apps/lab/rendering/quality_comparison.h"
 #include "apps/lab/rendering/render_page.h"
+#include "apps/lab/rendering/structural_similarity.h"
 #include "engine/anatomy/airway/airway_measure.h"
 #include "engine/anatomy/events/neck_motion.h"
 #include "models/patient/patient_source.h"
 
 #include <QJsonArray>
+
+#include <vector>
 
 namespace carina::lab
 {
@@ -18,6 +22,19 @@ std::vector<ScopeShot> shotsOf(const LaryngoscopyOrder& order)
     for (const LaryngoscopyStep step : kLaryngoscopySteps)
         shots.push_back({step, order.events, order.head, order.lift, order.levering});
     return shots;
+}
+
+/// Writes a picture, and says the name of its file.
+Result<QString> saved(const LaryngoscopyOrder& order, const QImage& picture, LaryngoscopyStep step,
+                      const QString& ending = {})
+{
+    const QString file = QStringLiteral("laryngoscopy-%1-%2-%3%4.png")
+                             .arg(bladeName(order.way.blade), eyeName(order.way.eye),
+                                  QString::fromLatin1(stepName(step)), ending);
+    const QString path = order.folder.filePath(file);
+    if (!picture.save(path))
+        return fail(Errc::FileUnwritable, path.toStdString() + " cannot be written.");
+    return file;
 }
 
 QJsonObject describe(const QString& file, const QString& step, const DrawnShot& drawn)
@@ -60,18 +77,52 @@ Result<QJsonArray> drawSteps(const PatientModel& patient, const Laryngoscopy& la
     QJsonArray pictures;
     const auto take = [&](const DrawnShot& drawn) -> Result<void> {
         const ScopeShot& shot = shots[drawn.number];
-        const QString step = QString::fromLatin1(stepName(shot.step));
-        const QString file = QStringLiteral("laryngoscopy-%1-%2-%3.png")
-                                 .arg(bladeName(order.way.blade), eyeName(order.way.eye), step);
-        const QString path = order.folder.filePath(file);
-        if (!drawn.picture.save(path))
-            return fail(Errc::FileUnwritable, path.toStdString() + " cannot be written.");
-        QJsonObject described = describe(file, step, drawn);
+        const auto file = saved(order, drawn.picture, shot.step);
+        if (!file)
+            return tl::unexpected(file.error());
+        QJsonObject described = describe(*file, QString::fromLatin1(stepName(shot.step)), drawn);
         addEffort(described, effortOf(drawn, shot));
         pictures.append(described);
         return {};
     };
     return drawShots(patient, laryngoscopy, order.way, shots, take).map([&] { return pictures; });
+}
+
+/// How alike each quality is to the reference, once all of them are written.
+Result<QJsonObject> describe(const ComparedShot& compared, LaryngoscopyStep step,
+                             const LaryngoscopyOrder& order)
+{
+    const auto reference = saved(order, compared.reference, step, QStringLiteral("-reference"));
+    if (!reference)
+        return tl::unexpected(reference.error());
+    QJsonObject similarities;
+    for (std::size_t n = 0; n < kPictureQualities; ++n) {
+        const QString quality = QString::fromLatin1(qualityName(static_cast<PictureQuality>(n)));
+        const QImage& picture = compared.inQuality[n];
+        if (const auto file = saved(order, picture, step, QLatin1Char{'-'} + quality); !file)
+            return tl::unexpected(file.error());
+        similarities[quality] = structuralSimilarity(picture, compared.reference);
+    }
+    return QJsonObject{{render_laryngoscopy_key::kReference, *reference},
+                       {render_laryngoscopy_key::kSimilarity, similarities}};
+}
+
+/// Adds to what is said of each step how it compares.
+Result<void> compareSteps(QJsonArray& pictures, const PatientModel& patient,
+                          const Laryngoscopy& laryngoscopy, const LaryngoscopyOrder& order)
+{
+    const std::vector<ScopeShot> shots = shotsOf(order);
+    const auto take = [&](const ComparedShot& compared) -> Result<void> {
+        const auto described = describe(compared, shots[compared.number].step, order);
+        if (!described)
+            return tl::unexpected(described.error());
+        QJsonObject picture = pictures[qsizetype(compared.number)].toObject();
+        for (auto it = described->begin(); it != described->end(); ++it)
+            picture[it.key()] = it.value();
+        pictures[qsizetype(compared.number)] = picture;
+        return {};
+    };
+    return drawCompared(patient, laryngoscopy, order.way, shots, take);
 }
 
 } // namespace
@@ -93,23 +144,28 @@ Result<QJsonObject> drawLaryngoscopy(Anatomy anatomy, const LaryngoscopyOrder& o
     const HeadPosition head = laryngoscopy->headPosition();
     const AirwayAxes axes = laryngoscopy->axes();
     const Length toCarina = teethToCarina(bent((*patient)->landmarks(), (*patient)->neck(head)));
-    return drawSteps(**patient, *laryngoscopy, order).map([&](const QJsonArray& pictures) {
-        return QJsonObject{
-            {render_laryngoscopy_key::kSchema,
-             QLatin1StringView{render_laryngoscopy_key::kSchema.help}},
-            {render_laryngoscopy_key::kAnatomy, QString::fromStdString((*patient)->name())},
-            {render_laryngoscopy_key::kWidth, order.way.size.width()},
-            {render_laryngoscopy_key::kHeight, order.way.size.height()},
-            {render_laryngoscopy_key::kBlade, bladeName(order.way.blade)},
-            {render_laryngoscopy_key::kFrom, eyeName(order.way.eye)},
-            {render_laryngoscopy_key::kNeckFlexion, inDegrees(head.flexion)},
-            {render_laryngoscopy_key::kHeadExtension, inDegrees(head.extension)},
-            {render_laryngoscopy_key::kMouthToSight, inDegrees(axes.mouthToSight)},
-            {render_laryngoscopy_key::kSightToLarynx, inDegrees(axes.sightToLarynx)},
-            {render_laryngoscopy_key::kTeethToCarina, inMillimetres(toCarina)},
-            {render_laryngoscopy_key::kEvents, describe(order.events)},
-            {render_laryngoscopy_key::kPictures, pictures}};
-    });
+    auto pictures = drawSteps(**patient, *laryngoscopy, order);
+    if (!pictures)
+        return tl::unexpected(pictures.error());
+    if (order.isCompared)
+        if (const auto compared = compareSteps(*pictures, **patient, *laryngoscopy, order);
+            !compared)
+            return tl::unexpected(compared.error());
+    return QJsonObject{
+        {render_laryngoscopy_key::kSchema,
+         QLatin1StringView{render_laryngoscopy_key::kSchema.help}},
+        {render_laryngoscopy_key::kAnatomy, QString::fromStdString((*patient)->name())},
+        {render_laryngoscopy_key::kWidth, order.way.size.width()},
+        {render_laryngoscopy_key::kHeight, order.way.size.height()},
+        {render_laryngoscopy_key::kBlade, bladeName(order.way.blade)},
+        {render_laryngoscopy_key::kFrom, eyeName(order.way.eye)},
+        {render_laryngoscopy_key::kNeckFlexion, inDegrees(head.flexion)},
+        {render_laryngoscopy_key::kHeadExtension, inDegrees(head.extension)},
+        {render_laryngoscopy_key::kMouthToSight, inDegrees(axes.mouthToSight)},
+        {render_laryngoscopy_key::kSightToLarynx, inDegrees(axes.sightToLarynx)},
+        {render_laryngoscopy_key::kTeethToCarina, inMillimetres(toCarina)},
+        {render_laryngoscopy_key::kEvents, describe(order.events)},
+        {render_laryngoscopy_key::kPictures, *pictures}};
 }
 
 } // namespace carina::lab

@@ -14,6 +14,8 @@ struct LaryngoscopyOrder {
     std::optional<Angle> levering{}; ///< instead of the lift
     AirwayEvents events{};
     HeadPosition head{};
+    /// Each is also drawn in every PictureQuality, and held against a reference (drawCompared).
+    bool isCompared = false;
     QDir folder; ///< made if need be
 };
 
@@ -22,7 +24,7 @@ struct LaryngoscopyOrder {
 ///
 /// @param anatomy with the mouth shut
 /// @returns FileUnwritable with the path; what canShowAll, patientOf, Laryngoscopy::of and
-///          drawShots fail with
+///          drawShots fail with; drawCompared likewise
 /// @pre as drawShots
 [[nodiscard]] Result<QJsonObject> drawLaryngoscopy(Anatomy anatomy, const LaryngoscopyOrder& order);
 

@@ -231,6 +231,7 @@ Result<QJsonObject> drawnLaryngoscopy(const Words& words)
             return tl::unexpected(levering_deg.error());
         order.levering = degrees(*levering_deg);
     }
+    order.isCompared = words.has(render_option::kCompared);
     const auto events = eventsOption(words);
     if (!events)
         return tl::unexpected(events.error());
@@ -370,6 +371,8 @@ Use renderedLaryngoscopy()
                  render_laryngoscopy_key::kIncisorClearance,
                  render_laryngoscopy_key::kLeveringShare,
                  render_laryngoscopy_key::kHandling,
+                 render_laryngoscopy_key::kReference,
+                 render_laryngoscopy_key::kSimilarity,
                  render_laryngoscopy_key::kPixels}};
 }
 

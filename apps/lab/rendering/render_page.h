@@ -46,6 +46,10 @@ inline constexpr Option kLift{"lift-mm", "0..30",
 inline constexpr Option kLevering{"levering-deg", "0..30",
                                   "the blade is not lifted, but its handle tipped back so far for "
                                   "the last picture: about its tip to the teeth, then about them"};
+inline constexpr Option kCompared{
+    "compare", "",
+    "also draws each picture in each quality of the programs, and a reference of 16 samples per "
+    "pixel in full detail, and prints how alike they are"};
 inline constexpr Option kScopeSize{"size", "WxH", "of each picture, pixels; 640x480 unless given"};
 
 inline constexpr Option kPresetGrades{"preset-grades", "", "asks for this count"};
@@ -75,8 +79,8 @@ inline constexpr std::array kOfPictures{kPictures,   kAnatomy,    kPatient,     
 inline constexpr std::array kOfErrorMap{kErrorMap, kAnatomy,   kPatient,
                                         kSize,     kLandmarks, kTouchError};
 inline constexpr std::array kOfLaryngoscopy{
-    kLaryngoscopy, kAnatomy, kPatient,       kBlade,     kFrom,        kLift,
-    kLevering,     kEvent,   kEventSeverity, kScopeSize, kNeckFlexion, kHeadExtension};
+    kLaryngoscopy, kAnatomy,       kPatient,   kBlade,       kFrom,          kLift,    kLevering,
+    kEvent,        kEventSeverity, kScopeSize, kNeckFlexion, kHeadExtension, kCompared};
 inline constexpr std::array kOfPresetGrades{kPresetGrades, kDraws, kDrawSeed, kAnatomy,
                                             kPatient,      kBlade, kFrom,     kScopeSize};
 inline constexpr std::array kOfEventPairs{kEventPairs, kPairEvent, kPairSeverity, kAnatomy,
@@ -189,6 +193,12 @@ inline constexpr Key kLeveringShare{"levering_percent",
                                     "turning about them has done",
                                     1};
 inline constexpr Key kHandling{"handling", "neither, lifting or levering", 1};
+inline constexpr Key kReference{"reference_file", "its name in DIR; only with --compare", 1};
+inline constexpr Key kSimilarity{
+    "ssim",
+    "\"quick\", \"smoothed\" and \"fine\": structural similarity of the luma in each quality "
+    "to the reference, windows of 11x11 pixels (Wang et al. 2004); only with --compare",
+    1};
 inline constexpr Key kPixels{
     "visible_pixels",
     "of each structure that is seen: teeth, jaw, tongue, hard_palate, soft_palate, pharynx, "

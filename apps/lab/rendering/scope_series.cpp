@@ -1,6 +1,7 @@
 #include "apps/lab/rendering/scope_series.h"
 
 #include "apps/lab/rendering/picture_series.h"
+#include "apps/lab/rendering/reference_picture.h"
 #include "engine/anatomy/events/neck_motion.h"
 #include "ui/scene/scene_parts.h"
 #include "ui/scene/scope_scene.h"
@@ -29,7 +30,11 @@ public:
         return drawSeries({.count = m_shots.size(),
                            .size = m_way.size,
                            .prepare = [this](SceneView& view) { prepare(view); },
-                           .frame = [this](SceneView&, std::size_t i) { return frameOf(i); },
+                           .frame =
+                               [this](SceneView& view, std::size_t i) {
+                                   view.setFixedQuality(m_shots[i].quality);
+                                   return frameOf(i);
+                               },
                            .take = [this, &take](SceneView& view, std::size_t i,
                                                  const QImage& picture) -> Result<void> {
                                return measured(view, i, picture).and_then(take);
@@ -69,7 +74,9 @@ private:
         frame.blade = pose.field;
         frame.bodies[kScopeBody] = pose.X_AL;
         addContents(frame, m_laryngoscopy.contentsAt(pose));
-        frame.eyes = {eyeOf(pose)};
+        const EyePicture eye = eyeOf(pose);
+        const std::optional<int> sample = m_shots[i].sample;
+        frame.eyes = {sample ? sampledEye(eye, m_way.size, *sample) : eye};
         return frame;
     }
 

@@ -2,6 +2,7 @@
 
 #include "engine/core/result.h"
 #include "models/patient/laryngoscopy.h"
+#include "widgets/scene/look/picture_quality.h"
 
 #include <QImage>
 #include <QJsonObject>
@@ -32,6 +33,8 @@ struct ScopeShot {
     HeadPosition head{}; ///< as far as a stiff neck among the events lets it
     Length lift = kUsualLift;
     std::optional<Angle> levering{}; ///< instead of the lift
+    PictureQuality quality = PictureQuality::Quick;
+    std::optional<int> sample{}; ///< of a reference, in place of the middle of each pixel
 };
 
 /// How it was drawn.
@@ -45,7 +48,8 @@ struct DrawnShot {
 /// @param shot that was drawn so
 [[nodiscard]] BladeEffort effortOf(const DrawnShot& drawn, const ScopeShot& shot);
 
-/// Draws the throat of a patient as the programs do, once for each shot, and measures each picture.
+/// Draws the throat of a patient as the programs do, in full detail, once for each shot, and
+/// measures each picture.
 /// @param take gets them in their order; a failure ends the series
 /// @returns NoGraphics where the parts of a picture cannot be read; what drawSeries and `take` fail
 ///          with

@@ -66,6 +66,7 @@ private Q_SLOTS:
     void seesMoreOfAnAnteriorLarynxThatIsPressed();
     void hidesMoreOfTheGlottisAsAFluidRises();
     void hidesTheGlottisByAForeignBody();
+    void drawsPicturesLikeTheReference();
 
 private:
     QTemporaryDir m_folder;
@@ -301,6 +302,32 @@ void TestLaryngoscopyPictures::hidesTheGlottisByAForeignBody()
     QVERIFY(pixels(pictures[4], "foreign_body") > 0);
     QVERIFY(pictures[4][QStringLiteral("pogo_percent")].toDouble()
             < m_pictures[4][QStringLiteral("pogo_percent")].toDouble());
+}
+
+// At least 0.95 in the finest quality, and more the more is done for edges.
+void TestLaryngoscopyPictures::drawsPicturesLikeTheReference()
+{
+    const QString folder = m_folder.filePath(QStringLiteral("compared"));
+    const QJsonArray compared =
+        drawn(folder, {QStringLiteral("--compare")})[QStringLiteral("pictures")].toArray();
+    QCOMPARE(compared.size(), 5);
+    for (const QJsonValue picture : compared) {
+        const auto of = [&picture](const char* quality) {
+            return picture[QStringLiteral("ssim")][QLatin1StringView{quality}].toDouble();
+        };
+        const QString told = QStringLiteral("%1: %2, %3, %4")
+                                 .arg(picture[QStringLiteral("step")].toString())
+                                 .arg(of("quick"))
+                                 .arg(of("smoothed"))
+                                 .arg(of("fine"));
+        qInfo("%s", qPrintable(told));
+        QVERIFY2(of("fine") >= 0.95 && of("fine") < 1.0, qPrintable(told));
+        QVERIFY2(of("fine") > of("quick"), qPrintable(told));
+        QVERIFY2(of("quick") > 0.5, qPrintable(told));
+        const QImage reference{folder + QLatin1Char{'/'}
+                               + picture[QStringLiteral("reference_file")].toString()};
+        QCOMPARE(reference.size(), kSize);
+    }
 }
 
 CARINA_SCREEN_TEST(TestLaryngoscopyPictures)

@@ -125,6 +125,22 @@ Result<void> compareSteps(QJsonArray& pictures, const PatientModel& patient,
     return drawCompared(patient, laryngoscopy, order.way, shots, take);
 }
 
+/// How many times in a second the last picture is drawn in each quality.
+Result<QJsonObject> ratesOf(const PatientModel& patient, const Laryngoscopy& laryngoscopy,
+                            const LaryngoscopyOrder& order)
+{
+    ScopeShot shot = shotsOf(order).back();
+    QJsonObject rates;
+    for (std::size_t n = 0; n < kPictureQualities; ++n) {
+        shot.quality = static_cast<PictureQuality>(n);
+        const auto rate = shotRate(patient, laryngoscopy, order.way, shot);
+        if (!rate)
+            return tl::unexpected(rate.error());
+        rates[QString::fromLatin1(qualityName(shot.quality))] = *rate;
+    }
+    return rates;
+}
+
 } // namespace
 
 Result<QJsonObject> drawLaryngoscopy(Anatomy anatomy, const LaryngoscopyOrder& order)
@@ -151,7 +167,7 @@ Result<QJsonObject> drawLaryngoscopy(Anatomy anatomy, const LaryngoscopyOrder& o
         if (const auto compared = compareSteps(*pictures, **patient, *laryngoscopy, order);
             !compared)
             return tl::unexpected(compared.error());
-    return QJsonObject{
+    QJsonObject told{
         {render_laryngoscopy_key::kSchema,
          QLatin1StringView{render_laryngoscopy_key::kSchema.help}},
         {render_laryngoscopy_key::kAnatomy, QString::fromStdString((*patient)->name())},
@@ -166,6 +182,12 @@ Result<QJsonObject> drawLaryngoscopy(Anatomy anatomy, const LaryngoscopyOrder& o
         {render_laryngoscopy_key::kTeethToCarina, inMillimetres(toCarina)},
         {render_laryngoscopy_key::kEvents, describe(order.events)},
         {render_laryngoscopy_key::kPictures, *pictures}};
+    if (!order.isCompared)
+        return told;
+    return ratesOf(**patient, *laryngoscopy, order).map([&told](const QJsonObject& rates) {
+        told[render_laryngoscopy_key::kRates] = rates;
+        return told;
+    });
 }
 
 } // namespace carina::lab

@@ -49,7 +49,7 @@ inline constexpr Option kLevering{"levering-deg", "0..30",
 inline constexpr Option kCompared{
     "compare", "",
     "also draws each picture in each quality of the programs, and a reference of 16 samples per "
-    "pixel in full detail, and prints how alike they are"};
+    "pixel in full detail, and prints how alike they are and how fast each is drawn"};
 inline constexpr Option kScopeSize{"size", "WxH", "of each picture, pixels; 640x480 unless given"};
 
 inline constexpr Option kPresetGrades{"preset-grades", "", "asks for this count"};
@@ -171,6 +171,10 @@ inline constexpr Key kTeethToCarina{"teeth_to_carina_mm", "along the way of a tu
 inline constexpr Key kEvents{"events", "one object per event that was asked for:"};
 inline constexpr Key kEventName{"event", "its name", 1};
 inline constexpr Key kSeverity{"severity", "0 to 1", 1};
+inline constexpr Key kRates{
+    "frames_per_s",
+    "\"quick\", \"smoothed\" and \"fine\": how often the last picture is drawn in a second in "
+    "each quality, without a pause between frames; only with --compare"};
 inline constexpr Key kPictures{"pictures", "one object per picture:"};
 inline constexpr Key kFile{"file", "its name in DIR", 1};
 inline constexpr Key kStep{"step", "teeth, uvula, epiglottis, partial_view or full_view", 1};

@@ -1,5 +1,6 @@
 #include "apps/lab/rendering/scope_series.h"
 
+#include "apps/lab/rendering/drawing_rate.h"
 #include "apps/lab/rendering/picture_series.h"
 #include "apps/lab/rendering/reference_picture.h"
 #include "engine/anatomy/events/neck_motion.h"
@@ -39,6 +40,18 @@ public:
                                                  const QImage& picture) -> Result<void> {
                                return measured(view, i, picture).and_then(take);
                            }});
+    }
+
+    /// Of the first shot.
+    Result<double> rate()
+    {
+        return drawingRate({.size = m_way.size,
+                            .prepare =
+                                [this](SceneView& view) {
+                                    showScope(view, m_scene, m_way.eye);
+                                    view.setFixedQuality(m_shots.front().quality);
+                                },
+                            .frame = [this] { return frameOf(0); }});
     }
 
 private:
@@ -123,6 +136,12 @@ Result<void> drawShots(const PatientModel& patient, const Laryngoscopy& laryngos
 {
     ScopeSeries series{patient, laryngoscopy, way, shots};
     return series.draw(take);
+}
+
+Result<double> shotRate(const PatientModel& patient, const Laryngoscopy& laryngoscopy,
+                        const ScopeWay& way, const ScopeShot& shot)
+{
+    return ScopeSeries{patient, laryngoscopy, way, {&shot, 1}}.rate();
 }
 
 Result<void> canShowAll(const Laryngoscopy& laryngoscopy, const AirwayEvents& events)

@@ -58,6 +58,12 @@ struct DrawnShot {
                                      const ScopeWay& way, std::span<const ScopeShot> shots,
                                      const std::function<Result<void>(const DrawnShot&)>& take);
 
+/// How many times in a second a shot is drawn (drawingRate), with levels of detail as usual.
+/// @returns what drawingRate fails with
+/// @pre as drawShots
+[[nodiscard]] Result<double> shotRate(const PatientModel& patient, const Laryngoscopy& laryngoscopy,
+                                      const ScopeWay& way, const ScopeShot& shot);
+
 /// Nothing is drawn as if it were difficult that is not.
 /// @returns NoAirway with the event that the patient lacks a part for
 [[nodiscard]] Result<void> canShowAll(const Laryngoscopy& laryngoscopy, const AirwayEvents& events);

@@ -308,22 +308,26 @@ void TestLaryngoscopyPictures::hidesTheGlottisByAForeignBody()
 void TestLaryngoscopyPictures::drawsPicturesLikeTheReference()
 {
     const QString folder = m_folder.filePath(QStringLiteral("compared"));
-    const QJsonArray compared =
-        drawn(folder, {QStringLiteral("--compare")})[QStringLiteral("pictures")].toArray();
+    const QJsonObject told = drawn(folder, {QStringLiteral("--compare")});
+    const QJsonArray compared = told[QStringLiteral("pictures")].toArray();
     QCOMPARE(compared.size(), 5);
+    const QJsonObject rates = told[QStringLiteral("frames_per_s")].toObject();
+    QCOMPARE(rates.size(), qsizetype{3});
+    for (const QJsonValue rate : rates)
+        QVERIFY(rate.toDouble() > 0.0);
     for (const QJsonValue picture : compared) {
         const auto of = [&picture](const char* quality) {
             return picture[QStringLiteral("ssim")][QLatin1StringView{quality}].toDouble();
         };
-        const QString told = QStringLiteral("%1: %2, %3, %4")
-                                 .arg(picture[QStringLiteral("step")].toString())
-                                 .arg(of("quick"))
-                                 .arg(of("smoothed"))
-                                 .arg(of("fine"));
-        qInfo("%s", qPrintable(told));
-        QVERIFY2(of("fine") >= 0.95 && of("fine") < 1.0, qPrintable(told));
-        QVERIFY2(of("fine") > of("quick"), qPrintable(told));
-        QVERIFY2(of("quick") > 0.5, qPrintable(told));
+        const QString words = QStringLiteral("%1: %2, %3, %4")
+                                  .arg(picture[QStringLiteral("step")].toString())
+                                  .arg(of("quick"))
+                                  .arg(of("smoothed"))
+                                  .arg(of("fine"));
+        qInfo("%s", qPrintable(words));
+        QVERIFY2(of("fine") >= 0.95 && of("fine") < 1.0, qPrintable(words));
+        QVERIFY2(of("fine") > of("quick"), qPrintable(words));
+        QVERIFY2(of("quick") > 0.5, qPrintable(words));
         const QImage reference{folder + QLatin1Char{'/'}
                                + picture[QStringLiteral("reference_file")].toString()};
         QCOMPARE(reference.size(), kSize);

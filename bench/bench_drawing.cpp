@@ -125,6 +125,8 @@ int ours(const std::string& mode)
     view.setParts(patient->parts());
     if (mode.starts_with("opaque"))
         view.setLooks(patient->solid());
+    if (!mode.starts_with("detail"))
+        view.setFixedQuality(PictureQuality::Quick); // as the others draw
     if (mode == "opaque" || mode == "usual")
         view.setFixedLevel(0);
     view.setFrameSource([&](int level, LocalTime lit) {

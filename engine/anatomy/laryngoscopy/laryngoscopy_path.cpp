@@ -153,16 +153,18 @@ Centreline wayToEpiglottis(const UpperAirway& moved)
     return {moved.path_A.begin(), nearest + 1};
 }
 
-/// Where the tip is before the lift, to the front and down, that takes it to the floor of the
-/// vallecula, or forward behind the epiglottis.
+/// Where the tip is before the lift that takes it to the floor of the vallecula, or deeper behind
+/// the epiglottis.
 Vec3 placedTip(const UpperAirway& moved, const Blade& blade, Length lift)
 {
     const double size = moved.larynxSize();
-    const Vec3 above = -lift.si * moved.up_A.dot(liftDirection(moved)) * moved.up_A;
-    if (blade.lift == EpiglottisLift::Ligament)
-        return moved.p_A_vallecula + size * kTipInVallecula.si * moved.forward_A() + above;
+    if (blade.lift == EpiglottisLift::Ligament) {
+        const double above = -lift.si * moved.up_A.dot(liftDirection(moved));
+        return moved.p_A_vallecula + size * kTipInVallecula.si * moved.forward_A()
+               + above * moved.up_A;
+    }
     const double height = kDirectShare * heightOf(moved, moved.p_A_epiglottisTip);
-    return onEpiglottis(moved, height) - size * kTipBehindEpiglottis.si * moved.forward_A() + above;
+    return onEpiglottis(moved, height) - size * kTipBehindEpiglottis.si * moved.forward_A();
 }
 
 /// Pressed into the tongue at a length of the way over it: between it and the straight line.
@@ -230,12 +232,12 @@ double tiltingShare(const LarynxHinge& hinge, const Vec3& p_A)
     return larynxTilt<double>(tilted.frame(), p_A).d.dot(hinge.forward_A) / hinge.behind.si;
 }
 
-/// What of a blade lifts the epiglottis at a height: what of it is there, or its tip where that is
-/// not so deep.
-Vec3 liftingPlace(const UpperAirway& moved, const BladeForm& form, const RigidTransform& X_AL,
-                  double height)
+/// What of a blade lifts the epiglottis: its tip, or where the tip is deeper than kDirectShare of
+/// the epiglottis' height, what of the blade is at that height.
+Vec3 liftingPlace(const UpperAirway& moved, const BladeForm& form, const RigidTransform& X_AL)
 {
     constexpr int kHalvings = 30;
+    const double height = kDirectShare * heightOf(moved, moved.p_A_epiglottisTip);
     const auto placeAt = [&](double along) { return Vec3{X_AL * middleOfBlade(form, along)}; };
     const auto isDeeper = [&](double along) { return heightOf(moved, placeAt(along)) < height; };
     if (!isDeeper(1.0) || isDeeper(0.0))
@@ -249,8 +251,8 @@ Vec3 liftingPlace(const UpperAirway& moved, const BladeForm& form, const RigidTr
     return placeAt(above);
 }
 
-/// The same by a place of a blade that is behind it.
-double liftedAt(const UpperAirway& moved, const Vec3& p_A_blade, const LarynxHinge& hinge)
+/// The same by what of a blade is behind it.
+double liftedBy(const UpperAirway& moved, const Vec3& p_A_blade, const LarynxHinge& hinge)
 {
     const double height = heightOf(moved, p_A_blade);
     if (height <= 0.0 || height > heightOf(moved, moved.p_A_epiglottisTip))
@@ -260,19 +262,6 @@ double liftedAt(const UpperAirway& moved, const Vec3& p_A_blade, const LarynxHin
     const double wanted = behind + kBladeHalfThickness + moved.larynxSize() * kBehindThickness.si;
     constexpr double kLeastShare = 0.01;
     return std::max(wanted, 0.0) / std::max(tiltingShare(hinge, p_A_lifted), kLeastShare);
-}
-
-/// So far that all of it, from there to its free edge, lies before the blade.
-double liftedBy(const UpperAirway& moved, const BladeForm& form, const RigidTransform& X_AL,
-                const LarynxHinge& hinge)
-{
-    const double whole = heightOf(moved, moved.p_A_epiglottisTip);
-    double most = 0.0;
-    for (const double share : {kDirectShare, 0.7, 0.8, 0.9, 0.97}) {
-        const Vec3 p_A_blade = liftingPlace(moved, form, X_AL, share * whole);
-        most = std::max(most, liftedAt(moved, p_A_blade, hinge));
-    }
-    return most;
 }
 
 /// That of who is smaller than a small adult is less.
@@ -327,7 +316,7 @@ BladeField bladeInTissue(const UpperAirway& moved, const Blade& blade, const Rig
     const LarynxHinge hinge = hingeOf(moved);
     const double forward = blade.lift == EpiglottisLift::Ligament
                                ? pulledBy(moved, p_A_tip)
-                               : liftedBy(moved, blade.form, X_AL, hinge);
+                               : liftedBy(moved, liftingPlace(moved, blade.form, X_AL), hinge);
     field.tiltLarynx(hinge, metres(std::min(forward, mostTilt(moved))));
     return field;
 }

@@ -5,7 +5,10 @@
 #include "tests/engine/tracking/airway_walk.h"
 #include "tests/support/test_class.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace carina::scripted_hands_test
 {
@@ -31,6 +34,28 @@ double distanceToLine(const Vec3& p, const std::vector<Vec3>& line)
         nearest = std::min(nearest, (line[i - 1] + share * piece - p).norm());
     }
     return nearest;
+}
+
+constexpr double kToTeeth = 0.1;     // m of a straight path
+constexpr double kBendRadius = 0.06; // m, of a tube that is bent to five sixths of a circle
+
+/// The point of that tube which is so far from its tip along it, in E.
+Vec3 onBentTube(double fromTip)
+{
+    const double turn = fromTip / kBendRadius;
+    return kBendRadius * Vec3{0.0, std::sin(turn), std::cos(turn)};
+}
+
+/// That tube goes 23 cm past the incisors, straight to the back.
+HandScript scriptOfBentTube()
+{
+    constexpr double kPiece = 2e-4; // m, of the tube
+    HandScript script;
+    script.path_A = {Vec3{0.0, -kToTeeth, 0.0}, Vec3::Zero(), Vec3{0.0, 0.26, 0.0}};
+    for (double s = 5.0 / 3.0 * std::numbers::pi * kBendRadius; s > 0.0; s -= kPiece)
+        script.p_E_centre.push_back(onBentTube(s));
+    script.p_E_centre.push_back(onBentTube(0.0));
+    return script;
 }
 
 /// The hands, with the patient at the tracker's origin so that poses come out in A.
@@ -120,6 +145,29 @@ private Q_SLOTS:
             const Vec3 p_E_incisors = X_AE.inverse() * incisors;
             QVERIFY(distanceToLine(p_E_incisors, hands.script().p_E_centre) < kBetweenPoints);
         }
+    }
+
+    /// Bent to most of a circle, it comes nearer to its tip again. The point that is as far from
+    /// the tip along it as the incisors are along the straight path lies on that path, at the
+    /// chord of that arc.
+    void laysATubeThatTurnsBackByItsLength()
+    {
+        constexpr double kOfPieces = 1e-6; // m, the centreline's pieces are straight
+        const Hands hands{scriptOfBentTube()};
+        double farthest = 0.0;
+        for (Duration t = 0s; t < kPeriod; t += 50ms) {
+            const RigidTransform X_AE = hands.X_A(ToolRole::Tube, t);
+            const Vec3 p_A_tip = hands.p_A_tip(t);
+            const double past = p_A_tip.y();
+            if (past < 0.04)
+                continue; // its second point is not at the teeth yet
+            farthest = std::max(farthest, past);
+            const double chord = 2.0 * kBendRadius * std::sin(0.5 * past / kBendRadius);
+            const Vec3 p_A_expected = p_A_tip - chord * Vec3::UnitY();
+            QVERIFY((X_AE * onBentTube(past) - p_A_expected).norm() < kOfPieces);
+            QVERIFY((X_AE.rotation() * Vec3::UnitX() - Vec3::UnitX()).norm() < kTolerance);
+        }
+        QVERIFY(farthest > std::numbers::pi * kBendRadius); // where it comes nearer again
     }
 
     void liesAlongThePathInItsPlace()

@@ -41,8 +41,6 @@ inline constexpr double kSoftContact = 3e-3; ///< metres over which tissue begin
 /// deeper: no sheet becomes thinner than a tenth.
 inline constexpr double kBeforeFace = 5e-3;
 inline constexpr double kMostSqueezed = 0.9;
-/// Up to this depth, metres, nothing stays inside the blade.
-inline constexpr double kDeepest = kMostSqueezed * kBeforeFace / (1.0 - kMostSqueezed);
 inline constexpr double kBesideBlade = 20e-3; ///< metres beside its edge where its effect ends
 /// These lengths are those of a blade as wide as a grown person's, or wider; of a narrower one they
 /// are less in proportion, or an infant's blade would take the cheeks along.
@@ -72,7 +70,9 @@ template <class T> Smooth<T> bladeFace(T rise, T sag, T along)
 }
 
 /// How far something is pushed that would lie `inside` the face of a blade: nearly 0 far outside.
-/// It is more than `inside` up to kDeepest, and its slope is between 0 and kMostSqueezed.
+/// Its slope is between 0 and kMostSqueezed. It is more than `inside`, so that nothing stays inside
+/// the blade, up to kMostSqueezed kBeforeFace narrow / (1 - kMostSqueezed): 45 mm where `narrow`
+/// is 1.
 /// @param narrow what the lengths of contact are multiplied by (narrowness); above 0
 template <class T> Smooth<T> contactPush(T inside, T narrow)
 {

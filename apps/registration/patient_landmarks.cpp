@@ -18,7 +18,8 @@ ShutBones bonesOf(const PatientModel& patient)
     ShutBones found;
     for (const PatientSurface& surface : patient.surfaces()) {
         const PartRole role = surface.description.role;
-        if (role != PartRole::Rib && role != PartRole::Mandible && role != PartRole::Larynx)
+        if (role != PartRole::Rib && role != PartRole::Mandible && role != PartRole::Larynx
+            && role != PartRole::Hyoid)
             continue;
         found.meshes.push_back(patient.shutMesh(surface));
         found.bones.push_back({surface.name, found.meshes.back()->positions});

@@ -44,6 +44,7 @@ constexpr std::array kRoleNames{
     NamedRole{PartRole::Mucosa, "mucosa"},
     NamedRole{PartRole::LaryngealMucosa, "laryngeal_mucosa"},
     NamedRole{PartRole::VocalFold, "vocal_fold"},
+    NamedRole{PartRole::Hyoid, "hyoid"},
     NamedRole{PartRole::Other, "other"},
 };
 

@@ -42,6 +42,7 @@ enum class PartRole : std::uint8_t {
     Mucosa,          ///< what lines mouth and pharynx, with lips and gums
     LaryngealMucosa, ///< what lines the larynx, with its other folds
     VocalFold,       ///< white where the mucosa is pink
+    Hyoid,           ///< the hyoid bone, in the root of the tongue
     Other,
 };
 

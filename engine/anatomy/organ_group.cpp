@@ -21,6 +21,7 @@ OrganGroup groupOf(PartRole role)
     case PartRole::Mucosa:
     case PartRole::LaryngealMucosa:
     case PartRole::VocalFold:
+    case PartRole::Hyoid:
         return OrganGroup::Airway;
     case PartRole::Mandible:
     case PartRole::Tooth:

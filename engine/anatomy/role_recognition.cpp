@@ -35,7 +35,7 @@ constexpr std::array kConceptRoles{
     ConceptRole{13295, 13295, PartRole::Diaphragm},
     ConceptRole{46688, 46688, PartRole::Pharynx},
     ConceptRole{52748, 52748, PartRole::Mandible},
-    ConceptRole{52749, 52749, PartRole::Larynx}, // hyoid bone
+    ConceptRole{52749, 52749, PartRole::Hyoid},
     ConceptRole{54640, 54640, PartRole::Tongue},
     ConceptRole{55097, 55097, PartRole::Larynx},
     ConceptRole{55099, 55099, PartRole::Larynx}, // thyroid cartilage
@@ -106,7 +106,7 @@ constexpr std::array kPhraseRoles{
     both("thyrohyoid ligament", PartRole::Larynx),
     both("vocal ligament", PartRole::Larynx),
     both("vocalis", PartRole::Larynx),
-    both("hyoid bone", PartRole::Larynx),
+    both("hyoid", PartRole::Hyoid),
     both("ligament", PartRole::Other),
     both("gland", PartRole::Other),
     both("tooth", PartRole::Tooth),

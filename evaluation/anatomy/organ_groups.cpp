@@ -52,6 +52,7 @@ std::string organOf(const AnatomyPart& part)
         return hasOneOf(name, {"maxilla"}) ? "maxilla" : "";
     case PartRole::Mucosa:
     case PartRole::VocalFold:
+    case PartRole::Hyoid:
     case PartRole::Heart:
     case PartRole::Vessel:
     case PartRole::Muscle:

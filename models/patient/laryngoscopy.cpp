@@ -18,8 +18,8 @@ bool isLookedThrough(PartRole role)
 {
     return role == PartRole::Epiglottis || role == PartRole::Larynx
            || role == PartRole::LaryngealMucosa || role == PartRole::VocalFold
-           || role == PartRole::Pharynx || role == PartRole::Tongue || role == PartRole::Tooth
-           || role == PartRole::Trachea || role == PartRole::Skin;
+           || role == PartRole::Hyoid || role == PartRole::Pharynx || role == PartRole::Tongue
+           || role == PartRole::Tooth || role == PartRole::Trachea || role == PartRole::Skin;
 }
 
 /// The parts by which upperAirwayOf finds its places.

@@ -88,6 +88,8 @@ QString roleWord(PartRole role)
         return said("Lining of the larynx");
     case PartRole::VocalFold:
         return said("Vocal fold");
+    case PartRole::Hyoid:
+        return said("Hyoid bone");
     case PartRole::Other:
         return said("Something else");
     }

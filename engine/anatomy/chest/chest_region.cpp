@@ -58,6 +58,7 @@ ChestRegion regionOf(PartRole role)
     case PartRole::VocalFold:
         return ChestRegion::Larynx;
     case PartRole::Tongue:
+    case PartRole::Hyoid: // which gives way to a blade together with the root of the tongue
     case PartRole::Mucosa:
     case PartRole::Muscle:
         return ChestRegion::Throat;
@@ -74,11 +75,6 @@ ChestRegion regionOf(const AnatomyPart& part)
         return ChestRegion::Pharynx;
     if (part.role == PartRole::Mucosa && isNamed(part, {"upper jaw", "upper lip"}))
         return ChestRegion::Skin;
-    // The hyoid bone lies in the root of the tongue, which gives way to a blade together with it.
-    // Membrane and ligaments between it and the thyroid cartilage stay with the larynx.
-    if (part.role == PartRole::Larynx && isNamed(part, {"hyoid"})
-        && !isNamed(part, {"membrane", "ligament"}))
-        return ChestRegion::Throat;
     return regionOf(part.role);
 }
 

@@ -20,7 +20,7 @@ enum class ChestRegion : std::uint8_t {
     Teeth,       ///< do not breathe; events move those of the upper jaw
     Skin,        ///< breathes with the wall; events move it where it covers neck and lips
     Mediastinum, ///< trachea, oesophagus, heart, vessels; upper parts follow the jaw and events
-    Throat,      ///< tongue and muscles: follow the jaw, and give way to a blade
+    Throat,      ///< tongue, hyoid and muscles: follow the jaw, give way to a blade
     Pharynx,     ///< follows jaw and blade, except its posterior wall and the palate's front
     Larynx,      ///< and epiglottis: as Throat, but tilted by a blade
 };

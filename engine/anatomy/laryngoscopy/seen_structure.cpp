@@ -65,6 +65,7 @@ constexpr std::array kRecognised{
     Recognised{PartRole::LaryngealMucosa, "vallecula", SeenStructure::Pharynx},
     Recognised{PartRole::LaryngealMucosa, "", SeenStructure::LaryngealCartilage},
     Recognised{PartRole::VocalFold, "", SeenStructure::VocalFold},
+    Recognised{PartRole::Hyoid, "", SeenStructure::LaryngealCartilage},
     Recognised{PartRole::Mucosa, "", SeenStructure::Pharynx},
     Recognised{PartRole::Trachea, "", SeenStructure::Trachea},
     Recognised{PartRole::RightMainBronchus, "", SeenStructure::Trachea},

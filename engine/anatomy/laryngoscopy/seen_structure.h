@@ -22,7 +22,7 @@ enum class SeenStructure : std::uint8_t {
     VestibularFold,
     Arytenoid, ///< with the tubercles on it
     VocalFold,
-    LaryngealCartilage, ///< thyroid and cricoid cartilage
+    LaryngealCartilage, ///< thyroid and cricoid cartilage, and the hyoid bone
     Trachea,
     Oesophagus,
     Blade,

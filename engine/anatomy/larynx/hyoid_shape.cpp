@@ -130,7 +130,7 @@ PartPlan hyoid(const BodyPlan& plan, const LarynxFrame& frame, const Epiglottis&
 {
     const Hyoid bone{plan, frame, epiglottis};
     return {"Hyoid bone",
-            PartRole::Larynx,
+            PartRole::Hyoid,
             "FMA52749",
             {bone.bounds(), [bone](const Vec3& p_A) { return bone.distance(p_A); }},
             1e3 * frame.unit() * kHyoidVoxel};

@@ -16,7 +16,7 @@ namespace
 
 constexpr std::uint64_t kMagic = 0x5450414e49524143; // "CARINAPT"
 /// Raised when the layout changes, or what an import makes of the same files.
-constexpr std::uint32_t kVersion = 6;
+constexpr std::uint32_t kVersion = 7;
 constexpr std::size_t kHashBytes = 32;
 constexpr std::uint32_t kMostLevels = 16;    ///< of one part
 constexpr std::uint32_t kMostItems = 32'768; ///< of any other list; a part's number has 16 bits

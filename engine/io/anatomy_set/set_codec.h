@@ -12,7 +12,7 @@ namespace carina
 /// An imported set as bytes, the content of a cache file. Little endian:
 ///
 ///     8 bytes  "CARINAPT"
-///     u32      version of this layout and of the import, 4
+///     u32      version of this layout and of the import, 7
 ///     u64      length of the payload
 ///     32 bytes BLAKE2b-256 of the payload
 ///     payload  name, content hash, unit, axes, landmarks, parts with their levels and deviations,

@@ -17,7 +17,7 @@ const std::map<std::string, std::set<PartRole>> kRolesOfGroup{
     {"airway",
      {PartRole::Trachea, PartRole::RightMainBronchus, PartRole::LeftMainBronchus,
       PartRole::BronchialTree}},
-    {"larynx", {PartRole::Larynx, PartRole::Epiglottis}},
+    {"larynx", {PartRole::Larynx, PartRole::Hyoid, PartRole::Epiglottis}},
     {"mouth_pharynx",
      {PartRole::Tooth, PartRole::Mucosa, PartRole::Tongue, PartRole::Pharynx, PartRole::Oesophagus,
       PartRole::Muscle, PartRole::Other}},
@@ -85,7 +85,11 @@ private Q_SLOTS:
         row("Left vocalis", "larynx");
         row("Lower lip", "mucosa");
         row("Gingiva of lower jaw", "mucosa");
-        row("Hyoid bone", "larynx");
+        row("Hyoid bone", "hyoid");
+        row("Left greater horn of hyoid", "hyoid");
+        row("Thyrohyoid membrane", "larynx");
+        row("Left lateral thyrohyoid ligament", "larynx");
+        row("Left thyrohyoid", "muscle");
         row("Cranium", "skull");
         row("Heart", "heart");
         row("Aorta", "vessel");
@@ -106,6 +110,7 @@ private Q_SLOTS:
     void recognisesConceptsWithoutAName()
     {
         QVERIFY(recogniseRole("FMA7394", "") == PartRole::Trachea);
+        QVERIFY(recogniseRole("FMA52749", "") == PartRole::Hyoid);
         QVERIFY(recogniseRole("FMA68210", "") == PartRole::Other);
         QVERIFY(recogniseRole("FMA68211", "") == PartRole::BronchialTree);
         QVERIFY(recogniseRole("FMA68233", "") == PartRole::BronchialTree);

@@ -64,6 +64,7 @@ Appearance appearanceOf(const AnatomyPart& part)
     case PartRole::BronchialTree:
         return {MaterialGroup::SoftTissue, {186, 203, 211}};
     case PartRole::Larynx:
+    case PartRole::Hyoid:
         return {MaterialGroup::Airway, {192, 216, 211}};
     case PartRole::Epiglottis:
         return {MaterialGroup::SoftTissue, {214, 171, 141}};

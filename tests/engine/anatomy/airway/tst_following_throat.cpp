@@ -268,8 +268,9 @@ void TestFollowingThroat::staysTogether()
     if (somebody == nullptr)
         QSKIP("the real man is not here");
     const ThroatField throat = throatOf(*somebody);
-    const SurfaceTree larynx =
-        surfaceOf(*somebody, [](const AnatomyPart& part) { return part.role == PartRole::Larynx; });
+    const SurfaceTree larynx = surfaceOf(*somebody, [](const AnatomyPart& part) {
+        return part.role == PartRole::Larynx || part.role == PartRole::Hyoid;
+    });
     Largest slide_mm;
     forVertices(*somebody, [&](const Vec3& p_A, ThroatTissue tissue, const std::string& part) {
         if (tissue != ThroatTissue::Pharynx || larynx.distanceTo(p_A) > kTouching_m)

@@ -40,7 +40,8 @@ void TestChestRegion::tellsHowEachRoleMoves_data()
     QTest::newRow("oesophagus") << PartRole::Oesophagus << ChestRegion::Mediastinum;
     QTest::newRow("heart") << PartRole::Heart << ChestRegion::Mediastinum;
     QTest::newRow("vessel") << PartRole::Vessel << ChestRegion::Mediastinum;
-    for (const PartRole throat : {PartRole::Tongue, PartRole::Mucosa, PartRole::Muscle})
+    for (const PartRole throat :
+         {PartRole::Tongue, PartRole::Hyoid, PartRole::Mucosa, PartRole::Muscle})
         QTest::newRow(roleName(throat)) << throat << ChestRegion::Throat;
     for (const PartRole larynx :
          {PartRole::Larynx, PartRole::Epiglottis, PartRole::LaryngealMucosa, PartRole::VocalFold})
@@ -76,7 +77,7 @@ void TestChestRegion::movesSomePartsOtherwiseThanTheirRole_data()
         row(name, PartRole::Mucosa, ChestRegion::Throat);
     row("Maxilla of upper jaw", PartRole::Skull, ChestRegion::Still);
     row("Palatoglossus", PartRole::Muscle, ChestRegion::Throat);
-    row("Hyoid bone", PartRole::Larynx, ChestRegion::Throat);
+    row("Hyoid bone", PartRole::Hyoid, ChestRegion::Throat);
     row("Thyrohyoid membrane", PartRole::Larynx, ChestRegion::Larynx);
     row("Left lateral thyrohyoid ligament", PartRole::Larynx, ChestRegion::Larynx);
     row("Suprahyoid branch of lingual artery", PartRole::Vessel, ChestRegion::Mediastinum);

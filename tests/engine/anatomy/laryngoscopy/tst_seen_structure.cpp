@@ -39,6 +39,7 @@ void TestSeenStructure::recognisesPartsByRoleAndName_data()
     row("Right aryepiglottic fold", PartRole::Larynx, SeenStructure::AryepiglotticFold);
     row("Thyroid cartilage", PartRole::Larynx, SeenStructure::LaryngealCartilage);
     row("Vallecula", PartRole::LaryngealMucosa, SeenStructure::Pharynx);
+    row("Hyoid bone", PartRole::Hyoid, SeenStructure::LaryngealCartilage);
     row("Trachea", PartRole::Trachea, SeenStructure::Trachea);
     row("Oesophagus", PartRole::Oesophagus, SeenStructure::Oesophagus);
     row("Left second rib", PartRole::Rib, SeenStructure::Nothing);

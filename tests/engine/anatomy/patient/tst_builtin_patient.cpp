@@ -49,7 +49,8 @@ const std::map<PartRole, std::size_t> kRoles{
     {PartRole::RightMainBronchus, 1},
     {PartRole::LeftMainBronchus, 1},
     {PartRole::BronchialTree, 19}, // segments
-    {PartRole::Larynx, 7},         // thyroid, cricoid, two arytenoids, two cords, hyoid
+    {PartRole::Larynx, 6},         // thyroid, cricoid, two arytenoids, two cords
+    {PartRole::Hyoid, 1},
     {PartRole::Epiglottis, 1},
     {PartRole::RightUpperLobe, 1},
     {PartRole::RightMiddleLobe, 1},

@@ -93,9 +93,9 @@ void TestAppearance::showsTheTubeThroughWhatItGoesInto_data()
     QTest::addColumn<PartRole>("role");
     for (const PartRole role :
          {PartRole::Trachea, PartRole::RightMainBronchus, PartRole::LeftMainBronchus,
-          PartRole::Larynx, PartRole::Pharynx, PartRole::Mucosa, PartRole::LaryngealMucosa,
-          PartRole::RightLung, PartRole::LeftLung, PartRole::Rib, PartRole::Heart, PartRole::Vessel,
-          PartRole::Muscle, PartRole::Diaphragm, PartRole::Skin})
+          PartRole::Larynx, PartRole::Hyoid, PartRole::Pharynx, PartRole::Mucosa,
+          PartRole::LaryngealMucosa, PartRole::RightLung, PartRole::LeftLung, PartRole::Rib,
+          PartRole::Heart, PartRole::Vessel, PartRole::Muscle, PartRole::Diaphragm, PartRole::Skin})
         QTest::newRow(roleName(role)) << role;
 }
 

@@ -31,18 +31,15 @@ inline constexpr double kInspirationAsMade = 0.75;
 ///   entrance of the larynx as in LaryngealOedema;
 /// - LaryngealWeb: the cords are joined from the commissure on, whatever the breath;
 /// - ExternalPressure: the larynx goes to the back, up and to the patient's right; vallecula, tip
-/// of
-///   the epiglottis and trachea stay;
+///   of the epiglottis and trachea stay;
 /// - TrachealStenosis: the trachea's wall comes together from all sides kNarrowingOfWindpipe below
 ///   the cords;
 /// - TrachealDeviation: the trachea, with what lies along it, goes to the patient's right between
 ///   larynx and lungs;
 /// - Goitre: the skin before it bulges, and the trachea is narrowed from the sides and goes a
-/// little
-///   to the patient's right;
+///   little to the patient's right;
 /// - NeckObesity: the walls of the pharynx come nearer, the base of the tongue grows, and the skin
-/// of
-///   the neck goes outward;
+///   of the neck goes outward;
 /// - ProminentIncisors: the upper front teeth stand out, with gums and lip;
 /// - Trismus: nothing of this; it limits the jaw (mostMouthOpening);
 /// - StiffNeck: nothing of this; it limits head and neck (withinMotion);

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "engine/anatomy/laryngoscopy/upper_airway.h"
+#include "engine/geometry/deformation/airway_field.h"
+
+/// What events change of lips, teeth, tongue and pharynx; severities and shares from 0 to 1.
+namespace carina::airway_change
+{
+
+/// @pre the airway has a tongue
+void swellTongue(AirwayField& field, const UpperAirway& airway, double severity);
+
+/// Lips and the front of the tongue, where the airway has them.
+void swellMouth(AirwayField& field, const UpperAirway& airway, double severity);
+
+/// By swelling, and by fat.
+void narrowPharynx(AirwayField& field, const UpperAirway& airway, double swelling, double fat);
+
+/// To the front and down as the face has it. Roots and jaw stay.
+void protrudeIncisors(AirwayField& field, const UpperAirway& airway, double severity);
+
+} // namespace carina::airway_change

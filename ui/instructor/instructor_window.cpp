@@ -9,7 +9,7 @@
 #include "ui/instructor/status_line.h"
 #include "ui/instructor/view_controls.h"
 #include "ui/lesson/lesson_bar.h"
-#include "ui/panels/undo_button.h"
+#include "ui/panels/session/undo_button.h"
 #include "ui_instructor_window.h"
 #include "widgets/scene/view/scene_view.h"
 

@@ -2,7 +2,7 @@
 
 #include "models/text/shown_as_is.h"
 #include "ui/instructor/saved_views_menu.h"
-#include "ui/panels/people_menus.h"
+#include "ui/panels/people/people_menus.h"
 #include "widgets/scene/view/scene_view.h"
 
 #include <QHBoxLayout>

@@ -1,8 +1,8 @@
 #include "ui/lesson/scene_teacher.h"
 
 #include "ui/lesson/lesson_scene.h"
-#include "ui/panels/parts_panel.h"
-#include "ui/panels/section_panel.h"
+#include "ui/panels/patient/parts_panel.h"
+#include "ui/panels/patient/section_panel.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "ui/scene/part_chooser.h"
 
-#include "ui/panels/parts_panel.h"
+#include "ui/panels/patient/parts_panel.h"
 
 namespace carina
 {

@@ -1,7 +1,7 @@
 #include "tests/support/test_class.h"
 #include "tests/ui/instructor/console_desk.h"
 #include "tests/ui/trainee/trainee_desk.h"
-#include "ui/panels/undo_button.h"
+#include "ui/panels/session/undo_button.h"
 #include "widgets/scene/view/graphics.h"
 
 #include <QApplication>

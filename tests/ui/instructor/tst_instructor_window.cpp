@@ -8,7 +8,7 @@
 #include "ui/instructor/panel_docks.h"
 #include "ui/instructor/projector_window.h"
 #include "ui/lesson/lesson_scene.h"
-#include "ui/panels/parts_panel.h"
+#include "ui/panels/patient/parts_panel.h"
 #include "widgets/checked_spin_box.h"
 #include "widgets/scene/view/graphics.h"
 #include "widgets/scene/view/scene_view.h"

@@ -2,10 +2,10 @@
 #include "tests/models/fake_session_node.h"
 #include "tests/support/test_class.h"
 #include "ui/join/join_dialog.h"
-#include "ui/panels/actions_panel.h"
-#include "ui/panels/participants_panel.h"
-#include "ui/panels/remove_dialog.h"
-#include "ui/panels/station_bar.h"
+#include "ui/panels/patient/actions_panel.h"
+#include "ui/panels/people/participants_panel.h"
+#include "ui/panels/people/remove_dialog.h"
+#include "ui/panels/session/station_bar.h"
 
 #include <QLabel>
 #include <QToolButton>

@@ -1,6 +1,6 @@
 #include "tests/support/test_class.h"
 #include "tests/widgets/scene/scene_fixture.h"
-#include "ui/panels/parts_panel.h"
+#include "ui/panels/patient/parts_panel.h"
 #include "ui/scene/part_chooser.h"
 #include "widgets/scene/view/graphics.h"
 #include "widgets/scene/view/scene_window.h"

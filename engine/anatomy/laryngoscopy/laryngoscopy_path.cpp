@@ -264,11 +264,19 @@ double liftedBy(const UpperAirway& moved, const Vec3& p_A_blade, const LarynxHin
     return std::max(wanted, 0.0) / std::max(tiltingShare(hinge, p_A_lifted), kLeastShare);
 }
 
-/// That of who is smaller than a small adult is less.
-Length liftIn(const UpperAirway& airway, Length lift)
+/// That of who is smaller than a small adult is less, and with a straight blade in children less
+/// than in proportion: it holds the epiglottis itself, and more than opens the view would take
+/// tongue and floor of the mouth off the throat behind them.
+Length liftIn(const UpperAirway& airway, EpiglottisLift by, Length lift)
 {
     constexpr double kSmallAdult = 0.9;
-    return std::min(sizeOf(airway) / kSmallAdult, 1.0) * lift;
+    constexpr double kChild = 0.85; // of that
+    constexpr double kStraightInChildren = 0.75;
+    const double share = std::min(sizeOf(airway) / kSmallAdult, 1.0);
+    if (by == EpiglottisLift::Ligament)
+        return share * lift;
+    const double grown = std::max(share - kChild, 0.0) / (1.0 - kChild);
+    return share * std::lerp(kStraightInChildren, 1.0, grown) * lift;
 }
 
 /// How far the vallecula is taken forward at most, metres: as far as a blade goes for a larynx of
@@ -342,7 +350,7 @@ LaryngoscopyPose laryngoscopyPose(const UpperAirway& airway, const ThroatField& 
 {
     const BetweenSteps at = betweenSteps(progress);
     const StepFigures figures = figuresAt(at);
-    const Length whole = liftIn(airway, lift);
+    const Length whole = liftIn(airway, blade.lift, lift);
     LaryngoscopyPose pose;
     pose.X_AJ = jawIn(airway, figures);
     pose.lift = figures.lift * whole;

@@ -429,12 +429,10 @@ void SceneView::drawExposed(LocalTime asked)
     m_eyes = eyesOf(cameras);
     const bool isDrawn = hasToBeDrawn(drawn.frame, cameras);
     const bool isFull = wasFull && m_rest.isFull();
-    // First the names: where one was, which is a window of its own, the picture is missing until it
-    // is drawn anew, and the name would be seen there and in its new place.
-    placeLabels(drawn.frame, cameras);
     if (isDrawn)
         drawScene(drawn.frame, cameras, isFull ? PictureQuality::Fine : m_quality.quality());
     drawn.swapped = monotonicNow();
+    placeLabels(drawn.frame, cameras);
     m_frame = drawn.frame;
     m_cameras = cameras;
     if (!cameras.empty())

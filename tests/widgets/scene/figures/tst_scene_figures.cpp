@@ -11,7 +11,6 @@ namespace
 using namespace carina::test;
 
 constexpr double kRadius = 0.05;     ///< metres
-constexpr double kAside = 0.03;      ///< metres from the middle, in a view of that ball
 constexpr double kPixelShare = 0.05; ///< of a disc, by rounding at its rim
 constexpr std::uint16_t kPartId = 1;
 
@@ -35,16 +34,6 @@ std::unique_ptr<SceneView> viewOf(const std::shared_ptr<Bodies>& bodies, bool in
                          frame.bodies = *bodies;
                          return frame;
                      });
-}
-
-/// The share of a picture that has the colour which names are written on.
-double nameShare(const QImage& picture)
-{
-    double count = 0.0;
-    for (int y = 0; y < picture.height(); ++y)
-        for (int x = 0; x < picture.width(); ++x)
-            count += picture.pixel(x, y) == qRgb(0x10, 0x18, 0x1f) ? 1.0 : 0.0;
-    return count / (picture.width() * picture.height());
 }
 
 RigidTransform at(double x, double z) { return RigidTransform::translation({x, 0.0, z}); }
@@ -126,28 +115,6 @@ private Q_SLOTS:
                 written += label->text();
         written.sort();
         QCOMPARE(written, (QStringList{QStringLiteral("Tim"), QStringLiteral("Tom")}));
-    }
-
-    /// Already when a frame was drawn, and not only after the next one.
-    void leavesNoNameWhereItWas()
-    {
-        const auto bodies = std::make_shared<Bodies>();
-        *bodies = {{"a", at(-kAside, 0.0)}};
-        const auto view = viewOf(bodies, false);
-        view->setFigures(std::array{ball(7, "a", "Tom")});
-        QVERIFY(draws(*view, 5));
-        const QRect before = view->placedFigureNames().front().box;
-        QVERIFY(nameShare(onScreen(*view).copy(before)) > 0.5);
-        QImage left;
-        view->onFrameDrawn([&](const DrawnFrame& drawn) {
-            if (left.isNull() && drawn.frame.bodies.at("a").X_AF.translation().x() > 0.0)
-                left = onScreen(*view).copy(before);
-        });
-        *bodies = {{"a", at(kAside, 0.0)}};
-        QVERIFY(draws(*view, 5));
-        QVERIFY(!view->placedFigureNames().front().box.intersects(before));
-        QCOMPARE(left.size(), before.size());
-        QCOMPARE(nameShare(left), 0.0);
     }
 
     /// In the middle of each eye's half: both look straight at it.

@@ -47,8 +47,8 @@ double valleculaAt(const Vec3& p, const Epiglottis& epiglottis)
     const double inFront = epiglottis.middleAt(p.z()) - p.y();
     const double half = 0.5 * kFloorThick;
     const double slab = 0.9 * (std::abs(p.z() - heightOfFloor(x, inFront) + half) - half);
-    const double folds = std::min(footOfMedianFold(x, inFront, p.z()),
-                                  0.9 * lateralFold({x, -inFront, p.z()}));
+    const double folds =
+        std::min(footOfMedianFold(x, inFront, p.z()), 0.9 * lateralFold({x, -inFront, p.z()}));
     const double ends = std::max({kFloorFrom - inFront, inFront - kFloorEnd, x - kHalfFloor});
     return roundedMax(roundedMin(slab, folds, 1.2), 0.9 * ends, 1.0);
 }
@@ -59,10 +59,10 @@ PartPlan vallecula(const LarynxFrame& frame, const Epiglottis& epiglottis)
 {
     const double middle = epiglottis.middleAt(kFloor);
     const Box box{Vec3{-15.0, middle - 16.0, 9.0}, Vec3{15.0, middle + 6.0, 25.0}};
-    return {"Vallecula", PartRole::LaryngealMucosa, "",
-            frame.inAnatomy(
-                box, [epiglottis](const Vec3& p) { return valleculaAt(p, epiglottis); }),
-            1e3 * frame.unit() * kValleculaVoxel};
+    return {
+        "Vallecula", PartRole::LaryngealMucosa, "",
+        frame.inAnatomy(box, [epiglottis](const Vec3& p) { return valleculaAt(p, epiglottis); }),
+        1e3 * frame.unit() * kValleculaVoxel};
 }
 
 } // namespace carina

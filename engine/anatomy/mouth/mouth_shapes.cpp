@@ -180,9 +180,7 @@ void addPalate(std::vector<PartPlan>& parts, const BodyPlan& plan)
                            [soft = SoftPalate{}](const Vec3& p) { return soft.distance(p); }));
     const Vec3 p_A_root = plan.inThroat(kUvulaRoot);
     const double unit = unitOfUvula(plan);
-    const auto inAnatomy = [&](const Vec3& p) {
-        return Vec3{p_A_root + unit * (p - kUvulaRoot)};
-    };
+    const auto inAnatomy = [&](const Vec3& p) { return Vec3{p_A_root + unit * (p - kUvulaRoot)}; };
     const Implicit hanging = [p_A_root, unit](const Vec3& p_A) {
         return unit * uvula((p_A - p_A_root) / unit + kUvulaRoot);
     };

@@ -43,8 +43,7 @@ std::string asText(const std::vector<std::byte>& bytes)
 class NdiDevice : public DeviceClient
 {
 public:
-    explicit NdiDevice(const TrackerDescription& description)
-        : m_client{ndiSettingsOf(description)}
+    explicit NdiDevice(const TrackerDescription& description) : m_client{ndiSettingsOf(description)}
     {
     }
 

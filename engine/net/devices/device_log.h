@@ -18,9 +18,9 @@ namespace carina
 ///
 ///     # carina.conversation/1 {"kind": "ndi", "address": ..., "poses": ..., "tools": [...]}
 ///
-/// then a line each time that the port is opened, one for all bytes that were sent or came together,
-/// in the form of the recordings of IGSTK (readNdiRecording), and one where the client looked and
-/// there were none: the same client, told the same times, does the same again,
+/// then a line each time that the port is opened, one for all bytes that were sent or came
+/// together, in the form of the recordings of IGSTK (readNdiRecording), and one where the client
+/// looked and there were none: the same client, told the same times, does the same again,
 ///
 ///     1127242654.213753900 : (INFO) opened
 ///     1127242654.213753900 : (INFO) 41. command[12] BX:0001C26D\x0D

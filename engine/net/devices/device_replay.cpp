@@ -14,9 +14,9 @@ namespace carina
 namespace
 {
 
-constexpr std::size_t kLookedAt = 4096; ///< characters, for what a file is
+constexpr std::size_t kLookedAt = 4096;                ///< characters, for what a file is
 constexpr std::int64_t kLatestSeconds = 6'000'000'000; ///< since 1970
-constexpr double kExposuresPerSecond = 60.0; ///< where a recording has no times
+constexpr double kExposuresPerSecond = 60.0;           ///< where a recording has no times
 
 /// One line of a log behind its first.
 struct LoggedLine {
@@ -64,8 +64,7 @@ std::optional<LoggedLine> loggedLine(std::string_view text)
 class Replay
 {
 public:
-    explicit Replay(const TrackerDescription& description)
-        : m_client{deviceClient(description)}
+    explicit Replay(const TrackerDescription& description) : m_client{deviceClient(description)}
     {
         for (const DescribedTool& tool : description.tools)
             m_sequence.tools.push_back({.name = tool.name, .role = tool.role});

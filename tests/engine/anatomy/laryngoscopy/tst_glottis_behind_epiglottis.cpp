@@ -156,10 +156,10 @@ void TestGlottisBehindEpiglottis::isNotSeenPastItsFront()
                     const Vec3 p_A = p_A_lifted + person.unit * aside * Vec3::UnitX()
                                      + person.unit * before * moved.forward_A();
                     const std::string seen = firstHit(parts, p_A_eye, p_A - p_A_eye);
-                    const std::string where =
-                        std::string{stepName(step)} + ": " + seen + " at " + std::to_string(share)
-                        + " of the height, " + std::to_string(aside) + " aside, "
-                        + std::to_string(before) + " before it";
+                    const std::string where = std::string{stepName(step)} + ": " + seen + " at "
+                                              + std::to_string(share) + " of the height, "
+                                              + std::to_string(aside) + " aside, "
+                                              + std::to_string(before) + " before it";
                     QVERIFY2(!isInLarynx(seen), where.c_str());
                 }
         }
@@ -187,8 +187,8 @@ void TestGlottisBehindEpiglottis::hasAFloorBeforeIt()
             const Vec3 p_A = p_A_front + person.unit * aside * Vec3::UnitX()
                              + person.unit * before * moved.forward_A();
             const std::string seen = firstHit(parts, p_A + above * moved.up_A, -moved.up_A);
-            const bool isClosed = !seen.empty() && !isInLarynx(seen)
-                                  && seen.find("cartilage") == std::string::npos;
+            const bool isClosed =
+                !seen.empty() && !isInLarynx(seen) && seen.find("cartilage") == std::string::npos;
             const std::string where = (seen.empty() ? "nothing" : seen) + " at "
                                       + std::to_string(aside) + " aside, " + std::to_string(before)
                                       + " before it";

@@ -97,7 +97,7 @@ private Q_SLOTS:
     void laysTheHeaderOutAsDocumented()
     {
         const auto bytes = encodeSet(smallSet());
-        QVERIFY(std::memcmp(bytes.data(), "CARINAPT\6\0\0\0", 12) == 0);
+        QVERIFY(std::memcmp(bytes.data(), "CARINAPT\7\0\0\0", 12) == 0);
         std::uint64_t length = 0;
         std::memcpy(&length, bytes.data() + 12, sizeof length);
         QCOMPARE(length, std::uint64_t{bytes.size() - kHeaderBytes});

@@ -57,6 +57,11 @@ inline constexpr double kPascalsPerCmH2O = 98.0665; ///< the conventional centim
 constexpr Pressure cmH2O(double p) { return {p * kPascalsPerCmH2O}; }
 constexpr double inCmH2O(Pressure p) { return p.si / kPascalsPerCmH2O; }
 
+inline constexpr double kPascalsPerMmHg = 133.322387415; ///< the conventional millimetre of mercury
+
+constexpr Pressure mmHg(double p) { return {p * kPascalsPerMmHg}; }
+constexpr double inMmHg(Pressure p) { return p.si / kPascalsPerMmHg; }
+
 constexpr VolumeFlow litresPerSecond(double q) { return {q * 1e-3}; }
 constexpr VolumeFlow litresPerMinute(double q) { return litresPerSecond(q / 60.0); }
 constexpr double inLitresPerMinute(VolumeFlow q) { return q.si * 6e4; }

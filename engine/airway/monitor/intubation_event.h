@@ -1,0 +1,50 @@
+#pragma once
+
+#include "engine/core/session_time.h"
+#include "engine/core/units.h"
+#include "engine/lungs/mechanics/tube_place.h"
+
+#include <array>
+#include <cstdint>
+
+namespace carina
+{
+
+/// What the monitor of an intubation notes.
+enum class IntubationStep : std::uint8_t {
+    BladeIn,        ///< the blade passes the teeth: an attempt begins
+    BladeOut,       ///< and has left the mouth
+    GlottisSeen,    ///< at least a grade of 2 for the first time in this attempt
+    TubePastTeeth,  ///< the tube's tip passes the teeth inwards
+    TubeOut,        ///< and has left the mouth
+    ThroughCords,   ///< the tip is through the vocal cords
+    BackAboveCords, ///< and above them again
+    InOesophagus,   ///< the tip is in the oesophagus
+    OutOfOesophagus,
+    PastCarina, ///< the tip is in a main bronchus: the seat says which
+    BackAboveCarina,
+    CuffInflated, ///< as people say by their controls: no sensor feels it
+    CuffDeflated,
+    StyletOut,
+    FirstBreath, ///< the first breath delivered through the tube
+    ShapesApart, ///< measured and constrained tube part: the depth is no longer claimed
+    ShapesTogether,
+    PassedShut, ///< the real tube passed where the virtual airway is shut
+};
+inline constexpr IntubationStep kLastIntubationStep = IntubationStep::PassedShut;
+
+/// One entry of an intubation's course, with what it rests on. Poses are those of one station.
+struct IntubationEvent {
+    IntubationStep step = IntubationStep::BladeIn;
+    SessionTime at{};               ///< when it happened; it is noted a little later
+    TubeSeat seat = TubeSeat::None; ///< of the tip from then on
+    double confidence = 1.0;        ///< 0 to 1
+    Length depthAtTeeth{};          ///< of the tip, along the tube; 0 outside
+    Length tipAboveCarina{};     ///< along the airway, negative beyond; of meaning in the trachea
+    Length besides{};            ///< distance of the two shapes of the tube at its tip
+    double glotticOpening = 0.0; ///< share of the glottis that is seen, 0 to 1
+
+    friend bool operator==(const IntubationEvent&, const IntubationEvent&) = default;
+};
+
+} // namespace carina

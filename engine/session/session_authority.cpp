@@ -250,7 +250,7 @@ Result<void> checkMoment(const SessionState& state, const FactBody& body)
                       body);
 }
 
-std::optional<SessionTime> checkpointTime(const FactBody& body)
+std::optional<SessionTime> timeOfCheckpoint(const FactBody& body)
 {
     if (const auto* breathing = std::get_if<fact::RespirationCheckpoint>(&body))
         return breathing->at;
@@ -264,7 +264,7 @@ std::optional<SessionTime> checkpointTime(const FactBody& body)
 /// Whoever is to go on from a checkpoint at the present has to find it in the past.
 Result<void> checkCheckpoint(SessionTime now, const FactBody& body)
 {
-    if (const auto at = checkpointTime(body); at && *at > now)
+    if (const auto at = timeOfCheckpoint(body); at && *at > now)
         return fail(Errc::OutOfRange, "a checkpoint of what is to come");
     return {};
 }

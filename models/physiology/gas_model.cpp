@@ -29,7 +29,7 @@ public:
     const RespirationTimeline* operator->() const { return m_timeline; }
 
 private:
-    static inline const RespirationTimeline kNothing;
+    static inline const RespirationTimeline kNothing{};
 
     std::shared_ptr<const SessionState> m_state;
     const RespirationTimeline* m_timeline = &kNothing;

@@ -82,7 +82,8 @@ void RespirationTimeline::setGas(SessionTime from, const GasSupply& gas)
 
 void RespirationTimeline::give(SessionTime from, const DrugDose& dose)
 {
-    m_doses.insert(std::ranges::upper_bound(m_doses, from, {}, &GivenDose::from), {from, dose});
+    m_doses.insert(std::ranges::upper_bound(m_doses, from, {}, &GivenDose::from),
+                   GivenDose{from, dose});
     decide(from);
 }
 

@@ -185,7 +185,7 @@ void TestGasModel::listsWhatWasGivenLately()
     console.settle();
     QCOMPARE(console.model.givenText(),
              QStringLiteral("Fentanyl 80\u00a0\u00b5g, Propofol 80\u00a0mg"));
-    console.node.advance(GasModel::kShownDoses);
+    console.node.advance(GasModel::kShownDoses + kLead);
     QCOMPARE(console.model.givenText(), QString{});
 }
 

@@ -25,14 +25,14 @@ constexpr int kGivenLines = 2;
 constexpr double kOxygenStep = 10.0; ///< per cent
 
 /// Shows a value without telling it back to the model; not while a person is typing into it.
-void display(CheckedDoubleSpinBox& box, double value)
+void showValue(CheckedDoubleSpinBox& box, double value)
 {
     const QSignalBlocker blocker{box};
     if (!box.hasFocus() || box.cleanText() == box.textFromValue(box.value()))
         box.setValue(value);
 }
 
-void display(QCheckBox& box, bool isChecked)
+void showTick(QCheckBox& box, bool isChecked)
 {
     const QSignalBlocker blocker{box};
     box.setChecked(isChecked);
@@ -231,10 +231,10 @@ void GasPanel::refresh()
     m_obstacle->setVisible(!obstacle.isEmpty());
     m_controls->setEnabled(obstacle.isEmpty());
     const GasSupply gas = m_model->gas();
-    display(*m_oxygen, 100.0 * gas.inspiredOxygen);
-    display(*m_mask, gas.maskHeld);
-    display(*m_probe, gas.probeOn);
-    display(*m_cuff, m_model->isCuffInflated());
+    showValue(*m_oxygen, 100.0 * gas.inspiredOxygen);
+    showTick(*m_mask, gas.maskHeld);
+    showTick(*m_probe, gas.probeOn);
+    showTick(*m_cuff, m_model->isCuffInflated());
     const QString tube = m_model->tubeText();
     m_tube->setText(tube);
     m_tube->setVisible(!tube.isEmpty());

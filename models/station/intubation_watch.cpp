@@ -54,6 +54,8 @@ void IntubationWatch::forget()
 {
     m_monitor = IntubationMonitor{};
     m_taken.reset();
+    m_controls.reset();
+    m_wasVentilated = false;
     m_queued.clear();
     m_noted.clear();
 }
@@ -83,6 +85,7 @@ void IntubationWatch::look()
         for (const IntubationEvent& event : m_monitor.take(airwayAt(*m_taken)))
             queue(event, *now);
     }
+    takeControls(*now);
     propose(*now);
 }
 
@@ -136,6 +139,35 @@ BladeSeen IntubationWatch::bladeIn(const StationMoment& moment, const Laryngosco
             .p_A_tip = sight.X_AL * middleOfBlade(sight.blade.form, 1.0),
             .isOnTeeth = sight.effort.isOnTeeth,
             .glottis = view ? std::optional{view->opening} : std::nullopt};
+}
+
+IntubationWatch::Controls IntubationWatch::controlsAt(SessionTime t) const
+{
+    const auto state = m_node.state();
+    const auto station = state->stations().find(m_station);
+    if (station == state->stations().end())
+        return {};
+    const RespirationTimeline& respiration = station->second.respiration;
+    const RespiratorySettings settings = respiration.settingsAt(t);
+    return {.isCuffInflated = respiration.tube().cuffInflatedAt(t),
+            .isStyletIn = respiration.tube().styletInAt(t),
+            .isVentilated = settings.bag.rate > Frequency{}
+                            || settings.ventilator.mode != VentilationMode::Spontaneous};
+}
+
+void IntubationWatch::takeControls(SessionTime now)
+{
+    const Controls present = controlsAt(now);
+    const Controls before = std::exchange(m_controls, present).value_or(present);
+    const auto tell = [&](IntubationStep step) { queue(m_monitor.told(step, now), now); };
+    if (present.isCuffInflated != before.isCuffInflated)
+        tell(present.isCuffInflated ? IntubationStep::CuffInflated : IntubationStep::CuffDeflated);
+    if (before.isStyletIn && !present.isStyletIn)
+        tell(IntubationStep::StyletOut);
+    if (course().seat == TubeSeat::None)
+        m_wasVentilated = false;
+    else if (present.isVentilated && !std::exchange(m_wasVentilated, true))
+        tell(IntubationStep::FirstBreath);
 }
 
 /// As the session takes it: no older than news are, and at a distance from the last of its kind.

@@ -24,6 +24,9 @@ namespace carina
 /// Moments are kEach apart, at whole multiples of it in session time, and kBehind in the past,
 /// where poses are interpolated between samples and not predicted. Patient, neck, jaw and tissue
 /// are as they are drawn then.
+///
+/// What no sensor feels follows from what people set: cuff and stylet, and that bag or ventilator
+/// breathe for the first time with the tip past the cords, in the trachea or the oesophagus.
 class IntubationWatch : public QObject
 {
     Q_OBJECT
@@ -56,11 +59,20 @@ public:
     [[nodiscard]] const IntubationCourse& course() const { return m_monitor.course(); }
 
 private:
+    /// As people have set them.
+    struct Controls {
+        bool isCuffInflated = false;
+        bool isStyletIn = true;
+        bool isVentilated = false;
+    };
+
     void forget();
     [[nodiscard]] bool watches(SessionTime now) const;
     [[nodiscard]] StationMoment momentAt(SessionTime t) const;
     [[nodiscard]] AirwayMoment airwayAt(SessionTime t);
     [[nodiscard]] BladeSeen bladeIn(const StationMoment& moment, const LaryngoscopeSight& sight);
+    [[nodiscard]] Controls controlsAt(SessionTime t) const;
+    void takeControls(SessionTime now);
     void queue(IntubationEvent event, SessionTime now);
     void propose(SessionTime now);
 
@@ -73,6 +85,8 @@ private:
     std::optional<StationLaryngoscope> m_laryngoscope;
     IntubationMonitor m_monitor;
     std::optional<SessionTime> m_taken; ///< the latest moment
+    std::optional<Controls> m_controls; ///< at the latest look
+    bool m_wasVentilated = false;       ///< through the tube as it lies
     std::deque<IntubationEvent> m_queued;
     std::map<IntubationStep, SessionTime> m_noted; ///< when each step was noted last
     QTimer m_timer;

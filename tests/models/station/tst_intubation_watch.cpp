@@ -154,6 +154,44 @@ private Q_SLOTS:
         QCOMPARE(work.noted(IntubationStep::GlottisSeen).size(), 1U);
     }
 
+    void notesWhatPeopleSet()
+    {
+        Work work;
+        work.runs();
+        work.tube = [](SessionTime) { return pushed(0.0); };
+        work.goOn(2s);
+        work.node.decide(fact::StyletDrawn{});
+        work.node.decide(fact::CuffSet{true});
+        work.goOn(2s);
+        work.node.decide(fact::CuffSet{false});
+        work.goOn(1s);
+        const auto inflated = work.noted(IntubationStep::CuffInflated);
+        QVERIFY(inflated.size() == 1 && inflated.front().seat == TubeSeat::Trachea);
+        QVERIFY(inflated.front().depthAtTeeth > millimetres(100.0));
+        QCOMPARE(work.noted(IntubationStep::CuffDeflated).size(), 1U);
+        QCOMPARE(work.noted(IntubationStep::StyletOut).size(), 1U);
+        QVERIFY(work.noted(IntubationStep::FirstBreath).empty());
+    }
+
+    /// A mask's breaths before are not through the tube.
+    void notesTheFirstBreathThroughTheTube()
+    {
+        Work work;
+        work.runs();
+        const SessionTime begin = *work.node.now();
+        work.node.decide(fact::BagSqueezed{{.rate = perMinute(12.0)}});
+        work.tube = [begin](SessionTime t) -> std::optional<RigidTransform> {
+            if (secondsFrom(begin, t) < 2.0)
+                return std::nullopt;
+            return pushed(0.0);
+        };
+        work.goOn(5s);
+        const auto first = work.noted(IntubationStep::FirstBreath);
+        QCOMPARE(first.size(), 1U);
+        QVERIFY(secondsFrom(begin, first.front().at) > 2.0);
+        QCOMPARE(first.front().seat, TubeSeat::Trachea);
+    }
+
     void notesNothingWhileTheSessionDoesNotRun()
     {
         Work work;

@@ -83,6 +83,7 @@ private:
     AirwayEventModel m_airway;
     HeadPositionModel m_head;
     BreathTrace m_trace;
+    TryWatch m_tries;
     AttentionModel m_attention;
     CheckpointKeeper m_checkpoints;
     ShownStation m_shown;

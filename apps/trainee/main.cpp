@@ -273,6 +273,7 @@ Result<Left> takePart(const QCommandLineParser& parser, Outfit& outfit, program:
     SharedObjectModel object{session, place.id()};
     ObjectActionModel actions{object};
     PeopleModel people{session, place.id()};
+    TryWatch tries{session, place.id(), tools.posesOnScreen()};
     SessionPatient sessionPatient{station.node(), place.id(), outfit.patient,
                                   AnatomyCache::defaultFolder()};
     OfferSwitch offer{[&station] { return OfferGiver::Shown{station.view(), station.patient()}; }};
@@ -284,6 +285,7 @@ Result<Left> takePart(const QCommandLineParser& parser, Outfit& outfit, program:
                          tools.chinProbe(),
                          actions,
                          people,
+                         tries,
                          [&tools] { return tools.standing(); },
                          program::programTracker(tools, recording, offer,
                                                  entered.role == Role::Trainee,
@@ -322,6 +324,7 @@ Result<Left> takePart(const QCommandLineParser& parser, Outfit& outfit, program:
         station.setStation(now);
         object.setStation(now);
         people.setStation(now);
+        tries.setStation(now);
         sessionPatient.setStation(now);
         if (*journal)
             (*journal)->setStation(now);

@@ -51,6 +51,7 @@ ConsoleSession::ConsoleSession(HostedSession hosted, const program::ChosenPatien
       m_airway{m_session, m_stations.shown()},
       m_head{m_session, m_stations.shown()},
       m_trace{m_session, m_stations.shown()},
+      m_tries{m_session, m_stations.shown(), m_tools.posesOnScreen()},
       m_attention{m_session},
       m_intubation{m_session, m_stations.shown()},
       m_checkpoints{*m_hosted.node},
@@ -60,7 +61,7 @@ ConsoleSession::ConsoleSession(HostedSession hosted, const program::ChosenPatien
           return OfferGiver::Shown{m_shown.view(), m_shown.drawn()};
       }},
       m_kept{folder},
-      m_window{{m_session, m_breathing, m_respiration, m_gas, m_airway, m_head, m_trace,
+      m_window{{m_session, m_breathing, m_respiration, m_gas, m_airway, m_head, m_trace, m_tries,
                 m_participants, m_conduct, m_people, m_network, m_actions, m_stations, m_lesson,
                 m_shown.patient(), m_attention, m_intubation},
                m_kept,
@@ -178,6 +179,7 @@ void ConsoleSession::setStation(StationId station)
     m_trace.setStation(station);
     m_intubation.setStation(station);
     m_watch.setStation(station);
+    m_tries.setStation(station);
     m_shown.setStation(station);
     if (m_journal)
         m_journal->setStation(station);

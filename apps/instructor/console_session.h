@@ -84,6 +84,7 @@ private:
     AirwayEventModel m_airway;
     HeadPositionModel m_head;
     BreathTrace m_trace;
+    TryWatch m_tries;
     AttentionModel m_attention;
     IntubationTimeline m_intubation;
     CheckpointKeeper m_checkpoints;

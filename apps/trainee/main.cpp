@@ -274,6 +274,7 @@ Result<Left> takePart(const QCommandLineParser& parser, Outfit& outfit, program:
     SharedObjectModel object{session, place.id()};
     ObjectActionModel actions{object};
     PeopleModel people{session, place.id()};
+    TryWatch tries{session, place.id(), tools.posesOnScreen()};
     SessionPatient sessionPatient{station.node(), place.id(), outfit.patient,
                                   AnatomyCache::defaultFolder()};
     OfferSwitch offer{[&station] { return OfferGiver::Shown{station.view(), station.patient()}; }};
@@ -285,6 +286,7 @@ Result<Left> takePart(const QCommandLineParser& parser, Outfit& outfit, program:
                          tools.chinProbe(),
                          actions,
                          people,
+                         tries,
                          [&tools] { return tools.standing(); },
                          program::programTracker(tools, recording, offer,
                                                  entered.role == Role::Trainee,
@@ -328,6 +330,7 @@ Result<Left> takePart(const QCommandLineParser& parser, Outfit& outfit, program:
         object.setStation(now);
         people.setStation(now);
         watch.setStation(now);
+        tries.setStation(now);
         sessionPatient.setStation(now);
         if (*journal)
             (*journal)->setStation(now);

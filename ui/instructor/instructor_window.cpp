@@ -102,6 +102,7 @@ void InstructorWindow::fillPanels(const ProgramTracker& tracker)
             [this](const QByteArray& name) { m_kept.keepAirwayGroup(name); });
     m_ui->waveforms->setTrace(m_models.trace);
     m_ui->laryngoscope->setStation(stationScene());
+    m_ui->tries->setModel(m_models.tries);
     m_ui->participants->setModel(m_models.participants, m_models.conduct, m_models.stations,
                                  m_models.people);
     m_ui->participants->setOwnHead([this] { return stationScene().moment().head; });
@@ -181,7 +182,7 @@ void InstructorWindow::layPanels()
         *this,
         QList<Group>{Group{m_ui->breathingDock, m_ui->conditionDock, m_ui->gasDock,
                            m_ui->airwayDock, m_ui->actionsDock, m_ui->partsDock, m_ui->trackerDock},
-                     Group{m_ui->waveformDock, m_ui->laryngoscopeDock},
+                     Group{m_ui->waveformDock, m_ui->laryngoscopeDock, m_ui->tryDock},
                      Group{m_ui->participantsDock, m_ui->invitationDock, m_ui->networkDock}});
     offerPanels();
     m_docks->offerAll();
@@ -216,6 +217,8 @@ void InstructorWindow::offerPanels()
     offer(
         m_ui->laryngoscopeDock, "showLaryngoscope", tr("&Laryngoscope"), QStringLiteral("Ctrl+L"),
         tr("What the camera of the laryngoscope shows, with grade and percentage of the glottis"));
+    offer(m_ui->tryDock, "showTry", tr("Tri&es"), QStringLiteral("Ctrl+J"),
+          tr("How the last try at intubating went, points, and what to do next"));
     offer(m_ui->participantsDock, "showParticipants", tr("&Participants"), QStringLiteral("Ctrl+U"),
           tr("Who takes part, and what is decided about them"));
     offer(m_ui->invitationDock, "showInvitation", tr("&Invite"), QStringLiteral("Ctrl+I"),

@@ -12,6 +12,7 @@
 #include "models/respiration/breath_trace.h"
 #include "models/respiration/breathing_model.h"
 #include "models/respiration/respiration_model.h"
+#include "models/scoring/try_watch.h"
 #include "models/session/change_history.h"
 #include "models/session/conduct_model.h"
 #include "models/session/participants_model.h"
@@ -53,6 +54,7 @@ struct ConsoleModels {
     AirwayEventModel& airway;
     HeadPositionModel& head;
     BreathTrace& trace;
+    TryWatch& tries;
     ParticipantsModel& participants;
     ConductModel& conduct;
     PeopleModel& people;
@@ -67,8 +69,8 @@ struct ConsoleModels {
 
 /// The instructor's console: session control, what needs attention, and a 3-D view of the patient
 /// of the station that is shown, which has most of the window; beside it panels with the patient's
-/// breathing, disease, gas, drugs and airway, waveforms, the view of the laryngoscope, shared
-/// objects, participants and network, and the tools of the console's own tracker.
+/// breathing, disease, gas, drugs and airway, waveforms, the view of the laryngoscope, the
+/// last try, shared objects, participants and network, and the tools of the console's own tracker.
 class InstructorWindow : public QMainWindow
 {
     Q_OBJECT

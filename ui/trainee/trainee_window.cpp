@@ -5,6 +5,7 @@
 #include "models/station/people_words.h"
 #include "models/station/station_notice.h"
 #include "ui/panels/airway/laryngoscope_panel.h"
+#include "ui/panels/airway/try_panel.h"
 #include "ui/panels/patient/actions_panel.h"
 #include "ui/panels/patient/parts_panel.h"
 #include "ui/panels/patient/section_panel.h"
@@ -15,6 +16,7 @@
 #include <QActionGroup>
 #include <QApplication>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <QWindow>
@@ -34,7 +36,8 @@ constexpr int kMostPassed = 16;  // stops of Tab outside of the window
 TraineeWindow::TraineeWindow(const SessionNode& node, SessionPatient& patient,
                              const StationView& view, const HeadsetView& headset, ViewOutput output,
                              ChinProbeModel chinProbe, ObjectActionModel& actions,
-                             PeopleModel& people, Standing standing, const ProgramTracker& tracker)
+                             PeopleModel& people, TryWatch& tries, Standing standing,
+                             const ProgramTracker& tracker)
     : m_node{node},
       m_patient{patient},
       m_scene{new SceneView{this}},
@@ -42,6 +45,7 @@ TraineeWindow::TraineeWindow(const SessionNode& node, SessionPatient& patient,
       m_parts{new QDockWidget{tr("Parts"), this}},
       m_tracker{new QDockWidget{tr("Tracker"), this}},
       m_laryngoscope{new QDockWidget{tr("Laryngoscope"), this}},
+      m_debriefing{new QDockWidget{tr("Debriefing"), this}},
       m_partsPanel{new PartsPanel},
       m_section{new SectionPanel},
       m_notices{new PlainLabel{this}, new PlainLabel{this}},
@@ -63,6 +67,7 @@ TraineeWindow::TraineeWindow(const SessionNode& node, SessionPatient& patient,
     makeParts();
     makeTracker(tracker);
     makeLaryngoscope();
+    makeDebriefing(tries);
     for (QLabel* notice : m_notices) {
         notice->setAttribute(Qt::WA_NativeWindow); // else the scene's own window would cover it
         notice->setAlignment(Qt::AlignCenter);
@@ -138,6 +143,25 @@ void TraineeWindow::makeLaryngoscope()
 
 std::optional<GlotticView> TraineeWindow::glottisSeen() const { return m_scope->seen(); }
 
+void TraineeWindow::makeDebriefing(TryWatch& tries)
+{
+    auto* panel = new TryPanel;
+    panel->setModel(tries);
+    auto* area = new QScrollArea;
+    area->setFocusPolicy(Qt::NoFocus);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setWidgetResizable(true);
+    area->setWidget(panel);
+    area->setFocusProxy(panel);
+    addPanel(m_debriefing, area, tr("&Debriefing of the last try"));
+    tabifyDockWidget(m_laryngoscope, m_debriefing);
+    connect(&tries, &TryWatch::ended, m_debriefing, [this] {
+        m_debriefing->show();
+        m_debriefing->raise();
+    });
+}
+
 void TraineeWindow::addPanel(QDockWidget* dock, QWidget* panel, const QString& menuText)
 {
     dock->setWidget(panel);
@@ -171,6 +195,7 @@ void TraineeWindow::makeMenu()
     m_menu.addAction(m_parts->toggleViewAction());
     m_menu.addAction(m_tracker->toggleViewAction());
     m_menu.addAction(m_laryngoscope->toggleViewAction());
+    m_menu.addAction(m_debriefing->toggleViewAction());
     m_menu.addSeparator();
     addFetching();
     addMotion();
@@ -334,7 +359,7 @@ void TraineeWindow::showTo(ViewOutput output)
 {
     m_stationScene.showTo(m_headset, output);
     // A headset's picture keeps all of the window.
-    for (QDockWidget* dock : {m_actions, m_parts, m_tracker, m_laryngoscope}) {
+    for (QDockWidget* dock : {m_actions, m_parts, m_tracker, m_laryngoscope, m_debriefing}) {
         dock->setFloating(output != ViewOutput::Screen);
         dock->setAllowedAreas(output == ViewOutput::Screen ? Qt::AllDockWidgetAreas
                                                            : Qt::NoDockWidgetArea);

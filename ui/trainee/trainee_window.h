@@ -2,6 +2,7 @@
 
 #include "models/objects/object_action_model.h"
 #include "models/patient/session_patient.h"
+#include "models/scoring/try_watch.h"
 #include "models/session/people_model.h"
 #include "models/station/chin_probe_model.h"
 #include "ui/lesson/lesson_follower.h"
@@ -29,9 +30,10 @@ class SectionPanel;
 /// The trainee's window: only the anatomy on black, on a screen or in a headset. Notices appear
 /// over the lower edge, once per eye if each has its own picture, and disappear automatically; the
 /// picture does not move. Esc opens a menu, from which panels for the actions on shared objects,
-/// the parts of the patient, the tools of the tracker and the view of the laryngoscope open: beside
-/// the picture on a screen, in a separate window with a headset. While no headset is tracked, mouse
-/// and keys turn the head that its picture is seen from.
+/// the parts of the patient, the tools of the tracker, the view of the laryngoscope and the
+/// debriefing of the last try open: beside the picture on a screen, in a separate window with a
+/// headset. The debriefing opens by itself when a try has ended, and leaves the keyboard where it
+/// is. While no headset is tracked, mouse and keys turn the head that its picture is seen from.
 class TraineeWindow : public QMainWindow
 {
     Q_OBJECT
@@ -44,8 +46,8 @@ public:
     /// @pre all outlive the window.
     TraineeWindow(const SessionNode& node, SessionPatient& patient, const StationView& view,
                   const HeadsetView& headset, ViewOutput output, ChinProbeModel chinProbe,
-                  ObjectActionModel& actions, PeopleModel& people, Standing standing,
-                  const ProgramTracker& tracker);
+                  ObjectActionModel& actions, PeopleModel& people, TryWatch& tries,
+                  Standing standing, const ProgramTracker& tracker);
 
     /// Draws another patient from now on.
     /// @param chinProbe of the patient's tracking
@@ -77,6 +79,7 @@ private:
     void makeParts();
     void makeTracker(const ProgramTracker& tracker);
     void makeLaryngoscope();
+    void makeDebriefing(TryWatch& tries);
     void addPanel(QDockWidget* dock, QWidget* panel, const QString& menuText);
     void makeMenu();
     /// Says at which station this is, where there are several.
@@ -107,6 +110,7 @@ private:
     QDockWidget* m_tracker;
     QDockWidget* m_laryngoscope;
     LaryngoscopePanel* m_scope = nullptr;
+    QDockWidget* m_debriefing;
     PartsPanel* m_partsPanel;
     SectionPanel* m_section;
     std::array<QLabel*, 2> m_notices; ///< for the whole window or its left half; for its right half

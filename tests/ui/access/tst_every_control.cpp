@@ -28,7 +28,7 @@ using test::verifyControls;
 constexpr std::array kChange{"breathingDock", "conditionDock", "gasDock",    "airwayDock",
                              "actionsDock",   "partsDock",     "trackerDock"};
 constexpr std::array kPeople{"waveformDock", "participantsDock", "invitationDock", "networkDock"};
-constexpr const char* kWithoutControl = "laryngoscopeDock"; ///< only looked at
+constexpr std::array kLookedAt{"laryngoscopeDock", "tryDock"}; ///< they have no control to use
 
 /// While a patient is ventilated that can be moved.
 void runSession(ConsoleDesk& desk)
@@ -126,8 +126,8 @@ private Q_SLOTS:
             for (const char* people : kPeople)
                 QTest::addRow("%s and %s", change, people)
                     << QByteArray{change} << QByteArray{people};
-        QTest::addRow("%s", kWithoutControl)
-            << QByteArray{kChange[0]} << QByteArray{kWithoutControl};
+        for (const char* lookedAt : kLookedAt)
+            QTest::addRow("%s", lookedAt) << QByteArray{kChange[0]} << QByteArray{lookedAt};
     }
     void ofTheConsole()
     {

@@ -36,6 +36,7 @@ struct ConsoleDesk {
     AirwayEventModel airway{session, FakeSessionNode::kStation};
     HeadPositionModel head{session, FakeSessionNode::kStation};
     BreathTrace trace{session, FakeSessionNode::kStation};
+    TryWatch tries{session, FakeSessionNode::kStation};
     ParticipantsModel participants{session};
     ConductModel conduct{session};
     PeopleModel people{session, FakeSessionNode::kStation};
@@ -51,7 +52,7 @@ struct ConsoleDesk {
     std::optional<TrackerSight> sight;
     PoseRecording recording{[this] { return node.now(); }};
     OfferSwitch offer{[this] { return OfferGiver::Shown{view, *drawn}; }};
-    InstructorWindow window{{session, breathing, respiration, gas, airway, head, trace,
+    InstructorWindow window{{session, breathing, respiration, gas, airway, head, trace, tries,
                              participants, conduct, people, network, actions, stations, lesson,
                              patient, attention, intubation},
                             keeper,

@@ -52,7 +52,7 @@ constexpr ParticipantId kOlga = FakeSessionNode::kObserver;
 constexpr StationId kRoom{1};
 constexpr ObjectId kPatient = FakeSessionNode::kPatient;
 constexpr ObjectId kLungs{3};
-constexpr std::size_t kPanels = 11;
+constexpr std::size_t kPanels = 13;
 constexpr std::chrono::seconds kDrawn{30}; ///< a frame, by a loaded software renderer
 
 /// One with the same surfaces as the console's.
@@ -1263,8 +1263,8 @@ private Q_SLOTS:
         QTest::addColumn<QByteArray>("people");
         for (const char* change : {"breathingDock", "conditionDock", "gasDock", "airwayDock",
                                    "actionsDock", "partsDock", "trackerDock"})
-            for (const char* people : {"waveformDock", "laryngoscopeDock", "participantsDock",
-                                       "invitationDock", "networkDock"})
+            for (const char* people : {"waveformDock", "laryngoscopeDock", "tryDock",
+                                       "participantsDock", "invitationDock", "networkDock"})
                 QTest::addRow("%s and %s", change, people)
                     << QByteArray{change} << QByteArray{people};
     }

@@ -26,14 +26,21 @@ struct TraineeDesk {
     SharedObjectModel object{session, FakeSessionNode::kStation};
     ObjectActionModel actions{object};
     PeopleModel people{session, FakeSessionNode::kStation};
+    TryWatch tries{session, FakeSessionNode::kStation};
     SessionPatient patient{node, FakeSessionNode::kStation, drawn, AnatomyCache::defaultFolder()};
     StationView view{node, FakeSessionNode::kStation, drawn->lungs()};
     OfferSwitch offer{[this] { return OfferGiver::Shown{view, *drawn}; }};
-    TraineeWindow window{node,    patient,
-                         view,    HeadsetView::standard(),
-                         output,  ChinProbeModel{nullptr},
-                         actions, people,
-                         {},      {.canBeGiven = true, .offer = &offer}};
+    TraineeWindow window{node,
+                         patient,
+                         view,
+                         HeadsetView::standard(),
+                         output,
+                         ChinProbeModel{nullptr},
+                         actions,
+                         people,
+                         tries,
+                         {},
+                         {.canBeGiven = true, .offer = &offer}};
 };
 
 } // namespace carina::test

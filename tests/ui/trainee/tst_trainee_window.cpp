@@ -1,6 +1,7 @@
 #include "tests/support/soon.h"
 #include "tests/support/test_class.h"
 #include "tests/ui/trainee/trainee_desk.h"
+#include "ui/panels/airway/try_panel.h"
 #include "widgets/scene/view/graphics.h"
 #include "widgets/scene/view/scene_view.h"
 
@@ -142,6 +143,29 @@ private Q_SLOTS:
         QVERIFY(soon([&] { return looks().dot(before) < 0.99; }));
         Q_EMIT scene.headReturned();
         QVERIFY(soon([&] { return looks().dot(before) > 0.9999; }));
+    }
+
+    /// Beside the picture, and who works on keeps the keyboard.
+    void opensTheDebriefingWhenATryHasEnded()
+    {
+        Shown shown;
+        auto* panel = shown.window.findChild<TryPanel*>();
+        QVERIFY(!panel->isVisible());
+        shown.tries.watch();
+        const auto note = [&shown](IntubationStep step) {
+            shown.node.decide(fact::IntubationNoted{{.step = step, .at = *shown.node.now()}, {}});
+            shown.node.advance(std::chrono::seconds{1});
+            shown.tries.watch();
+        };
+        note(IntubationStep::BladeIn);
+        note(IntubationStep::BladeOut);
+        QVERIFY(!panel->isVisible());
+        shown.node.advance(TryCourse::kOutFor);
+        shown.tries.watch();
+        QVERIFY(soon([&] { return panel->isVisible(); }));
+        QVERIFY(!panel->isAncestorOf(shown.window.focusWidget()));
+        const auto* figures = panel->findChild<QLabel*>(QStringLiteral("tryFigures"));
+        QVERIFY(figures->text().contains(QStringLiteral("Given up")));
     }
 
     void keepsAHeadsetsPictureFree()

@@ -1,0 +1,210 @@
+#include "models/scoring/try_watch.h"
+
+#include <QTimer>
+
+#include <algorithm>
+#include <utility>
+
+namespace carina
+{
+namespace
+{
+
+constexpr int kWatchInterval_ms = 50;
+
+/// Against gravity, in A: to the front of a patient who lies supine.
+Vec3 upInAnatomy() { return -Vec3::UnitY(); }
+
+TubedPatient tubedPatient(const Station& station, SessionTime t)
+{
+    const PatientBuild build = station.respiration.settingsAt(t).build;
+    return {build.height, build.ageInYears, build.sex == Sex::Female,
+            station.respiration.tubePlaceAt(t).innerDiameter};
+}
+
+const PersonPose* laryngoscopeOf(const std::vector<PersonPose>& people, ParticipantId worker)
+{
+    const auto found = std::ranges::find_if(people, [worker](const PersonPose& person) {
+        return person.kind == ObjectKind::Laryngoscope && person.owner == worker;
+    });
+    return found == people.end() ? nullptr : &*found;
+}
+
+} // namespace
+
+TryWatch::TryWatch(SessionModel& session, StationId station, ObjectPoses own, QObject* parent)
+    : QObject{parent},
+      m_session{session},
+      m_station{station},
+      m_own{std::move(own)},
+      m_course{upInAnatomy()}
+{
+    auto* timer = new QTimer{this};
+    connect(timer, &QTimer::timeout, this, &TryWatch::watch);
+    timer->start(kWatchInterval_ms);
+}
+
+void TryWatch::setStation(StationId station)
+{
+    if (std::exchange(m_station, station) == station)
+        return;
+    m_course = TryCourse{upInAnatomy()};
+    m_patient = {};
+    m_report.reset();
+    m_lastNote.reset();
+    m_hasLooked = false;
+    Q_EMIT changed();
+}
+
+const Station* TryWatch::stationIn(const SessionState& state) const
+{
+    const auto found = state.stations().find(m_station);
+    return found == state.stations().end() ? nullptr : &found->second;
+}
+
+Duration TryWatch::time() const
+{
+    const auto now = m_session.node().now();
+    return isUnderWay() && now ? std::max(*now - m_begun, Duration{}) : Duration{};
+}
+
+void TryWatch::watch()
+{
+    const auto now = m_session.node().now();
+    const auto state = m_session.node().state();
+    const Station* station = stationIn(*state);
+    if (!now || !station)
+        return;
+    takeNotes(*station);
+    if (!isUnderWay())
+        return;
+    if (*now - m_vitalsAt >= kVitalsEvery)
+        takeVitals(*station, *now);
+    takeCuff(*station, *now);
+    takePoses(*state, *now);
+    if (const auto at = m_course.endedBy(*now))
+        end(*station, *at);
+}
+
+/// In the order in which they were noted. What was noted before this program looked for the first
+/// time belongs to a try whose beginning it has not measured.
+void TryWatch::takeNotes(const Station& station)
+{
+    const std::span<const NotedStep> notes = station.respiration.tube().notes();
+    auto next = notes.begin();
+    if (m_lastNote) {
+        const auto last = std::find(notes.rbegin(), notes.rend(), *m_lastNote);
+        next = last == notes.rend() ? notes.begin() : last.base();
+    }
+    if (!notes.empty())
+        m_lastNote = notes.back();
+    if (!std::exchange(m_hasLooked, true))
+        return;
+    for (; next != notes.end(); ++next)
+        take(next->event);
+}
+
+void TryWatch::take(const IntubationEvent& event)
+{
+    const bool wasUnderWay = isUnderWay();
+    if (!wasUnderWay && beginsTry(event.step))
+        begin(event.at);
+    m_course.add(event);
+    if (!isUnderWay())
+        return;
+    if (event.seat != m_latest.seat) {
+        m_seatedAt = event.at;
+        m_hasBreathed = false;
+    }
+    m_hasBreathed = m_hasBreathed || event.step == IntubationStep::FirstBreath;
+    m_latest = event;
+    if (!wasUnderWay)
+        Q_EMIT changed();
+}
+
+void TryWatch::begin(SessionTime now)
+{
+    m_begun = now;
+    m_latest = {};
+    m_hasBreathed = false;
+    m_isCuffInflated = false;
+    m_vitalsAt = {};
+    m_posesAt.reset();
+    m_report.reset();
+}
+
+void TryWatch::takeVitals(const Station& station, SessionTime now)
+{
+    m_vitalsAt = now;
+    m_course.addHeadExtension(headPositionAt(station, now).extension);
+    if (!station.respiration.runsAt(now))
+        return;
+    const PatientRun& run = m_patient.at(station.respiration, now);
+    m_course.addVitals(now, run.vitals());
+    takeBreath(run, now);
+}
+
+/// Through a tube in the oesophagus nothing reaches the lungs, and the stomach is blown up.
+void TryWatch::takeBreath(const PatientRun& run, SessionTime now)
+{
+    if (m_hasBreathed || m_latest.seat == TubeSeat::None)
+        return;
+    const std::chrono::duration<double> since{double(run.fold().breath().steps) * kRespiratoryStep};
+    const SessionTime began = run.at() - std::chrono::duration_cast<Duration>(since);
+    const bool isOfStomach = m_latest.seat == TubeSeat::Oesophagus;
+    const bool isThere = isOfStomach ? run.body().settings().stomachBreaths.si > 0.0
+                                     : run.fold().isVentilated() && began >= m_seatedAt;
+    if (!isThere)
+        return;
+    IntubationEvent breath = m_latest;
+    breath.step = IntubationStep::FirstBreath;
+    breath.at = isOfStomach ? now : began;
+    take(breath);
+}
+
+void TryWatch::takeCuff(const Station& station, SessionTime now)
+{
+    const bool isInflated = station.respiration.tube().cuffInflatedAt(now);
+    if (std::exchange(m_isCuffInflated, isInflated) == isInflated)
+        return;
+    IntubationEvent cuff = m_latest;
+    cuff.step = isInflated ? IntubationStep::CuffInflated : IntubationStep::CuffDeflated;
+    cuff.at = now;
+    take(cuff);
+}
+
+void TryWatch::takePoses(const SessionState& state, SessionTime now)
+{
+    const SessionTime until = now - kPoseDelay;
+    if (!m_posesAt || until - *m_posesAt > kLongestGap)
+        m_posesAt = until;
+    const ParticipantId worker = state.atWork(m_station);
+    for (; *m_posesAt <= until; *m_posesAt += kPoseEvery) {
+        const auto people = peoplePoses(m_session.node(), m_station, m_own, *m_posesAt);
+        if (const PersonPose* blade = laryngoscopeOf(people, worker))
+            m_course.addBlade(blade->pose);
+        if (const PersonPose* head = headOf(people, worker))
+            m_course.addHead(head->pose);
+    }
+}
+
+void TryWatch::finish()
+{
+    const auto now = m_session.node().now();
+    const auto state = m_session.node().state();
+    const Station* station = stationIn(*state);
+    if (isUnderWay() && now && station)
+        end(*station, *now);
+}
+
+void TryWatch::end(const Station& station, SessionTime at)
+{
+    const TubedPatient patient = tubedPatient(station, at);
+    const DepthRule rule = m_rule.value_or(usualDepthRule(patient));
+    m_report = reportOf(m_course.metrics(at, depthBy(rule, patient)), rule, m_rubric);
+    m_course = TryCourse{upInAnatomy()};
+    Q_EMIT changed();
+    Q_EMIT ended();
+}
+
+} // namespace carina

@@ -1,0 +1,94 @@
+#pragma once
+
+#include "engine/scoring/course/try_course.h"
+#include "engine/session/respiration/respiration_follower.h"
+#include "models/scoring/try_report.h"
+#include "models/session/session_model.h"
+#include "models/station/people_poses.h"
+
+#include <optional>
+
+namespace carina
+{
+
+/// Watches the tries at intubating the patient of one station, and reports the last one.
+///
+/// What a monitor notes are facts; the oxygen follows from the facts, too. The poses of the
+/// laryngoscope and the head of who is at work are sampled every kPoseEvery of session time,
+/// kPoseDelay late, so that they are measured ones and not predicted. Nobody notes the first breath
+/// through a tube: it is the first one by bag or ventilator that began after the tube came where it
+/// lies. Forces and what only a person can tell are not measured here. Up is to the front of the
+/// patient, who lies supine.
+class TryWatch : public QObject
+{
+    Q_OBJECT
+
+public:
+    static constexpr Duration kPoseEvery = std::chrono::milliseconds{16};
+    static constexpr Duration kPoseDelay = std::chrono::milliseconds{250};
+    static constexpr Duration kVitalsEvery = std::chrono::milliseconds{200};
+    /// After a longer gap the missing poses are skipped.
+    static constexpr Duration kLongestGap = std::chrono::seconds{2};
+
+    /// @param own poses of this program's objects
+    /// @pre session outlives this.
+    TryWatch(SessionModel& session, StationId station, ObjectPoses own = {},
+             QObject* parent = nullptr);
+
+    /// Watches another station from now on; the report of the one before is gone.
+    void setStation(StationId station);
+    /// Has poses of this program's objects from elsewhere, as from another tracker.
+    void setOwn(ObjectPoses own) { m_own = std::move(own); }
+    /// The rule for the depth; nothing: the usual one for the patient.
+    void setRule(std::optional<DepthRule> rule) { m_rule = rule; }
+    void setRubric(Rubric rubric) { m_rubric = std::move(rubric); }
+
+    [[nodiscard]] bool isUnderWay() const { return m_course.hasBegun(); }
+    /// Of the try under way; 0 without one.
+    [[nodiscard]] Duration time() const;
+    /// Of the last try that ended; nothing before it, and while another one is under way.
+    [[nodiscard]] const std::optional<TryReport>& report() const { return m_report; }
+    /// Ends the try under way now, and reports it.
+    void finish();
+
+    /// Takes what happened; a timer calls it.
+    void watch();
+
+Q_SIGNALS:
+    /// A try began, or its report is there or gone.
+    void changed();
+    /// A try ended, and its report is there.
+    void ended();
+
+private:
+    void takeNotes(const Station& station);
+    void take(const IntubationEvent& event);
+    void takeVitals(const Station& station, SessionTime now);
+    void takeBreath(const PatientRun& run, SessionTime now);
+    void takeCuff(const Station& station, SessionTime now);
+    void takePoses(const SessionState& state, SessionTime now);
+    void begin(SessionTime now);
+    void end(const Station& station, SessionTime at);
+    [[nodiscard]] const Station* stationIn(const SessionState& state) const;
+
+    SessionModel& m_session;
+    StationId m_station;
+    ObjectPoses m_own;
+    std::optional<DepthRule> m_rule;
+    Rubric m_rubric = publishedRubric();
+    std::optional<TryReport> m_report;
+
+    TryCourse m_course;
+    RespirationFollower m_patient;
+    std::optional<NotedStep> m_lastNote; ///< that was taken
+    bool m_hasLooked = false;            ///< what was noted before does not count
+    IntubationEvent m_latest;            ///< of the course: where the tube lies
+    SessionTime m_seatedAt{};            ///< when the tube came there
+    bool m_hasBreathed = false;          ///< through the tube as it lies
+    bool m_isCuffInflated = false;
+    SessionTime m_begun{};
+    SessionTime m_vitalsAt{};
+    std::optional<SessionTime> m_posesAt;
+};
+
+} // namespace carina

@@ -1,0 +1,225 @@
+#include "models/scoring/try_words.h"
+
+#include "engine/scoring/score/literature.h"
+
+#include <QCoreApplication>
+
+namespace carina
+{
+namespace
+{
+
+QString tryWords(const char* text) { return QCoreApplication::translate("Try", text); }
+
+/// "2:05" of the try.
+QString momentText(SessionTime moment, SessionTime begun)
+{
+    const auto seconds = std::chrono::floor<std::chrono::seconds>(moment - begun).count();
+    return QStringLiteral("%1:%2").arg(seconds / 60).arg(seconds % 60, 2, 10, QLatin1Char('0'));
+}
+
+QString measuredText(const TryMetrics& metrics, Metric metric)
+{
+    if (const std::optional<double> value = valueOf(metrics, metric))
+        return valueText(*value, entryOf(metric).unit);
+    return neverCameTo(metrics, metric) ? tryWords(QT_TRANSLATE_NOOP("Try", "never"))
+                                        : tryWords(QT_TRANSLATE_NOOP("Try", "not measured"));
+}
+
+SummaryLine measured(const TryMetrics& metrics, Metric metric)
+{
+    return {metricText(metric), measuredText(metrics, metric)};
+}
+
+QString depthText(const TryReport& report)
+{
+    const TryMetrics& metrics = report.metrics;
+    if (!metrics.depth)
+        return measuredText(metrics, Metric::DepthError);
+    const QString depth = valueText(inMillimetres(metrics.depth->atTeeth), MetricUnit::Millimetres);
+    if (!metrics.depthWanted)
+        return depth;
+    return tryWords(QT_TRANSLATE_NOOP("Try", "%1; %2 by the rule %3"))
+        .arg(depth, valueText(inMillimetres(*metrics.depthWanted), MetricUnit::Millimetres),
+             ruleText(report.rule));
+}
+
+QString viewText(const TryMetrics& metrics)
+{
+    const QString seen = measuredText(metrics, Metric::GlotticOpening);
+    return metrics.view ? tryWords(QT_TRANSLATE_NOOP("Try", "%1 of the glottis, after %2"))
+                              .arg(seen, measuredText(metrics, Metric::TimeToView))
+                        : seen;
+}
+
+QString oxygenText(const TryMetrics& metrics)
+{
+    const QString lowest = measuredText(metrics, Metric::LowestSaturation);
+    if (!metrics.oxygen)
+        return lowest;
+    return tryWords(QT_TRANSLATE_NOOP("Try", "%1, at %2; below 90\u00a0% for %3"))
+        .arg(lowest, momentText(metrics.oxygen->lowestAt, metrics.begun),
+             measuredText(metrics, Metric::TimeBelow90));
+}
+
+QString pointsText(double points) { return QString::number(points, 'g', 4); }
+
+QString limitText(const Criterion& criterion)
+{
+    const MetricUnit unit = entryOf(criterion.metric).unit;
+    const QString limit = valueText(criterion.limit, unit);
+    if (unit == MetricUnit::YesOrNo)
+        return limit;
+    return (criterion.bound == Bound::AtMost ? tryWords(QT_TRANSLATE_NOOP("Try", "at most %1"))
+                                             : tryWords(QT_TRANSLATE_NOOP("Try", "at least %1")))
+        .arg(limit);
+}
+
+/// Why the points are lost: "12.4 s, expected: at most 10.0 s; at 0:10".
+QString reasonText(const Judgement& judged, SessionTime begun)
+{
+    const QString value = judged.value
+                              ? valueText(*judged.value, entryOf(judged.criterion.metric).unit)
+                              : tryWords(QT_TRANSLATE_NOOP("Try", "never"));
+    const QString reason = tryWords(QT_TRANSLATE_NOOP("Try", "%1, expected: %2"))
+                               .arg(value, limitText(judged.criterion));
+    if (!judged.moment)
+        return reason;
+    return tryWords(QT_TRANSLATE_NOOP("Try", "%1; at %2"))
+        .arg(reason, momentText(*judged.moment, begun));
+}
+
+QString judgementText(const Judgement& judged, SessionTime begun)
+{
+    const QString got = pointsText(judged.points);
+    const QString possible = pointsText(judged.criterion.points);
+    const bool isPenalty = judged.criterion.points == 0.0;
+    switch (judged.verdict) {
+    case Verdict::Met:
+        return isPenalty
+                   ? tryWords(QT_TRANSLATE_NOOP("Try", "✓ no penalty"))
+                   : tryWords(QT_TRANSLATE_NOOP("Try", "✓ %1 of %2 points")).arg(got, possible);
+    case Verdict::Missed:
+    case Verdict::Never:
+        return (isPenalty ? tryWords(QT_TRANSLATE_NOOP("Try", "▲ %1 points: %2")).arg(got)
+                          : tryWords(QT_TRANSLATE_NOOP("Try", "▲ %1 of %2 points: %3"))
+                                .arg(got, possible))
+            .arg(reasonText(judged, begun));
+    case Verdict::NotMeasured:
+        return tryWords(QT_TRANSLATE_NOOP("Try", "○ not measured, does not count"));
+    }
+    return {};
+}
+
+QString groupText(const GroupFigure& figure, MetricUnit unit)
+{
+    const QString mean = valueText(figure.mean, unit);
+    return figure.deviation ? tryWords(QT_TRANSLATE_NOOP("Try", "%1 (SD %2)"))
+                                  .arg(mean, valueText(*figure.deviation, unit))
+                            : mean;
+}
+
+} // namespace
+
+QString outcomeText(const TryMetrics& metrics)
+{
+    switch (metrics.outcome) {
+    case TryOutcome::Trachea:
+        return tryWords(QT_TRANSLATE_NOOP("Try", "✓ In the trachea"));
+    case TryOutcome::RightMain:
+        return tryWords(QT_TRANSLATE_NOOP("Try", "▲ In the right main bronchus"));
+    case TryOutcome::LeftMain:
+        return tryWords(QT_TRANSLATE_NOOP("Try", "▲ In the left main bronchus"));
+    case TryOutcome::OesophagusUnrecognised:
+        return tryWords(QT_TRANSLATE_NOOP("Try", "▲ In the oesophagus, not recognised"));
+    case TryOutcome::OesophagusRecognised:
+        return tryWords(
+            QT_TRANSLATE_NOOP("Try", "▲ In the oesophagus, recognised; no tube in place"));
+    case TryOutcome::Abandoned:
+        return tryWords(QT_TRANSLATE_NOOP("Try", "■ Given up: no tube in place"));
+    }
+    return {};
+}
+
+QString ruleText(DepthRule rule)
+{
+    switch (rule) {
+    case DepthRule::TenthOfHeight:
+        return tryWords(QT_TRANSLATE_NOOP("Try", "0.10 × height + 5\u00a0cm"));
+    case DepthRule::EighthOfHeight:
+        return tryWords(QT_TRANSLATE_NOOP("Try", "height / 8 + 3.4\u00a0cm"));
+    case DepthRule::ThreeDiameters:
+        return tryWords(QT_TRANSLATE_NOOP("Try", "3 × inner diameter"));
+    case DepthRule::HalfOfAge:
+        return tryWords(QT_TRANSLATE_NOOP("Try", "age / 2 + 12\u00a0cm"));
+    case DepthRule::WomanTwentyOneManTwentyThree:
+        return tryWords(QT_TRANSLATE_NOOP("Try", "21\u00a0cm for women, 23\u00a0cm for men"));
+    }
+    return {};
+}
+
+std::vector<SummaryLine> tryLines(const TryReport& report)
+{
+    const TryMetrics& metrics = report.metrics;
+    std::vector<SummaryLine> lines{
+        {tryWords(QT_TRANSLATE_NOOP("Try", "Outcome")), outcomeText(metrics)},
+        measured(metrics, Metric::TimeToBreath),
+        {tryWords(QT_TRANSLATE_NOOP("Try", "Depth at the teeth")), depthText(report)},
+        measured(metrics, Metric::AboveCarina),
+        {metricText(Metric::LowestSaturation), oxygenText(metrics)},
+        {tryWords(QT_TRANSLATE_NOOP("Try", "View")), viewText(metrics)},
+        measured(metrics, Metric::Attempts)};
+    if (!metrics.oesophagus.empty())
+        lines.push_back(measured(metrics, Metric::OesophagealTime));
+    if (metrics.passedShut)
+        lines.push_back(measured(metrics, Metric::PassedShut));
+    return lines;
+}
+
+QString scoreText(const Score& score)
+{
+    const QString points = tryWords(QT_TRANSLATE_NOOP("Try", "%1 of %2 points"))
+                               .arg(pointsText(score.points), pointsText(score.possible));
+    if (score.possible >= score.ofAll)
+        return points;
+    return tryWords(QT_TRANSLATE_NOOP("Try", "%1; %2 more could not be judged"))
+        .arg(points, pointsText(score.ofAll - score.possible));
+}
+
+std::vector<SummaryLine> judgementLines(const TryReport& report)
+{
+    std::vector<SummaryLine> lines;
+    for (const Judgement& judged : report.score.judgements) {
+        const std::string& name = judged.criterion.name;
+        lines.push_back(
+            {name.empty() ? metricText(judged.criterion.metric) : QString::fromStdString(name),
+             judgementText(judged, report.metrics.begun)});
+    }
+    return lines;
+}
+
+std::vector<SummaryLine> literatureLines(const TryMetrics& metrics)
+{
+    std::vector<SummaryLine> lines;
+    for (const LiteratureFigure& figure : kLiteratureFigures) {
+        const MetricUnit unit = entryOf(figure.metric).unit;
+        lines.push_back(
+            {metricText(figure.metric),
+             tryWords(QT_TRANSLATE_NOOP("Try", "you %1, experts %2, novices %3 (%4)"))
+                 .arg(measuredText(metrics, figure.metric), groupText(figure.expert, unit),
+                      groupText(figure.novice, unit), QString::fromUtf8(figure.source))});
+    }
+    return lines;
+}
+
+QString notMeasuredText(const TryMetrics& metrics)
+{
+    QStringList missing;
+    for (const Metric metric : notMeasured(metrics))
+        missing += metricText(metric);
+    return missing.isEmpty() ? QString{}
+                             : tryWords(QT_TRANSLATE_NOOP("Try", "Not measured: %1."))
+                                   .arg(missing.join(QStringLiteral("; ")));
+}
+
+} // namespace carina

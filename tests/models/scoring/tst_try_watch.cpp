@@ -1,0 +1,178 @@
+#include "models/scoring/try_watch.h"
+
+#include "tests/models/scoring/tried_session.h"
+#include "tests/support/test_class.h"
+
+#include <QSignalSpy>
+
+namespace carina::try_watch_test
+{
+namespace
+{
+
+using test::FakeSessionNode;
+using test::TriedSession;
+
+} // namespace
+
+class TestTryWatch : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void reportsATryOnceThePatientIsVentilated();
+    void countsTheFirstBreathThroughTheTube();
+    void takesTheCuffFromItsControl();
+    void judgesTheDepthByTheRuleOfThePatient();
+    void watchesTheOxygen();
+    void tellsATubeInTheOesophagusWhenAsked();
+    void reportsATryThatWasGivenUp();
+    void forgetsTheReportWhenAnotherTryBegins();
+    void ignoresATryThatBeganBeforeItLooked();
+    void startsAfreshAtAnotherStation();
+};
+
+void TestTryWatch::reportsATryOnceThePatientIsVentilated()
+{
+    TriedSession session;
+    const QSignalSpy ended{&session.tries, &TryWatch::ended};
+    QVERIFY(!session.tries.isUnderWay());
+    session.intubate();
+    QVERIFY(session.tries.isUnderWay());
+    QVERIFY(!session.tries.report());
+    session.squeezeBag();
+    session.run(std::chrono::seconds{30});
+    QCOMPARE(ended.count(), 1);
+    QVERIFY(!session.tries.isUnderWay());
+    const TryReport& report = session.tries.report().value();
+    QCOMPARE(report.metrics.outcome, TryOutcome::Trachea);
+    QCOMPARE(report.metrics.attempts.size(), std::size_t{1});
+    QCOMPARE(report.metrics.glotticOpening, 0.6);
+    QCOMPARE(report.advice.size(), kAdviceGiven);
+}
+
+/// A child's bag at 20 a minute begins a breath every 3 s.
+void TestTryWatch::countsTheFirstBreathThroughTheTube()
+{
+    TriedSession session;
+    session.intubate();
+    session.run(std::chrono::seconds{5});
+    const SessionTime squeezed = *session.node.now();
+    session.squeezeBag();
+    session.run(std::chrono::seconds{30});
+    const TryMetrics& metrics = session.tries.report()->metrics;
+    QVERIFY(metrics.firstBreath.value() >= metrics.throughCords.value());
+    QVERIFY(*metrics.firstBreath >= squeezed - std::chrono::seconds{4});
+    QVERIFY(*metrics.firstBreath <= squeezed + std::chrono::seconds{5});
+}
+
+void TestTryWatch::takesTheCuffFromItsControl()
+{
+    TriedSession session;
+    session.intubate();
+    session.node.decide(fact::CuffSet{true});
+    session.squeezeBag();
+    session.run(std::chrono::seconds{30});
+    QVERIFY(session.tries.report()->metrics.cuffInflated);
+}
+
+/// The patient of a session is at first a child of 150 cm: 0.10 height + 5 cm is 200 mm.
+void TestTryWatch::judgesTheDepthByTheRuleOfThePatient()
+{
+    TriedSession session;
+    session.intubate();
+    session.tries.finish();
+    const TryReport usual = session.tries.report().value();
+    QCOMPARE(usual.rule, DepthRule::TenthOfHeight);
+    QVERIFY(std::abs(inMillimetres(usual.metrics.depthWanted.value()) - 200.0) < 1e-6);
+    session.tries.setRule(DepthRule::HalfOfAge);
+    session.intubate();
+    session.tries.finish();
+    const TryReport stated = session.tries.report().value();
+    QCOMPARE(stated.rule, DepthRule::HalfOfAge);
+    QVERIFY(std::abs(inMillimetres(stated.metrics.depthWanted.value()) - 180.0) < 1e-6);
+}
+
+void TestTryWatch::watchesTheOxygen()
+{
+    TriedSession session;
+    session.intubate();
+    session.tries.finish();
+    const OxygenFigures oxygen = session.tries.report()->metrics.oxygen.value();
+    QVERIFY(oxygen.lowest > 0.0 && oxygen.lowest <= oxygen.first);
+}
+
+void TestTryWatch::tellsATubeInTheOesophagusWhenAsked()
+{
+    TriedSession session;
+    session.note(IntubationStep::BladeIn);
+    session.note(IntubationStep::TubePastTeeth);
+    session.note(IntubationStep::InOesophagus, TubeSeat::Oesophagus);
+    session.squeezeBag();
+    session.run(std::chrono::seconds{40});
+    QVERIFY(session.tries.isUnderWay());
+    session.tries.finish();
+    const TryMetrics& metrics = session.tries.report()->metrics;
+    QCOMPARE(metrics.outcome, TryOutcome::OesophagusUnrecognised);
+    QVERIFY(metrics.oesophagus.front().wasVentilated);
+    QVERIFY(!metrics.firstBreath);
+}
+
+void TestTryWatch::reportsATryThatWasGivenUp()
+{
+    TriedSession session;
+    session.note(IntubationStep::BladeIn);
+    session.note(IntubationStep::BladeOut);
+    session.run(std::chrono::seconds{12});
+    QCOMPARE(session.tries.report()->metrics.outcome, TryOutcome::Abandoned);
+}
+
+void TestTryWatch::forgetsTheReportWhenAnotherTryBegins()
+{
+    TriedSession session;
+    session.intubate();
+    session.tries.finish();
+    QVERIFY(session.tries.report());
+    session.note(IntubationStep::TubeOut); // begins none
+    QVERIFY(session.tries.report());
+    session.note(IntubationStep::BladeIn);
+    QVERIFY(!session.tries.report());
+    QVERIFY(session.tries.isUnderWay());
+    QVERIFY(session.tries.time() >= std::chrono::seconds{1});
+}
+
+void TestTryWatch::ignoresATryThatBeganBeforeItLooked()
+{
+    TriedSession session;
+    session.note(IntubationStep::BladeIn);
+    TryWatch late{session.session, FakeSessionNode::kStation};
+    late.watch();
+    QVERIFY(!late.isUnderWay());
+    session.note(IntubationStep::BladeOut);
+    late.watch();
+    QVERIFY(!late.isUnderWay());
+    session.note(IntubationStep::BladeIn);
+    late.watch();
+    QVERIFY(late.isUnderWay());
+}
+
+void TestTryWatch::startsAfreshAtAnotherStation()
+{
+    TriedSession session;
+    session.node.addStation("Room 2");
+    session.intubate();
+    const QSignalSpy changed{&session.tries, &TryWatch::changed};
+    session.tries.setStation(StationId{1});
+    QCOMPARE(changed.count(), 1);
+    QVERIFY(!session.tries.isUnderWay());
+    session.run(std::chrono::seconds{1});
+    session.tries.setStation(FakeSessionNode::kStation);
+    session.run(std::chrono::seconds{1});
+    QVERIFY(!session.tries.isUnderWay()); // its beginning was not measured
+}
+
+CARINA_TEST(TestTryWatch)
+
+} // namespace carina::try_watch_test
+
+#include "tst_try_watch.moc"

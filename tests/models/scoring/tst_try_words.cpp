@@ -1,0 +1,140 @@
+#include "models/scoring/try_words.h"
+
+#include "engine/scoring/score/literature.h"
+#include "tests/engine/scoring/score/tried.h"
+#include "tests/support/test_class.h"
+
+#include <algorithm>
+#include <set>
+
+namespace carina::try_words_test
+{
+namespace
+{
+
+using namespace carina::test;
+
+TryReport reportOfGoodTry()
+{
+    return reportOf(goodTry(), DepthRule::TenthOfHeight, publishedRubric());
+}
+
+QString valueNamed(const std::vector<SummaryLine>& lines, const char* name)
+{
+    const auto found = std::ranges::find(lines, QString::fromLatin1(name), &SummaryLine::name);
+    return found == lines.end() ? QString{} : found->value;
+}
+
+} // namespace
+
+class TestTryWords : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void haveATextForEachOfAll();
+    void tellAGoodTryWithItsUnits();
+    void tellWhatWasNotMeasured();
+    void tellWhatNeverHappened();
+    void explainALostPointWithItsMoment();
+    void tellThatAPenaltyWasNotGiven();
+    void setFiguresOfTheLiteratureBeside();
+};
+
+void TestTryWords::haveATextForEachOfAll()
+{
+    std::set<QString> metrics;
+    for (std::size_t i = 0; i < kMetricCount; ++i)
+        metrics.insert(metricText(static_cast<Metric>(i)));
+    QCOMPARE(metrics.size(), kMetricCount);
+    QVERIFY(!metrics.contains(QString{}));
+    std::set<QString> advice;
+    for (int i = 0; i <= int(kLastAdvice); ++i) {
+        advice.insert(adviceText(static_cast<Advice>(i)));
+        QVERIFY(adviceText(static_cast<Advice>(i)).endsWith(QLatin1Char('.')));
+    }
+    QCOMPARE(advice.size(), std::size_t(kLastAdvice) + 1);
+    std::set<QString> outcomes;
+    for (int i = 0; i <= int(kLastTryOutcome); ++i)
+        outcomes.insert(outcomeText({.outcome = static_cast<TryOutcome>(i)}));
+    QCOMPARE(outcomes.size(), std::size_t(kLastTryOutcome) + 1);
+    for (const DepthRule rule : kDepthRules)
+        QVERIFY(!ruleText(rule).isEmpty());
+}
+
+void TestTryWords::tellAGoodTryWithItsUnits()
+{
+    const auto lines = tryLines(reportOfGoodTry());
+    QCOMPARE(valueNamed(lines, "Outcome"), QStringLiteral("✓ In the trachea"));
+    QCOMPARE(valueNamed(lines, "Time to the first breath"), QStringLiteral("20.0\u00a0s"));
+    QCOMPARE(valueNamed(lines, "Depth at the teeth"),
+             QStringLiteral("200\u00a0mm; 200\u00a0mm by the rule 0.10 × height + 5\u00a0cm"));
+    QCOMPARE(valueNamed(lines, "Tip above the carina"), QStringLiteral("30\u00a0mm"));
+    QCOMPARE(valueNamed(lines, "Lowest oxygen saturation"),
+             QStringLiteral("98\u00a0%, at 0:19; below 90\u00a0% for 0.0\u00a0s"));
+    QCOMPARE(valueNamed(lines, "View"),
+             QStringLiteral("80\u00a0% of the glottis, after 4.0\u00a0s"));
+    QCOMPARE(valueNamed(lines, "Attempts"), QStringLiteral("1"));
+    QCOMPARE(scoreText(reportOfGoodTry().score), QStringLiteral("100 of 100 points"));
+    QVERIFY(notMeasuredText(goodTry()).isEmpty());
+}
+
+void TestTryWords::tellWhatWasNotMeasured()
+{
+    const TryMetrics metrics = courseOf(goodCourse().events(), courseTime(50.0));
+    const TryReport report = reportOf(metrics, DepthRule::TenthOfHeight, publishedRubric());
+    QCOMPARE(valueNamed(tryLines(report), "Lowest oxygen saturation"),
+             QStringLiteral("not measured"));
+    QVERIFY(notMeasuredText(metrics).contains(QStringLiteral("Incisors, highest force")));
+    QVERIFY(scoreText(report.score).endsWith(QStringLiteral("more could not be judged")));
+    QCOMPARE(valueNamed(judgementLines(report), "Equipment prepared"),
+             QStringLiteral("○ not measured, does not count"));
+}
+
+void TestTryWords::tellWhatNeverHappened()
+{
+    const TryReport report =
+        reportOf(oesophagealTry(), DepthRule::TenthOfHeight, publishedRubric());
+    const auto lines = tryLines(report);
+    QCOMPARE(valueNamed(lines, "Outcome"), QStringLiteral("▲ In the oesophagus, not recognised"));
+    QCOMPARE(valueNamed(lines, "Time to the first breath"), QStringLiteral("never"));
+    QCOMPARE(valueNamed(lines, "View"), QStringLiteral("never"));
+    QCOMPARE(valueNamed(lines, "Time until the oesophagus was recognised"),
+             QStringLiteral("60.0\u00a0s"));
+}
+
+void TestTryWords::explainALostPointWithItsMoment()
+{
+    TryMetrics metrics = goodTry();
+    metrics.firstBreath = courseTime(200.0);
+    metrics.ended = courseTime(220.0);
+    const TryReport report = reportOf(metrics, DepthRule::TenthOfHeight, publishedRubric());
+    QCOMPARE(valueNamed(judgementLines(report), "Time to the first breath"),
+             QStringLiteral("▲ 0 of 10 points: 190.0\u00a0s, expected: at most 150.0\u00a0s; at "
+                            "2:30"));
+}
+
+void TestTryWords::tellThatAPenaltyWasNotGiven()
+{
+    const auto lines = judgementLines(reportOfGoodTry());
+    QCOMPARE(valueNamed(lines, "Tube in a main bronchus"), QStringLiteral("✓ no penalty"));
+    const auto failed =
+        judgementLines(reportOf(oesophagealTry(), DepthRule::TenthOfHeight, publishedRubric()));
+    QCOMPARE(valueNamed(failed, "Failed: not within 150 s, or in the oesophagus"),
+             QStringLiteral("▲ -10 points: yes, expected: no; at 0:10"));
+}
+
+void TestTryWords::setFiguresOfTheLiteratureBeside()
+{
+    const auto lines = literatureLines(goodTry());
+    QCOMPARE(lines.size(), kLiteratureFigures.size());
+    QCOMPARE(valueNamed(lines, "Your head, up and down"),
+             QStringLiteral("you 12\u00a0cm, experts 13\u00a0cm (SD 8\u00a0cm), novices 39\u00a0cm "
+                            "(SD 8\u00a0cm) (St. Marianna Med J 10(2):51)"));
+}
+
+CARINA_TEST(TestTryWords)
+
+} // namespace carina::try_words_test
+
+#include "tst_try_words.moc"

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "models/scoring/try_watch.h"
+
+#include <QTimer>
+#include <QWidget>
+
+#include <vector>
+
+class QLabel;
+class QPushButton;
+
+namespace carina
+{
+
+/// Tells how the last try at intubating went: its main figures, three sentences on what to do next,
+/// the points of a rubric with the reason for each that was lost and its moment, figures of the
+/// literature beside, and what was not measured. Before it, whether a try is under way, which a
+/// button ends. Each part is one text, which has a heading, can be selected, and is read out as a
+/// whole.
+class TryPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit TryPanel(QWidget* parent = nullptr);
+
+    /// To be called once. @pre the model outlives the panel.
+    void setModel(TryWatch& tries);
+
+private:
+    struct Part {
+        QLabel* heading;
+        QLabel* text;
+    };
+
+    [[nodiscard]] Part addPart(const char* name, const QString& heading);
+    static void show(const Part& part, const QString& text);
+    void refresh();
+    void refreshState();
+    void showReport(const TryReport& report);
+
+    TryWatch* m_tries = nullptr;
+    QLabel* m_state;
+    QPushButton* m_finish;
+    Part m_figures;
+    Part m_advice;
+    Part m_points;
+    Part m_literature;
+    Part m_missing;
+    QTimer m_clock; ///< while a try is under way
+};
+
+} // namespace carina

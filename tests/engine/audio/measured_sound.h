@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace carina::test
@@ -23,18 +24,20 @@ template <class Sound> std::vector<double> heard(Sound& sound, double seconds)
 /// Amplitude of the sine of a frequency in samples, by Goertzel's recursion under a Hann window.
 inline double amplitudeAt(std::span<const double> samples, double frequency_hz)
 {
-    const double angle = 2.0 * std::numbers::pi * frequency_hz / kSoundRate;
-    const double window = 2.0 * std::numbers::pi / static_cast<double>(samples.size());
+    const double turn = 2.0 * std::cos(2.0 * std::numbers::pi * frequency_hz / kSoundRate);
+    const double count = static_cast<double>(samples.size());
+    const double windowTurn = 2.0 * std::cos(2.0 * std::numbers::pi / count);
+    double windowBefore = 0.5 * windowTurn; // cosines of the window, by the same recursion
+    double window = 1.0;
     double before = 0.0;
     double last = 0.0;
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-        const double weight = 1.0 - std::cos(window * static_cast<double>(i));
-        const double next = weight * samples[i] + 2.0 * std::cos(angle) * last - before;
-        before = last;
-        last = next;
+    for (const double sample : samples) {
+        const double next = (1.0 - window) * sample + turn * last - before;
+        before = std::exchange(last, next);
+        windowBefore = std::exchange(window, windowTurn * window - windowBefore);
     }
-    const double power = last * last + before * before - 2.0 * std::cos(angle) * last * before;
-    return 2.0 * std::sqrt(std::max(0.0, power)) / static_cast<double>(samples.size());
+    const double power = last * last + before * before - turn * last * before;
+    return 2.0 * std::sqrt(std::max(0.0, power)) / count;
 }
 
 /// The loudest frequency from `low` to `high`, in steps of `step`, hertz.

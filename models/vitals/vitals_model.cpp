@@ -12,8 +12,6 @@ namespace
 {
 
 constexpr int kVitalsInterval_ms = 20;
-/// The upstroke of the oximeter's curve, of which 1 is the greatest value.
-constexpr RisingEdge kUpstroke{0.25, 0.5};
 /// The R wave, millivolts: above what P and T waves reach in lead II.
 constexpr RisingEdge kRWave{0.35, 0.5};
 constexpr double kForgotten_perSecond = 1.0; ///< by how much what was heard fades on the screen
@@ -45,7 +43,6 @@ VitalsModel::VitalsModel(VitalsSources sources, double age_years, KeptSounds kep
       m_sources{std::move(sources)},
       m_kept{std::move(kept)},
       m_alarms{alarmLimits(age_years)},
-      m_pulseEdge{kUpstroke},
       m_beatEdge{kRWave}
 {
     for (const SoundKind kind : kSoundKinds)
@@ -61,7 +58,7 @@ void VitalsModel::startAfresh(double age_years)
     m_last.reset();
     m_pulsed.reset();
     m_beaten.reset();
-    m_pulseEdge = kUpstroke;
+    m_pulseFinder = {};
     m_beatEdge = kRWave;
     rest();
     Q_EMIT startedAfresh();
@@ -137,7 +134,7 @@ void VitalsModel::take(const Vitals& vitals, SessionTime t)
 
 void VitalsModel::findBeats(const Vitals& vitals, SessionTime t)
 {
-    if (vitals.saturation && m_pulseEdge.take(vitals.pulseWave)) {
+    if (vitals.saturation && m_pulseFinder.take(vitals.pulseWave, toSeconds(kSampleEvery))) {
         m_sounds.pulse(*vitals.saturation);
         m_pulsed = t;
     }

@@ -2,6 +2,7 @@
 
 #include "engine/audio/bedside_sounds.h"
 #include "models/vitals/kept_sounds.h"
+#include "models/vitals/pulse_finder.h"
 #include "models/vitals/vital_alarms.h"
 
 #include <QObject>
@@ -66,7 +67,7 @@ public:
         friend bool operator==(const Heard&, const Heard&) = default;
     };
 
-    static constexpr Duration kSampleEvery = std::chrono::milliseconds{10};
+    static constexpr Duration kSampleEvery = std::chrono::milliseconds{20}; ///< as kBodyStep
     /// After a longer gap the missing samples are skipped.
     static constexpr Duration kLongestGap = std::chrono::seconds{10};
     static constexpr Duration kPulseMark = std::chrono::milliseconds{150};
@@ -137,7 +138,7 @@ private:
     std::optional<SessionTime> m_sounded; ///< when the sounds were set
     std::optional<SessionTime> m_pulsed;
     std::optional<SessionTime> m_beaten;
-    RisingEdge m_pulseEdge;
+    PulseFinder m_pulseFinder;
     RisingEdge m_beatEdge;
     Told m_told;
 };

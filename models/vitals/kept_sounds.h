@@ -1,0 +1,38 @@
+#pragma once
+
+#include "engine/audio/sound_mixer.h"
+
+#include <QString>
+
+#include <array>
+
+namespace carina
+{
+
+/// How loud a program plays each kind of sound, and which it does not, remembered from one start to
+/// the next in a file of a folder. What cannot be read there is as if it were not there.
+class KeptSounds
+{
+public:
+    struct Loudness {
+        int volume_percent = 70;
+        bool isMuted = false;
+
+        friend bool operator==(const Loudness&, const Loudness&) = default;
+    };
+
+    /// Remembers nothing.
+    KeptSounds() = default;
+    /// @param folder an empty one: nothing is remembered
+    explicit KeptSounds(const QString& folder);
+
+    [[nodiscard]] Loudness of(SoundKind kind) const;
+    /// @pre the volume is from 0 to 100
+    void keep(SoundKind kind, const Loudness& loudness);
+
+private:
+    QString m_file;
+    std::array<Loudness, kSoundKinds.size()> m_sounds;
+};
+
+} // namespace carina

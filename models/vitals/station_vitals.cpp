@@ -1,0 +1,122 @@
+#include "models/vitals/station_vitals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace carina
+{
+namespace
+{
+
+/// A breath into the oesophagus: half a sine in the first third of its time (of ours).
+constexpr double kBlown = 1.0 / 3.0;
+constexpr VolumeFlow kMostBlown = StomachSound::kFullFlow;
+
+const Station* stationIn(const SessionState& state, StationId id)
+{
+    const auto found = state.stations().find(id);
+    return found == state.stations().end() ? nullptr : &found->second;
+}
+
+/// How much a side wheezes, by the worst that narrows its airways.
+double narrowness(const LungConditions& conditions, ConditionSide side)
+{
+    double worst = 0.0;
+    for (const LungCondition& condition : conditions) {
+        const bool isNarrow = condition.kind == ConditionKind::Asthma
+                              || condition.kind == ConditionKind::Copd
+                              || condition.kind == ConditionKind::Obstruction;
+        if (isNarrow && (condition.side == ConditionSide::Both || condition.side == side))
+            worst = std::max(worst, condition.severity);
+    }
+    return worst;
+}
+
+VolumeFlow intoStomach(Frequency breaths, SessionTime t)
+{
+    if (breaths.si <= 0.0)
+        return {};
+    const double count = toSeconds(t.time_since_epoch()) * breaths.si;
+    const double phase = count - std::floor(count);
+    if (phase >= kBlown)
+        return {};
+    return std::sin(std::numbers::pi * phase / kBlown) * kMostBlown;
+}
+
+} // namespace
+
+StationVitals::StationVitals(SessionModel& session, StationId station, KeptSounds kept,
+                             QObject* parent)
+    : QObject{parent},
+      m_session{session},
+      m_station{station},
+      m_age_years{presentAge_years()},
+      m_model{sources(), m_age_years, std::move(kept)}
+{
+    connect(&m_session, &SessionModel::changed, this, &StationVitals::followAge);
+}
+
+VitalsSources StationVitals::sources()
+{
+    return {.now = [this] { return m_session.node().now(); },
+            .vitals =
+                [this](SessionTime t) {
+                    const PatientRun* run = runAt(t);
+                    return run ? std::optional{run->vitals()} : std::nullopt;
+                },
+            .breath = [this](SessionTime t) { return flowsAt(t); },
+            .stethoscope = [this](SessionTime) { return m_hears ? m_hears() : std::nullopt; }};
+}
+
+void StationVitals::setStation(StationId station)
+{
+    if (std::exchange(m_station, station) == station)
+        return;
+    m_patient = {};
+    m_age_years = presentAge_years();
+    m_model.startAfresh(m_age_years);
+}
+
+/// The limits of the alarms go by it: another patient may have been laid.
+void StationVitals::followAge()
+{
+    const double age_years = presentAge_years();
+    if (std::exchange(m_age_years, age_years) != age_years)
+        m_model.startAfresh(age_years);
+}
+
+double StationVitals::presentAge_years() const
+{
+    const auto state = m_session.node().state();
+    const Station* station = stationIn(*state, m_station);
+    const SessionTime now = m_session.node().now().value_or(SessionTime{});
+    return station ? station->respiration.settingsAt(now).build.ageInYears
+                   : PatientBuild{}.ageInYears;
+}
+
+/// Valid until the next call; null where no patient breathes.
+const PatientRun* StationVitals::runAt(SessionTime t)
+{
+    const auto state = m_session.node().state();
+    const Station* station = stationIn(*state, m_station);
+    if (!station || !station->respiration.runsAt(t))
+        return nullptr;
+    return &m_patient.at(station->respiration, t);
+}
+
+std::optional<BreathFlows> StationVitals::flowsAt(SessionTime t)
+{
+    const PatientRun* run = runAt(t);
+    if (!run)
+        return std::nullopt;
+    const LungConditions& conditions = run->fold().settings().conditions;
+    const auto& intoLung = run->fold().moment().intoLung;
+    return BreathFlows{.right = intoLung[0],
+                       .left = intoLung[1],
+                       .stomach = intoStomach(run->body().settings().stomachBreaths, t),
+                       .rightObstruction = narrowness(conditions, ConditionSide::Right),
+                       .leftObstruction = narrowness(conditions, ConditionSide::Left)};
+}
+
+} // namespace carina

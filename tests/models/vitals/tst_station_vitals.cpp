@@ -1,0 +1,120 @@
+#include "models/vitals/station_vitals.h"
+#include "tests/models/fake_session_node.h"
+#include "tests/support/test_class.h"
+
+#include <QSignalSpy>
+
+#include <cmath>
+
+namespace carina::station_vitals_test
+{
+
+using test::FakeSessionNode;
+
+namespace
+{
+
+struct Desk {
+    FakeSessionNode node;
+    SessionModel session{node};
+    StationVitals vitals{session, FakeSessionNode::kStation};
+    VitalsModel& model = vitals.model();
+
+    void start() { node.decide(fact::PhaseChanged{SessionPhase::Running}); }
+
+    void pass(double seconds)
+    {
+        for (double t = 0.0; t < seconds; t += 0.02) {
+            node.advance(std::chrono::milliseconds{20});
+            model.look();
+        }
+    }
+};
+
+} // namespace
+
+/// From the facts of a session to the bedside monitor.
+class TestStationVitals : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void measuresNothingBeforeTheSessionRuns()
+    {
+        Desk desk;
+        desk.pass(2.0);
+        QCOMPARE(desk.model.numbers(), VitalsModel::Numbers{});
+        desk.start();
+        desk.pass(3.0);
+        QVERIFY(desk.model.numbers().heartRate_perMin);
+    }
+
+    void showsWhatThePatientHas()
+    {
+        Desk desk;
+        desk.start();
+        desk.pass(5.0);
+        RespirationFollower follower;
+        const auto state = desk.node.state();
+        const auto& timeline = state->stations().at(FakeSessionNode::kStation).respiration;
+        const SessionTime whole = std::chrono::floor<std::chrono::seconds>(*desk.node.now());
+        const Vitals vitals = follower.at(timeline, whole).vitals();
+        QCOMPARE(desk.model.numbers().heartRate_perMin,
+                 int(std::lround(inPerMinute(vitals.heartRate))));
+        QCOMPARE(desk.model.numbers().pressure->systolic_mmHg,
+                 int(std::lround(inMmHg(vitals.systolic))));
+    }
+
+    void isHeardThroughTheStethoscope()
+    {
+        Desk desk;
+        desk.vitals.setStethoscope([] { return AuscultationGains{.right = 1.0, .left = 1.0}; });
+        desk.start();
+        double right = 0.0;
+        double left = 0.0;
+        for (int i = 0; i < 60; ++i) {
+            desk.pass(0.1);
+            right = std::max(right, desk.model.heard().loudness.right);
+            left = std::max(left, desk.model.heard().loudness.left);
+        }
+        QVERIFY(desk.model.heard().isOnChest);
+        QVERIFY(right > 0.05 && left > 0.05);
+        QVERIFY(!desk.model.heard().wheezes);
+    }
+
+    void wheezesWithNarrowAirways()
+    {
+        Desk desk;
+        desk.vitals.setStethoscope([] { return AuscultationGains{.right = 1.0}; });
+        desk.node.decide(fact::ConditionsSet{{{ConditionKind::Asthma, 0.8}}});
+        desk.start();
+        bool wheezed = false;
+        for (int i = 0; i < 60; ++i) {
+            desk.pass(0.1);
+            wheezed = wheezed || desk.model.heard().wheezes;
+        }
+        QVERIFY(wheezed);
+    }
+
+    // Only who has another age has other limits; the built-in child is twelve.
+    void beginsAfreshForAnotherPatient()
+    {
+        Desk desk;
+        const QSignalSpy afresh{&desk.model, &VitalsModel::startedAfresh};
+        desk.node.decide(fact::PatientBuildSet{{metres(0.75), 9.0, 0.8, Sex::Female}});
+        QCoreApplication::sendPostedEvents();
+        QCOMPARE(afresh.count(), 1);
+        QCOMPARE(desk.model.limits(), alarmLimits(0.8));
+        const StationId another = desk.node.addStation("Station 2");
+        desk.vitals.setStation(another);
+        QCOMPARE(afresh.count(), 2);
+        desk.vitals.setStation(another); // the same
+        QCOMPARE(afresh.count(), 2);
+    }
+};
+
+CARINA_TEST(TestStationVitals)
+
+} // namespace carina::station_vitals_test
+
+#include "tst_station_vitals.moc"

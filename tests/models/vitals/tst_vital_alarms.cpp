@@ -1,0 +1,270 @@
+#include "models/vitals/vital_alarms.h"
+#include "tests/support/test_class.h"
+
+#include <cmath>
+
+namespace carina::vital_alarms_test
+{
+namespace
+{
+
+constexpr double kStep_s = 0.1;
+
+/// A monitor that is watched for some time.
+struct Bed {
+    VitalAlarms alarms{AlarmLimits{}};
+    Vitals vitals = healthy();
+    SessionTime now{};
+
+    static Vitals healthy()
+    {
+        Vitals vitals;
+        vitals.arterialSaturation = 0.98;
+        vitals.saturation = 0.98;
+        vitals.heartRate = perMinute(70.0);
+        vitals.systolic = mmHg(120.0);
+        return vitals;
+    }
+
+    /// @param breathes every four seconds, as the capnograph sees it
+    void watch(double seconds, bool breathes = true)
+    {
+        for (double t = 0.0; t < seconds - 0.5 * kStep_s; t += kStep_s) {
+            now += fromSeconds(kStep_s);
+            const double phase = std::fmod(toSeconds(now.time_since_epoch()), 4.0);
+            vitals.exhaledCO2 = mmHg(breathes && phase > 2.0 ? 38.0 : 0.0);
+            alarms.take(vitals, now);
+        }
+    }
+
+    [[nodiscard]] std::optional<AlarmPriority> of(VitalAlarm alarm) const
+    {
+        for (const auto& active : alarms.active())
+            if (active.alarm == alarm)
+                return active.priority;
+        return std::nullopt;
+    }
+};
+
+constexpr double kBeforeDelay_s = VitalAlarms::kDelay_s - 0.5;
+constexpr double kAfterDelay_s = VitalAlarms::kDelay_s + 0.5;
+
+} // namespace
+
+class TestVitalAlarms : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void areNoneForAHealthyPatient()
+    {
+        Bed bed;
+        bed.watch(60.0);
+        QVERIFY(bed.alarms.active().empty());
+        QVERIFY(!bed.alarms.audible(bed.now));
+    }
+
+    void ofSaturationBecomeMoreUrgentAsItFalls()
+    {
+        Bed bed;
+        bed.watch(10.0);
+        bed.vitals.saturation = 0.895;
+        bed.watch(kBeforeDelay_s);
+        QVERIFY(!bed.of(VitalAlarm::LowSaturation));
+        bed.watch(1.0);
+        QCOMPARE(bed.of(VitalAlarm::LowSaturation), AlarmPriority::Medium);
+        bed.vitals.saturation = 0.845;
+        bed.watch(kAfterDelay_s);
+        QCOMPARE(bed.of(VitalAlarm::LowSaturation), AlarmPriority::High);
+    }
+
+    void stayUntilTheValueIsClearlyBack()
+    {
+        Bed bed;
+        bed.vitals.saturation = 0.84;
+        bed.watch(kAfterDelay_s);
+        bed.vitals.saturation = 0.855;
+        bed.watch(0.2);
+        QCOMPARE(bed.of(VitalAlarm::LowSaturation), AlarmPriority::High);
+        bed.vitals.saturation = 0.865;
+        bed.watch(0.2);
+        QCOMPARE(bed.of(VitalAlarm::LowSaturation), AlarmPriority::Medium);
+        bed.vitals.saturation = 0.905;
+        bed.watch(0.2);
+        QCOMPARE(bed.of(VitalAlarm::LowSaturation), AlarmPriority::Medium);
+        bed.vitals.saturation = 0.915;
+        bed.watch(0.2);
+        QVERIFY(!bed.of(VitalAlarm::LowSaturation));
+    }
+
+    void doNotComeOfAShortDip()
+    {
+        Bed bed;
+        for (int i = 0; i < 5; ++i) {
+            bed.vitals.saturation = 0.8;
+            bed.watch(kBeforeDelay_s);
+            bed.vitals.saturation = 0.95;
+            bed.watch(1.0);
+        }
+        QVERIFY(bed.alarms.active().empty());
+    }
+
+    void ofApnoeaComeTwentySecondsAfterTheLastBreath()
+    {
+        Bed bed;
+        bed.watch(60.0, false); // nobody breathed into it yet
+        QVERIFY(!bed.of(VitalAlarm::Apnoea));
+        bed.watch(2.5); // the CO2 of a breath rises 2 s after a multiple of 4 s
+        bed.watch(19.0, false);
+        QVERIFY(!bed.of(VitalAlarm::Apnoea));
+        bed.watch(2.0, false);
+        QCOMPARE(bed.of(VitalAlarm::Apnoea), AlarmPriority::High);
+        bed.watch(4.0);
+        QVERIFY(!bed.of(VitalAlarm::Apnoea));
+    }
+
+    // A tube in the oesophagus: some CO2, too little for a breath.
+    void takeAWashoutForNoBreath()
+    {
+        Bed bed;
+        bed.watch(8.0);
+        for (int i = 0; i < 250; ++i) {
+            bed.now += fromSeconds(kStep_s);
+            bed.vitals.exhaledCO2 = mmHg(i % 40 > 20 ? 6.0 : 0.0);
+            bed.alarms.take(bed.vitals, bed.now);
+        }
+        QCOMPARE(bed.of(VitalAlarm::Apnoea), AlarmPriority::High);
+    }
+
+    void ofTheHeartFollowItsRate_data()
+    {
+        QTest::addColumn<double>("rate");
+        QTest::addColumn<int>("alarm");
+        QTest::addColumn<int>("priority");
+        QTest::newRow("slow") << 45.0 << int(VitalAlarm::SlowHeart) << int(AlarmPriority::Medium);
+        QTest::newRow("very slow")
+            << 38.0 << int(VitalAlarm::SlowHeart) << int(AlarmPriority::High);
+        QTest::newRow("fast") << 130.0 << int(VitalAlarm::FastHeart) << int(AlarmPriority::Medium);
+        QTest::newRow("none") << 0.0 << int(VitalAlarm::NoHeartbeat) << int(AlarmPriority::High);
+    }
+
+    void ofTheHeartFollowItsRate()
+    {
+        QFETCH(double, rate);
+        QFETCH(int, alarm);
+        QFETCH(int, priority);
+        Bed bed;
+        bed.vitals.heartRate = perMinute(rate);
+        bed.watch(kAfterDelay_s);
+        QCOMPARE(bed.alarms.active().size(), std::size_t{1});
+        QCOMPARE(int(bed.alarms.active().front().alarm), alarm);
+        QCOMPARE(int(bed.alarms.active().front().priority), priority);
+    }
+
+    void ofPressureFollowItsSystolicValue()
+    {
+        Bed bed;
+        bed.vitals.systolic = mmHg(85.0);
+        bed.watch(kAfterDelay_s);
+        QCOMPARE(bed.of(VitalAlarm::LowPressure), AlarmPriority::Medium);
+        bed.vitals.systolic = mmHg(65.0);
+        bed.watch(kAfterDelay_s);
+        QCOMPARE(bed.of(VitalAlarm::LowPressure), AlarmPriority::High);
+        bed.vitals.systolic = mmHg(175.0);
+        bed.watch(kAfterDelay_s);
+        QVERIFY(!bed.of(VitalAlarm::LowPressure));
+        QCOMPARE(bed.of(VitalAlarm::HighPressure), AlarmPriority::Medium);
+    }
+
+    void sayThatTheProbeIsOff()
+    {
+        Bed bed;
+        bed.vitals.saturation.reset();
+        bed.watch(20.0); // it was never on
+        QVERIFY(bed.alarms.active().empty());
+        bed.vitals.saturation = 0.97;
+        bed.watch(1.0);
+        bed.vitals.saturation.reset();
+        bed.watch(kAfterDelay_s);
+        QCOMPARE(bed.of(VitalAlarm::NoProbe), AlarmPriority::Low);
+    }
+
+    void areOrderedByUrgency()
+    {
+        Bed bed;
+        bed.vitals.saturation = 0.88;
+        bed.vitals.heartRate = {};
+        bed.vitals.systolic = mmHg(60.0);
+        bed.watch(kAfterDelay_s);
+        const auto active = bed.alarms.active();
+        QCOMPARE(active.size(), std::size_t{3});
+        QCOMPARE(active[0].alarm, VitalAlarm::NoHeartbeat);
+        QCOMPARE(active[1].alarm, VitalAlarm::LowPressure);
+        QCOMPARE(active[2].alarm, VitalAlarm::LowSaturation);
+        QCOMPARE(bed.alarms.audible(bed.now), AlarmPriority::High);
+    }
+
+    void areSilentForTwoMinutes()
+    {
+        Bed bed;
+        bed.vitals.saturation = 0.88;
+        bed.watch(kAfterDelay_s);
+        QCOMPARE(bed.alarms.audible(bed.now), AlarmPriority::Medium);
+        bed.alarms.silence(bed.now);
+        bed.watch(119.0);
+        QVERIFY(bed.alarms.isSilenced(bed.now) && !bed.alarms.audible(bed.now));
+        QCOMPARE(bed.of(VitalAlarm::LowSaturation), AlarmPriority::Medium); // and still shown
+        bed.watch(2.0);
+        QCOMPARE(bed.alarms.audible(bed.now), AlarmPriority::Medium);
+    }
+
+    void areHeardAgainWhenSomethingNewComes()
+    {
+        Bed bed;
+        bed.vitals.saturation = 0.88;
+        bed.watch(kAfterDelay_s);
+        bed.alarms.silence(bed.now);
+        bed.vitals.saturation = 0.84; // more urgent
+        bed.watch(kAfterDelay_s);
+        QCOMPARE(bed.alarms.audible(bed.now), AlarmPriority::High);
+        bed.alarms.silence(bed.now);
+        bed.vitals.heartRate = perMinute(130.0); // another one
+        bed.watch(kAfterDelay_s);
+        QVERIFY(!bed.alarms.isSilenced(bed.now));
+    }
+
+    // A session that pauses for minutes is no apnoea of minutes.
+    void doNotCountTimeThatNobodySaw()
+    {
+        Bed bed;
+        bed.watch(8.0);
+        bed.watch(15.0, false);
+        bed.now += std::chrono::minutes{10};
+        bed.watch(0.1, false);
+        QVERIFY(!bed.of(VitalAlarm::Apnoea));
+    }
+
+    // American Heart Association: 70 + 2 age; Fleming et al. 2011 at 12 to 15 years: 47 and 108.
+    void haveLimitsByAge()
+    {
+        QCOMPARE(inMmHg(alarmLimits(0.0).lowSystolic), 60.0);
+        QCOMPARE(inMmHg(alarmLimits(0.5).lowSystolic), 70.0);
+        QVERIFY(std::abs(inMmHg(alarmLimits(6.0).lowSystolic) - 82.0) < 1e-9);
+        QVERIFY(std::abs(inMmHg(alarmLimits(12.0).lowSystolic) - 90.0) < 1e-9);
+        QVERIFY(std::abs(inPerMinute(alarmLimits(12.0).slowHeart) - 47.0) < 1e-9);
+        QVERIFY(std::abs(inPerMinute(alarmLimits(12.0).fastHeart) - 108.0) < 1e-9);
+        QCOMPARE(alarmLimits(40.0), AlarmLimits{});
+        QCOMPARE(alarmLimits(0.5).apnoea, Duration{std::chrono::seconds{15}});
+        for (double age = 0.0; age < 17.0; age += 0.1) {
+            QVERIFY(alarmLimits(age + 0.1).fastHeart <= alarmLimits(age).fastHeart);
+            QVERIFY(alarmLimits(age + 0.1).lowSystolic >= alarmLimits(age).lowSystolic);
+            QVERIFY(alarmLimits(age).highSystolic > alarmLimits(age).lowSystolic);
+        }
+    }
+};
+
+CARINA_TEST(TestVitalAlarms)
+
+} // namespace carina::vital_alarms_test
+
+#include "tst_vital_alarms.moc"

@@ -1,0 +1,186 @@
+#include "engine/airway/monitor/airway_moment.h"
+
+#include "engine/anatomy/airway/airway_measure.h"
+#include "engine/core/expects.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace carina
+{
+namespace
+{
+
+double pastTeethPlane(const PatientWays& ways, const Vec3& p_A)
+{
+    return (p_A - ways.p_A_incisors()).dot(ways.inward_A());
+}
+
+double pastCordsPlane(const PatientWays& ways, const Vec3& p_A)
+{
+    return -(p_A - ways.p_A_glottis()).dot(ways.up_A());
+}
+
+/// How far within reach of trachea, oesophagus or bronchi; negative outside.
+double inWindpipes(const PatientWays& ways, const Vec3& p_A)
+{
+    const std::array right{ways.p_A_carina(), ways.p_A_rightEnd};
+    const std::array left{ways.p_A_carina(), ways.p_A_leftEnd};
+    double off = distanceFrom(ways.trachea, p_A).si;
+    for (const std::span<const Vec3> line :
+         {std::span<const Vec3>{ways.oesophagus}, std::span<const Vec3>{right},
+          std::span<const Vec3>{left}})
+        off = std::min(off, distanceFrom(line, p_A).si);
+    return ways.size * kMostFromWindpipe.si - off;
+}
+
+double inBody(const PatientWays& ways, const Vec3& p_A)
+{
+    const double inThroat =
+        ways.size * kMostFromTongueWay.si - distanceFrom(ways.overTongue, p_A).si;
+    return std::max(inThroat, inWindpipes(ways, p_A));
+}
+
+/// Of a place past a plane; negative where it is not within reach of the ways.
+Length withinReach(double past, double inReach)
+{
+    return metres(inReach < 0.0 ? std::min(past, inReach) : past);
+}
+
+Length pastTeeth(const PatientWays& ways, const Vec3& p_A)
+{
+    return withinReach(pastTeethPlane(ways, p_A), inBody(ways, p_A));
+}
+
+Length pastCords(const PatientWays& ways, const Vec3& p_A)
+{
+    return withinReach(pastCordsPlane(ways, p_A), inWindpipes(ways, p_A));
+}
+
+/// Along a line from one way to the other, from its middle.
+struct BetweenWays {
+    double beyond = 0.0;
+    double apart = 0.0;
+};
+
+BetweenWays between(const Vec3& p_A_one, const Vec3& p_A_other, const Vec3& p_A)
+{
+    const Vec3 across = p_A_other - p_A_one;
+    const double apart = across.norm();
+    if (!(apart > 0.0))
+        return {};
+    return {(p_A - p_A_one).dot(across) / apart - 0.5 * apart, apart};
+}
+
+void findOesophagus(AirwayMoment& moment, const PatientWays& ways, const PlaceOnWay& inTrachea)
+{
+    const Vec3 behind = nearestOnWay(ways.oesophagus, inTrachea.p_A).p_A;
+    BetweenWays place = between(inTrachea.p_A, behind, moment.p_A_tip);
+    // At the larynx a tip may go by at the side.
+    const Vec3 fromGlottis = moment.p_A_tip - ways.p_A_glottis();
+    if (std::abs(fromGlottis.dot(ways.up_A())) < ways.size * kBesideGlottis.si)
+        place.beyond =
+            std::max(place.beyond, std::abs(fromGlottis.x()) - ways.size * kBesideGlottis.si);
+    moment.towardsOesophagus = metres(place.beyond);
+    moment.tracheaToOesophagus = metres(place.apart);
+}
+
+/// The end of the trachea as a straight piece: its very last points lead to the ridge.
+Vec3 downAtCarina(const PatientWays& ways)
+{
+    constexpr Length kPiece = millimetres(15.0);
+    const Vec3 before = pointAlong(ways.trachea, lengthOf(ways.trachea) - ways.size * kPiece);
+    return (ways.p_A_carina() - before).normalized();
+}
+
+/// Both bronchi go down from the carina: at the height of the tip, and the way to there in the
+/// nearer one.
+void findBronchus(AirwayMoment& moment, const PatientWays& ways, const Vec3& down, double beyond)
+{
+    const Vec3 carina = ways.p_A_carina();
+    const auto at = [&](const Vec3& end) {
+        constexpr double kLeastDescent = 0.2; // of a bronchus' direction
+        const Vec3 direction = (end - carina).normalized();
+        return Vec3{beyond / std::max(direction.dot(down), kLeastDescent) * direction};
+    };
+    const Vec3 right = at(ways.p_A_rightEnd);
+    const Vec3 left = at(ways.p_A_leftEnd);
+    const BetweenWays place = between(carina + right, carina + left, moment.p_A_tip);
+    moment.towardsLeft = metres(place.beyond);
+    moment.rightToLeft = metres(place.apart);
+    moment.aboveCarina = metres(-(place.beyond < 0.0 ? right : left).norm());
+}
+
+void findTip(AirwayMoment& moment, const PatientWays& ways)
+{
+    const PlaceOnWay inTrachea = nearestOnWay(ways.trachea, moment.p_A_tip);
+    findOesophagus(moment, ways, inTrachea);
+    const Vec3 down = downAtCarina(ways);
+    const double beyond = (moment.p_A_tip - ways.p_A_carina()).dot(down);
+    if (beyond > 0.0) {
+        findBronchus(moment, ways, down, beyond);
+        return;
+    }
+    const Length trachea = lengthOf(ways.trachea);
+    moment.aboveCarina = std::max(trachea - inTrachea.along, metres(-beyond));
+    if (pastCordsPlane(ways, moment.p_A_tip) < 0.0) {
+        const Length over = lengthOf(ways.overTongue);
+        const Length along = std::min(nearestOnWay(ways.overTongue, moment.p_A_tip).along, over);
+        moment.aboveCarina = trachea + (over - along);
+    }
+}
+
+/// From where the tube last passes the plane at the incisors to its tip.
+Length depthOf(const PatientWays& ways, std::span<const Vec3> p_A_tube)
+{
+    double depth = 0.0;
+    double inside = pastTeethPlane(ways, p_A_tube.back());
+    if (inside <= 0.0)
+        return {};
+    for (std::size_t i = p_A_tube.size() - 1; i > 0; --i) {
+        const double length = (p_A_tube[i] - p_A_tube[i - 1]).norm();
+        const double next = pastTeethPlane(ways, p_A_tube[i - 1]);
+        if (next <= 0.0)
+            return metres(depth + inside / (inside - next) * length);
+        depth += length;
+        inside = next;
+    }
+    return metres(depth);
+}
+
+void findTube(AirwayMoment& moment, const PatientWays& ways, const TubeCurves& tube)
+{
+    CARINA_EXPECTS(tube.p_A_shown.size() >= 2);
+    moment.p_A_tip = tube.p_A_shown.back();
+    const Vec3 measured = tube.p_A_measured.empty() ? moment.p_A_tip : tube.p_A_measured.back();
+    moment.pastTeeth = pastTeeth(ways, moment.p_A_tip);
+    moment.pastCords = pastCords(ways, moment.p_A_tip);
+    moment.measuredPastCords = pastCords(ways, measured);
+    moment.besides = metres((measured - moment.p_A_tip).norm());
+    findTip(moment, ways);
+    if (moment.pastTeeth > Length{})
+        moment.depthAtTeeth = depthOf(ways, tube.p_A_shown);
+}
+
+} // namespace
+
+AirwayMoment airwayMoment(SessionTime at, const PatientWays& ways, const TubeCurves& tube,
+                          const BladeSeen& blade, bool areCordsShut)
+{
+    AirwayMoment moment;
+    moment.at = at;
+    moment.tube = tube.validity;
+    if (tube.validity != Validity::Lost)
+        findTube(moment, ways, tube);
+    moment.areCordsShut = areCordsShut;
+    moment.blade = blade.validity;
+    if (blade.validity != Validity::Lost) {
+        moment.bladePastTeeth = pastTeeth(ways, blade.p_A_tip);
+        moment.isOnTeeth = blade.isOnTeeth;
+        moment.glottis = blade.glottis;
+    }
+    return moment;
+}
+
+} // namespace carina

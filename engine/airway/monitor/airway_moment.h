@@ -1,0 +1,68 @@
+#pragma once
+
+#include "engine/airway/monitor/patient_ways.h"
+#include "engine/core/session_time.h"
+#include "engine/tracking/pose_sample.h"
+
+#include <optional>
+#include <span>
+
+namespace carina
+{
+
+/// A tube at a moment: its centre line from connector to tip, in A, metres.
+struct TubeCurves {
+    Validity validity = Validity::Lost;
+    std::span<const Vec3> p_A_shown;    ///< as it is drawn; two points at least unless it is lost
+    std::span<const Vec3> p_A_measured; ///< by pose and rest curve; empty: as shown
+};
+
+/// A laryngoscope at a moment.
+struct BladeSeen {
+    Validity validity = Validity::Lost;
+    Vec3 p_A_tip = Vec3::Zero();
+    bool isOnTeeth = false;
+    std::optional<double> glottis{}; ///< the share of it that is seen, where it was measured
+};
+
+/// What one moment says of tube and blade, by signed distances. Those of a thing that is lost have
+/// no meaning.
+struct AirwayMoment {
+    SessionTime at{};
+    Validity tube = Validity::Lost;
+    Vec3 p_A_tip = Vec3::Zero();
+    Length pastTeeth{};         ///< of the tip; negative in front of the incisors and beside the
+                                ///< ways, where a tube in a body cannot be
+    Length pastCords{};         ///< through the cords' plane, likewise, in the larynx or behind it
+    Length towardsOesophagus{}; ///< from halfway between airway and oesophagus; negative: airway
+    Length tracheaToOesophagus{}; ///< at the height of the tip
+    Length aboveCarina{};         ///< along the airway, negative beyond
+    Length towardsLeft{};         ///< from halfway between both main bronchi; negative: right
+    Length rightToLeft{};         ///< of these, at the height of the tip; 0 above the carina
+    Length depthAtTeeth{};        ///< along the tube; 0 outside
+    Length measuredPastCords{};   ///< of the tip as it was measured
+    Length besides{};             ///< distance of both tips
+    bool areCordsShut = false;    ///< in the virtual patient
+    Validity blade = Validity::Lost;
+    Length bladePastTeeth{}; ///< of its tip
+    bool isOnTeeth = false;
+    std::optional<double> glottis{};
+
+    friend bool operator==(const AirwayMoment&, const AirwayMoment&) = default;
+};
+
+/// A tip farther than this from the way over the tongue is not in an adult's mouth or throat; and
+/// one this far from trachea, oesophagus and bronchi not in one of them: the skin in front of a
+/// neck is farther away. Of ours.
+inline constexpr Length kMostFromTongueWay = millimetres(30.0);
+inline constexpr Length kMostFromWindpipe = millimetres(15.0);
+/// Beside the glottis by more than this, in an adult, a tip lies in a piriform fossa, from which it
+/// goes into the oesophagus. Of ours: half a glottis' width, and half a tube.
+inline constexpr Length kBesideGlottis = millimetres(10.0);
+
+/// @param ways of the patient, as they are drawn at that moment
+[[nodiscard]] AirwayMoment airwayMoment(SessionTime at, const PatientWays& ways,
+                                        const TubeCurves& tube, const BladeSeen& blade,
+                                        bool areCordsShut = false);
+
+} // namespace carina

@@ -21,7 +21,9 @@ using namespace std::chrono_literals;
 using namespace carina;
 
 constexpr std::uint64_t kFacts = 60'000;
-constexpr std::uint64_t kBetweenCheckpoints = 20; ///< facts; a checkpoint fills a datagram
+constexpr std::uint64_t kBetweenCheckpoints =
+    20; ///< facts; a part of a checkpoint fills a datagram
+constexpr auto kBetweenFacts = 100ms;
 constexpr int kRounds = 5;
 constexpr auto kPatience = 120s;
 constexpr StationId kStation{0};
@@ -43,6 +45,10 @@ FactBody bodyOf(std::uint64_t number, SessionTime at)
         return fact::StationAdded{"Station 1"};
     if (number % kBetweenCheckpoints == 0)
         return fact::RespirationCheckpoint{at, kBreathing};
+    if (number % kBetweenCheckpoints == 1)
+        return fact::CapnographCheckpoint{at - kBetweenFacts, {}};
+    if (number % kBetweenCheckpoints == 2)
+        return fact::BodyCheckpoint{at - 2 * kBetweenFacts, BodyFold{BodySettings{}}.state()};
     if (number % 2 == 0)
         return fact::TidalVolumeSet{millilitres(200.0 + double(number % 100))};
     return fact::BreathingRateSet{perMinute(10.0 + double(number % 20))};
@@ -52,7 +58,7 @@ std::vector<FactRecord> longLog()
 {
     std::vector<FactRecord> log;
     for (std::uint64_t number = 1; number <= kFacts; ++number) {
-        const SessionTime at{number * 100ms};
+        const SessionTime at{number * kBetweenFacts};
         log.push_back(toRecord(Fact{FactNumber{number}, ProposalId{number}, ParticipantId{0},
                                     kStation, at, at, bodyOf(number, at)}));
     }

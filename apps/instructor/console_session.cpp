@@ -47,6 +47,7 @@ ConsoleSession::ConsoleSession(HostedSession hosted, const program::ChosenPatien
       m_lesson{m_session, m_stations.shown()},
       m_actions{m_object},
       m_respiration{m_session, m_stations.shown()},
+      m_gas{m_session, m_stations.shown()},
       m_airway{m_session, m_stations.shown()},
       m_head{m_session, m_stations.shown()},
       m_trace{m_session, m_stations.shown()},
@@ -57,9 +58,9 @@ ConsoleSession::ConsoleSession(HostedSession hosted, const program::ChosenPatien
           return OfferGiver::Shown{m_shown.view(), m_shown.drawn()};
       }},
       m_kept{folder},
-      m_window{{m_session, m_breathing, m_respiration, m_airway, m_head, m_trace, m_participants,
-                m_conduct, m_people, m_network, m_actions, m_stations, m_lesson, m_shown.patient(),
-                m_attention},
+      m_window{{m_session, m_breathing, m_respiration, m_gas, m_airway, m_head, m_trace,
+                m_participants, m_conduct, m_people, m_network, m_actions, m_stations, m_lesson,
+                m_shown.patient(), m_attention},
                m_kept,
                m_shown.view(),
                program::programTracker(m_tools, m_recording, m_offer, true, folder)}
@@ -73,6 +74,7 @@ ConsoleSession::ConsoleSession(HostedSession hosted, const program::ChosenPatien
     QObject::connect(&m_stations, &StationsModel::forAllChanged, &m_window, [this](bool all) {
         m_breathing.setForAll(all);
         m_respiration.setForAll(all);
+        m_gas.setForAll(all);
         m_airway.setForAll(all);
         m_head.setForAll(all);
     });
@@ -165,6 +167,7 @@ void ConsoleSession::setStation(StationId station)
     m_lesson.setStation(station);
     m_people.setStation(station);
     m_respiration.setStation(station);
+    m_gas.setStation(station);
     m_airway.setStation(station);
     m_head.setStation(station);
     m_trace.setStation(station);

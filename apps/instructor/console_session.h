@@ -79,6 +79,7 @@ private:
     LessonModel m_lesson;
     ObjectActionModel m_actions;
     RespirationModel m_respiration;
+    GasModel m_gas;
     AirwayEventModel m_airway;
     HeadPositionModel m_head;
     BreathTrace m_trace;

@@ -22,6 +22,21 @@ Result<void> checkBreath(const SessionState& state, const Fact& fact, SessionTim
                : Result<void>{};
 }
 
+Result<void> checkStep(const SessionState& state, const Fact& fact, const IntubationEvent& event)
+{
+    if (event.at > fact.effect || fact.effect - event.at > kLongestNews)
+        return fail(Errc::OutOfRange, "a step of an intubation that is not of the present");
+    const auto station = state.stations().find(fact.station);
+    if (station == state.stations().end())
+        return {};
+    const bool isRepeated =
+        std::ranges::any_of(station->second.respiration.tube().notes(), [&](const NotedStep& note) {
+            return note.event.step == event.step && event.at - note.event.at < kShortestStep;
+        });
+    return isRepeated ? fail(Errc::OutOfRange, "a step of an intubation too soon after the last")
+                      : Result<void>{};
+}
+
 /// Whether the session is already as the fact says.
 bool isSaid(const SessionState& state, const Fact& fact)
 {
@@ -50,6 +65,16 @@ bool isSaid(const SessionState& state, const Fact& fact)
                 const SharedObject* object = known(state.objects(), f.object);
                 return object && object->owner == f.owner;
             },
+            [&](const fact::CuffSet& f) {
+                const Station* station = known(state.stations(), fact.station);
+                return station
+                       && station->respiration.tube().cuffInflatedAt(SessionTime::max())
+                              == f.inflated;
+            },
+            [&](const fact::StyletDrawn&) {
+                const Station* station = known(state.stations(), fact.station);
+                return station && !station->respiration.tube().styletInAt(SessionTime::max());
+            },
             [&](const fact::LessonShown& f) {
                 const Station* station = known(state.stations(), fact.station);
                 return station && station->lesson == ShownLesson{fact.author, f.to, f.lesson};
@@ -64,6 +89,8 @@ Result<void> checkNews(const SessionState& state, const Fact& fact)
 {
     if (const auto* breathed = std::get_if<fact::ManikinBreathed>(&fact.body))
         return checkBreath(state, fact, breathed->began);
+    if (const auto* noted = std::get_if<fact::IntubationNoted>(&fact.body))
+        return checkStep(state, fact, noted->event);
     return isSaid(state, fact) ? fail(Errc::OutOfRange, "it changes nothing") : Result<void>{};
 }
 

@@ -37,7 +37,9 @@ bool takesEffectLater(const FactBody& body)
                    fact::TidalVolumeSet, fact::InspiratoryFractionSet, fact::PatientBuildSet,
                    fact::LungConditionsSet, fact::VentilatorSet, fact::TubePlaced,
                    fact::BodyPositionSet, fact::BreathingStopped, fact::BagSqueezed,
-                   fact::ManikinBreathed, fact::AirwayEventsSet, fact::HeadPositionSet>(body);
+                   fact::ManikinBreathed, fact::AirwayEventsSet, fact::HeadPositionSet,
+                   fact::GasSupplySet, fact::DrugGiven, fact::CuffSet, fact::StyletDrawn,
+                   fact::IntubationNoted>(body);
 }
 
 /// The id of the entry that is the same, else the next free one; 0 where none is left.
@@ -118,8 +120,8 @@ Result<void> settleIds(const SessionState& state, ParticipantId author, StationI
 
 /// What a trainee may do: state how their registration stands, choose where others see them, and
 /// for the station they are at share what is their own, ask for what is not, lift out what is in
-/// its place, say when the manikin breathes, and pass on the work that they do. An observer may do
-/// nothing.
+/// its place, say when the manikin breathes and what they do with cuff and stylet, and pass on the
+/// work that they do. An observer may do nothing.
 bool mayDoForThemselves(const SessionState& state, const Participant& author, StationId station,
                         const FactBody& body)
 {
@@ -143,6 +145,8 @@ bool mayDoForThemselves(const SessionState& state, const Participant& author, St
                 return state.objects().at(f.object).station == station;
             },
             [](const fact::ManikinBreathed&) { return true; },
+            [](const fact::CuffSet&) { return true; },
+            [](const fact::StyletDrawn&) { return true; },
             [&](const fact::WorkTaken& f) { return mayPassOnWork(state, author, station, f); },
             [](const auto&) { return false; }},
         body);
@@ -154,8 +158,20 @@ bool isOfTheHostAlone(const FactBody& body)
 {
     if (const auto* shared = std::get_if<fact::ObjectShared>(&body))
         return isLiftable(shared->kind);
-    return isOneOf<fact::SessionCreated, fact::RespirationCheckpoint, fact::ParticipantJoined,
-                   fact::ParticipantLeft, fact::ParticipantFellSilent, fact::TokenReplaced>(body);
+    return isOneOf<fact::SessionCreated, fact::RespirationCheckpoint, fact::CapnographCheckpoint,
+                   fact::BodyCheckpoint, fact::ParticipantJoined, fact::ParticipantLeft,
+                   fact::ParticipantFellSilent, fact::TokenReplaced>(body);
+}
+
+/// An intubation is followed from the poses of the tools at a station, by one program: that of who
+/// is at work there, or the host's where it simulates the station.
+bool mayAuthor(const SessionState& state, const Participant& author, StationId station,
+               const FactBody& body)
+{
+    if (std::holds_alternative<fact::IntubationNoted>(body))
+        return state.atWork(station) == author.id;
+    const bool instructs = author.role == Role::Instructor && !isOfTheHostAlone(body);
+    return instructs || mayDoForThemselves(state, author, station, body);
 }
 
 /// Whoever is new takes a plain name, and none that looks like that of a participant there ever
@@ -206,8 +222,7 @@ Result<void> checkPermission(const SessionState& state, ParticipantId authorId, 
     const bool isSafety = std::holds_alternative<fact::RegistrationStated>(body);
     if (author->second.muted && !isSafety)
         return fail(Errc::Muted, author->second.name);
-    const bool instructs = author->second.role == Role::Instructor && !isOfTheHostAlone(body);
-    if (!instructs && !mayDoForThemselves(state, author->second, station, body))
+    if (!mayAuthor(state, author->second, station, body))
         return fail(Errc::NotPermitted, author->second.name);
     return {};
 }
@@ -235,11 +250,21 @@ Result<void> checkMoment(const SessionState& state, const FactBody& body)
                       body);
 }
 
+std::optional<SessionTime> timeOfCheckpoint(const FactBody& body)
+{
+    if (const auto* breathing = std::get_if<fact::RespirationCheckpoint>(&body))
+        return breathing->at;
+    if (const auto* capnograph = std::get_if<fact::CapnographCheckpoint>(&body))
+        return capnograph->at;
+    if (const auto* whole = std::get_if<fact::BodyCheckpoint>(&body))
+        return whole->at;
+    return std::nullopt;
+}
+
 /// Whoever is to go on from a checkpoint at the present has to find it in the past.
 Result<void> checkCheckpoint(SessionTime now, const FactBody& body)
 {
-    const auto* checkpoint = std::get_if<fact::RespirationCheckpoint>(&body);
-    if (checkpoint && checkpoint->at > now)
+    if (const auto at = timeOfCheckpoint(body); at && *at > now)
         return fail(Errc::OutOfRange, "a checkpoint of what is to come");
     return {};
 }

@@ -43,13 +43,14 @@ public:
     ///
     /// @param proposal its author decides what is permitted. The host itself (0) may propose
     ///        everything, a participant not yet admitted (kNobody) may join, instructors may
-    ///        propose everything but SessionCreated, RespirationCheckpoint, ParticipantJoined,
-    ///        ParticipantLeft, ParticipantFellSilent and TokenReplaced, trainees may state how
-    ///        their registration stands and choose where others see them, and for the station they
-    ///        are at share objects as themselves, hand these over to an instructor or to who asked,
-    ///        ask for ownership, report breaths of the manikin, take up work that nobody does and
-    ///        pass on their own, observers may propose nothing and own nothing, and who is muted
-    ///        nothing either, but for how their registration stands.
+    ///        propose everything but SessionCreated, the parts of a checkpoint,
+    ///        ParticipantJoined, ParticipantLeft, ParticipantFellSilent and TokenReplaced, trainees
+    ///        may state how their registration stands and choose where others see them, and for the
+    ///        station they are at share objects as themselves, hand these over to an instructor or
+    ///        to who asked, ask for ownership, report breaths of the manikin, set cuff and stylet,
+    ///        take up work that nobody does and pass on their own, observers may propose nothing
+    ///        and own nothing, and who is muted nothing either, but for how their registration
+    ///        stands. IntubationNoted is of who is at work at the station alone.
     /// @returns NotPermitted where the author's role does not permit it, for more objects than a
     ///          participant may share or own, for an object that passes to a trainee of another
     ///          station, and where the host or the last instructor is to be muted or removed;
@@ -58,7 +59,8 @@ public:
     ///          SessionEnded after the end, except for facts about participants, entry, shared
     ///          objects and lessons; OutOfRange for a parameter outside the range of a patient, an
     ///          unknown participant or object, a phase that cannot follow the present one, a breath
-    ///          of the manikin too soon after the last, and a registration or place that is known;
+    ///          of the manikin or a step of an intubation too soon after the last, and what
+    ///          changes nothing (checkNews);
     ///          StationUnknown for a station that is not open; OwnerChanged for an object that has
     ///          changed its owner meanwhile, and for work that another has taken meanwhile.
     [[nodiscard]] Result<Fact> judge(const Proposal& proposal, SessionTime now,

@@ -293,8 +293,18 @@ struct SessionState::Applier {
     }
     void operator()(const fact::RespirationCheckpoint& body) const
     {
+        forStations(
+            [&](Station& station) { station.respiration.addBreathing(body.at, body.state); });
+    }
+    void operator()(const fact::CapnographCheckpoint& body) const
+    {
+        forStations(
+            [&](Station& station) { station.respiration.addCapnograph(body.at, body.state); });
+    }
+    void operator()(const fact::BodyCheckpoint& body) const
+    {
         forStations([&](Station& station) {
-            station.respiration.addCheckpoint({body.at, body.state});
+            station.respiration.addBody(body.at, body.state);
             station.airwayEvents.forgetBefore(station.respiration.keptFrom());
             station.headPosition.forgetBefore(station.respiration.keptFrom());
         });
@@ -303,6 +313,29 @@ struct SessionState::Applier {
     {
         forStations([&](Station& station) {
             station.airwayEvents.set(around.effect, body.events, body.over);
+        });
+    }
+    void operator()(const fact::GasSupplySet& body) const
+    {
+        forStations([&](Station& station) { station.respiration.setGas(around.effect, body.gas); });
+    }
+    void operator()(const fact::DrugGiven& body) const
+    {
+        forStations([&](Station& station) { station.respiration.give(around.effect, body.dose); });
+    }
+    void operator()(const fact::CuffSet& body) const
+    {
+        forStations(
+            [&](Station& station) { station.respiration.setCuff(around.effect, body.inflated); });
+    }
+    void operator()(const fact::StyletDrawn&) const
+    {
+        forStations([&](Station& station) { station.respiration.drawStylet(around.effect); });
+    }
+    void operator()(const fact::IntubationNoted& body) const
+    {
+        forStations([&](Station& station) {
+            station.respiration.noteIntubation(around.effect, body.event, body.innerDiameter);
         });
     }
     void operator()(const fact::HeadPositionSet& body) const

@@ -23,7 +23,7 @@ bool changesPatient(const FactBody& body)
                    fact::InspiratoryFractionSet, fact::PatientBuildSet, fact::LungConditionsSet,
                    fact::VentilatorSet, fact::TubePlaced, fact::BodyPositionSet,
                    fact::BreathingStopped, fact::BagSqueezed, fact::AirwayEventsSet,
-                   fact::HeadPositionSet>(body);
+                   fact::HeadPositionSet, fact::GasSupplySet, fact::DrugGiven, fact::CuffSet>(body);
 }
 
 bool isOfNoStation(const FactBody& body)

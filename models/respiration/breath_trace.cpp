@@ -56,7 +56,7 @@ void BreathTrace::sample()
     }
 }
 
-void BreathTrace::take(const RespirationRun& run, SessionTime t)
+void BreathTrace::take(const PatientRun& run, SessionTime t)
 {
     const RespiratoryFold& fold = run.fold();
     const Volume gas = fold.content()[0].gas + fold.content()[1].gas;

@@ -75,7 +75,7 @@ Q_SIGNALS:
     void startedAfresh();
 
 private:
-    void take(const RespirationRun& run, SessionTime t);
+    void take(const PatientRun& run, SessionTime t);
 
     SessionModel& m_session;
     StationId m_station;

@@ -19,9 +19,12 @@ void CheckpointKeeper::keep()
     const auto state = m_node.state();
     if (!now)
         return;
-    for (const auto& [id, station] : state->stations())
-        if (!station.closed && station.respiration.runsAt(*now))
-            m_node.propose(id, m_stations[id].at(station.respiration, *now).checkpoint());
+    for (const auto& [id, station] : state->stations()) {
+        if (station.closed || !station.respiration.runsAt(*now))
+            continue;
+        for (const FactBody& part : m_stations[id].at(station.respiration, *now).checkpoint())
+            m_node.propose(id, part);
+    }
 }
 
 } // namespace carina

@@ -11,9 +11,9 @@
 namespace carina
 {
 
-/// At the host: writes a checkpoint of every station's breathing to the fact log every
-/// kCheckpointEvery while the session runs. Participants who join late start from it, and all
-/// others continue from it, so that no program drifts.
+/// At the host: writes a checkpoint of every station's patient, of the breathing and of the body at
+/// one time, to the fact log every kCheckpointEvery while the session runs. Participants who join
+/// late start from it, and all others continue from it, so that no program drifts.
 class CheckpointKeeper : public QObject
 {
     Q_OBJECT

@@ -31,7 +31,7 @@ StationMoment StationView::at(SessionTime t, std::size_t level) const
     const auto state = m_node.state();
     const auto station = state->stations().find(m_station);
     if (station != state->stations().end()) {
-        const RespirationRun& run = m_breathing.at(station->second.respiration, t);
+        const PatientRun& run = m_breathing.at(station->second.respiration, t);
         moment.breathing = run.shape();
         moment.inspiration = run.fold().inspiration();
         moment.position = station->second.respiration.settingsAt(t).position;

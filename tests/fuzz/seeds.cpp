@@ -183,7 +183,20 @@ std::vector<std::string> factBodies()
                                {AirwayEventKind::Vomit, 1.0},
                                {AirwayEventKind::FragileTeeth, 0.25}},
                               std::chrono::seconds{30}},
-        fact::HeadPositionSet{kSniffing, std::chrono::seconds{30}}};
+        fact::HeadPositionSet{kSniffing, std::chrono::seconds{30}},
+        fact::GasSupplySet{{0.8, true, true}},
+        fact::DrugGiven{{DrugKind::Rocuronium, 40.0}},
+        fact::CuffSet{true},
+        fact::StyletDrawn{},
+        fact::IntubationNoted{{.step = IntubationStep::ThroughCords,
+                               .at = SessionTime{std::chrono::seconds{99}},
+                               .seat = TubeSeat::Trachea,
+                               .confidence = 0.9,
+                               .depthAtTeeth = millimetres(140.0),
+                               .tipAboveCarina = millimetres(60.0)},
+                              millimetres(6.5)},
+        fact::CapnographCheckpoint{},
+        fact::BodyCheckpoint{{}, BodyFold{BodySettings{}}.state()}};
     static_assert(std::size(bodies) == std::variant_size_v<FactBody>, "one of each kind");
     std::vector<std::string> all;
     const auto add = [&all](const FactBody& body) {

@@ -43,6 +43,7 @@ InstructorWindow::InstructorWindow(const ConsoleModels& models, KeptConsole& kep
     m_ui->setupUi(this);
     m_models.breathing.setHistory(m_history);
     m_models.respiration.setHistory(m_history);
+    m_models.gas.setHistory(m_history);
     m_models.airway.setHistory(m_history);
     m_models.head.setHistory(m_history);
     m_models.actions.setHistory(m_history);
@@ -88,6 +89,7 @@ void InstructorWindow::fillPanels(const ProgramTracker& tracker)
 {
     m_ui->breathing->setModel(m_models.breathing);
     m_ui->condition->setModel(m_models.respiration);
+    m_ui->gas->setModel(m_models.gas);
     m_models.airway.setPatient(m_models.patient);
     m_ui->airway->setModels(m_models.airway, m_models.head);
     m_ui->airway->showGroup(m_kept.airwayGroup());
@@ -172,8 +174,8 @@ void InstructorWindow::layPanels()
     using Group = PanelDocks::Group;
     m_docks = std::make_unique<PanelDocks>(
         *this,
-        QList<Group>{Group{m_ui->breathingDock, m_ui->conditionDock, m_ui->airwayDock,
-                           m_ui->actionsDock, m_ui->partsDock, m_ui->trackerDock},
+        QList<Group>{Group{m_ui->breathingDock, m_ui->conditionDock, m_ui->gasDock,
+                           m_ui->airwayDock, m_ui->actionsDock, m_ui->partsDock, m_ui->trackerDock},
                      Group{m_ui->waveformDock, m_ui->laryngoscopeDock},
                      Group{m_ui->participantsDock, m_ui->invitationDock, m_ui->networkDock}});
     offerPanels();
@@ -193,6 +195,8 @@ void InstructorWindow::offerPanels()
           tr("Rate, volume and stop of the patient's own breathing, and a bag by hand"));
     offer(m_ui->conditionDock, "showCondition", tr("Conditio&n"), QStringLiteral("Ctrl+D"),
           tr("Conditions of the lungs, position and ventilator"));
+    offer(m_ui->gasDock, "showGas", tr("&Gas and drugs"), QStringLiteral("Ctrl+G"),
+          tr("Oxygen, mask, oximeter's probe and cuff, and drugs by weight"));
     offer(m_ui->airwayDock, "showAirway", tr("Airwa&y"), QStringLiteral("Ctrl+Y"),
           tr("What makes the airway difficult, from swelling to a stiff neck, how severe "
              "each is, and how the head lies"));

@@ -8,6 +8,7 @@
 #include "models/network/network_model.h"
 #include "models/objects/object_action_model.h"
 #include "models/patient/session_patient.h"
+#include "models/physiology/gas_model.h"
 #include "models/respiration/breath_trace.h"
 #include "models/respiration/breathing_model.h"
 #include "models/respiration/respiration_model.h"
@@ -47,6 +48,7 @@ struct ConsoleModels {
     SessionModel& session;
     BreathingModel& breathing;
     RespirationModel& respiration;
+    GasModel& gas;
     AirwayEventModel& airway;
     HeadPositionModel& head;
     BreathTrace& trace;
@@ -63,8 +65,8 @@ struct ConsoleModels {
 
 /// The instructor's console: session control, what needs attention, and a 3-D view of the patient
 /// of the station that is shown, which has most of the window; beside it panels with the patient's
-/// breathing, disease and airway, waveforms, the view of the laryngoscope, shared objects,
-/// participants and network, and the tools of the console's own tracker.
+/// breathing, disease, gas, drugs and airway, waveforms, the view of the laryngoscope, shared
+/// objects, participants and network, and the tools of the console's own tracker.
 class InstructorWindow : public QMainWindow
 {
     Q_OBJECT

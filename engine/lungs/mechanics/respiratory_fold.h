@@ -115,6 +115,8 @@ public:
 
     /// Whether a step was taken, here or before the checkpoint.
     [[nodiscard]] bool hasBegun() const { return m_state.steps > 0; }
+    /// Since the fold began, with those before the checkpoint.
+    [[nodiscard]] std::int64_t steps() const { return m_state.steps; }
     [[nodiscard]] const RespiratorySettings& settings() const { return m_settings; }
     [[nodiscard]] RespiratoryState state() const;
     /// Pressures and flows at the end of the last step.

@@ -145,6 +145,70 @@ template <> inline constexpr std::tuple kFields<HandBag>{&HandBag::rate, &HandBa
 template <>
 inline constexpr std::tuple kFields<fact::ManikinBreathed>{&fact::ManikinBreathed::began};
 
+template <> inline constexpr std::tuple kFields<fact::GasSupplySet>{&fact::GasSupplySet::gas};
+template <>
+inline constexpr std::tuple kFields<GasSupply>{&GasSupply::inspiredOxygen, &GasSupply::maskHeld,
+                                               &GasSupply::probeOn};
+template <> inline constexpr std::tuple kFields<fact::DrugGiven>{&fact::DrugGiven::dose};
+template <> inline constexpr std::tuple kFields<DrugDose>{&DrugDose::kind, &DrugDose::milligrams};
+template <> inline constexpr std::tuple kFields<fact::CuffSet>{&fact::CuffSet::inflated};
+template <>
+inline constexpr std::tuple kFields<fact::IntubationNoted>{&fact::IntubationNoted::event,
+                                                           &fact::IntubationNoted::innerDiameter};
+template <>
+inline constexpr std::tuple kFields<IntubationEvent>{
+    &IntubationEvent::step,         &IntubationEvent::at,
+    &IntubationEvent::seat,         &IntubationEvent::confidence,
+    &IntubationEvent::depthAtTeeth, &IntubationEvent::tipAboveCarina,
+    &IntubationEvent::besides,      &IntubationEvent::glotticOpening};
+
+template <>
+inline constexpr std::tuple kFields<fact::CapnographCheckpoint>{&fact::CapnographCheckpoint::at,
+                                                                &fact::CapnographCheckpoint::state};
+template <>
+inline constexpr std::tuple kFields<CapnographState>{
+    &CapnographState::connector_mmHg, &CapnographState::line,
+    &CapnographState::next,           &CapnographState::sensor_mmHg,
+    &CapnographState::inBreath,       &CapnographState::hasBreath,
+    &CapnographState::highest_mmHg,   &CapnographState::endTidal_mmHg,
+    &CapnographState::rate_perS,      &CapnographState::sinceBreath_s,
+    &CapnographState::stomach_mmHg,   &CapnographState::stomachPhase};
+
+template <>
+inline constexpr std::tuple kFields<fact::BodyCheckpoint>{&fact::BodyCheckpoint::at,
+                                                          &fact::BodyCheckpoint::state};
+/// Without the capnograph, of which CapnographCheckpoint is.
+template <>
+inline constexpr std::tuple kFields<BodyState>{
+    &BodyState::steps,       &BodyState::gas,   &BodyState::blood, &BodyState::oximeter,
+    &BodyState::circulation, &BodyState::drugs, &BodyState::spasm};
+template <>
+inline constexpr std::tuple kFields<AirwayGas>{&AirwayGas::lungs,      &AirwayGas::airway,
+                                               &AirwayGas::inhaled_ml, &AirwayGas::exhaled_ml,
+                                               &AirwayGas::openShare,  &AirwayGas::filled};
+template <>
+inline constexpr std::tuple kFields<LungGas>{&LungGas::oxygen_ml, &LungGas::carbonDioxide_ml,
+                                             &LungGas::nitrogen_ml};
+template <>
+inline constexpr std::tuple kFields<GasShares>{&GasShares::oxygen, &GasShares::carbonDioxide};
+template <>
+inline constexpr std::tuple kFields<BloodGas>{
+    &BloodGas::arterialOxygen_mlPerL,    &BloodGas::venousOxygen_mlPerL,
+    &BloodGas::restingOxygen_mlPerL,     &BloodGas::arterialCarbonDioxide_mmHg,
+    &BloodGas::tissueCarbonDioxide_mmHg, &BloodGas::constriction};
+template <>
+inline constexpr std::tuple kFields<OximeterState>{&OximeterState::way, &OximeterState::steps,
+                                                   &OximeterState::shown};
+template <>
+inline constexpr std::tuple kFields<CirculationState>{
+    &CirculationState::heartRate_perS, &CirculationState::mean_mmHg,  &CirculationState::pulse_mmHg,
+    &CirculationState::alarm,          &CirculationState::accustomed, &CirculationState::harm,
+    &CirculationState::beat,           &CirculationState::arrested};
+template <>
+inline constexpr std::tuple kFields<DrugAmounts>{&DrugAmounts::vein_mg, &DrugAmounts::central_mg,
+                                                 &DrugAmounts::fast_mg, &DrugAmounts::slow_mg,
+                                                 &DrugAmounts::effect_mgPerL};
+
 template <>
 inline constexpr std::tuple kFields<fact::RespirationCheckpoint>{
     &fact::RespirationCheckpoint::at, &fact::RespirationCheckpoint::state};
@@ -228,6 +292,9 @@ template <> inline constexpr ConditionSide kLastEnumerator<ConditionSide> = Cond
 template <>
 inline constexpr AirwayEventKind kLastEnumerator<AirwayEventKind> = AirwayEventKind::FragileTeeth;
 template <> inline constexpr BodyPosition kLastEnumerator<BodyPosition> = BodyPosition::LeftLateral;
+template <> inline constexpr DrugKind kLastEnumerator<DrugKind> = DrugKind::Ephedrine;
+template <> inline constexpr TubeSeat kLastEnumerator<TubeSeat> = TubeSeat::Oesophagus;
+template <> inline constexpr IntubationStep kLastEnumerator<IntubationStep> = kLastIntubationStep;
 template <>
 inline constexpr VentilationMode kLastEnumerator<VentilationMode> =
     VentilationMode::PressureControl;

@@ -1,6 +1,7 @@
 #include "engine/session/facts/fact_rules.h"
 
 #include "engine/session/airway/airway_rules.h"
+#include "engine/session/body/body_rules.h"
 #include "engine/session/facts/number_check.h"
 #include "engine/session/facts/utf8.h"
 #include "engine/session/lesson_rules.h"
@@ -134,6 +135,16 @@ struct BodyCheck {
     Result<void> operator()(const fact::LessonEnded&) const { return {}; }
     Result<void> operator()(const fact::AirwayEventsSet& f) const { return checkAirway(f); }
     Result<void> operator()(const fact::HeadPositionSet& f) const { return checkAirway(f); }
+    Result<void> operator()(const fact::GasSupplySet& f) const { return checkPatientBody(f); }
+    Result<void> operator()(const fact::DrugGiven& f) const { return checkPatientBody(f); }
+    Result<void> operator()(const fact::CuffSet&) const { return {}; }
+    Result<void> operator()(const fact::StyletDrawn&) const { return {}; }
+    Result<void> operator()(const fact::IntubationNoted& f) const { return checkPatientBody(f); }
+    Result<void> operator()(const fact::CapnographCheckpoint& f) const
+    {
+        return checkPatientBody(f);
+    }
+    Result<void> operator()(const fact::BodyCheckpoint& f) const { return checkPatientBody(f); }
     template <class Fact> Result<void> operator()(const Fact& f) const
     {
         return checkRespiration(f);

@@ -4,6 +4,7 @@
 #include "engine/core/session_time.h"
 #include "engine/core/units.h"
 #include "engine/session/airway/airway_facts.h"
+#include "engine/session/body/body_facts.h"
 #include "engine/session/facts/conduct_facts.h"
 #include "engine/session/facts/lesson_facts.h"
 #include "engine/session/facts/people_facts.h"
@@ -159,14 +160,19 @@ using FactBody = std::variant<
     fact::RoleCodeChanged, fact::TokenReplaced, fact::StrategyChosen, fact::RegistrationStated,
     fact::StationRenamed, fact::StationClosed, fact::ParticipantMoved, fact::WorkTaken,
     fact::PlaceChosen, fact::BreathingStopped, fact::BagSqueezed, fact::LessonShown,
-    fact::LessonEnded, fact::ParticipantFellSilent, fact::AirwayEventsSet, fact::HeadPositionSet>;
+    fact::LessonEnded, fact::ParticipantFellSilent, fact::AirwayEventsSet, fact::HeadPositionSet,
+    fact::GasSupplySet, fact::DrugGiven, fact::CuffSet, fact::StyletDrawn, fact::IntubationNoted,
+    fact::CapnographCheckpoint, fact::BodyCheckpoint>;
 
 /// Whether programs propose such facts automatically, so that no person waits for the result.
 [[nodiscard]] inline bool isByItself(const FactBody& body)
 {
     return std::holds_alternative<fact::ManikinBreathed>(body)
            || std::holds_alternative<fact::RespirationCheckpoint>(body)
-           || std::holds_alternative<fact::RegistrationStated>(body);
+           || std::holds_alternative<fact::RegistrationStated>(body)
+           || std::holds_alternative<fact::IntubationNoted>(body)
+           || std::holds_alternative<fact::CapnographCheckpoint>(body)
+           || std::holds_alternative<fact::BodyCheckpoint>(body);
 }
 
 /// Whether a fact changes who is present.

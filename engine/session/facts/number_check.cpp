@@ -32,4 +32,14 @@ Result<void> checkNumber(const char* what, double value, double lowest, double h
     return {};
 }
 
+Result<void> checkNumbers(std::initializer_list<CheckedNumber> numbers)
+{
+    for (const CheckedNumber& n : numbers) {
+        const Result<void> verdict = checkNumber(n.what, n.value, n.lowest, n.highest, n.unit);
+        if (!verdict)
+            return verdict;
+    }
+    return {};
+}
+
 } // namespace carina

@@ -2,6 +2,8 @@
 
 #include "engine/core/result.h"
 
+#include <initializer_list>
+
 namespace carina
 {
 
@@ -10,5 +12,17 @@ namespace carina
 /// @returns OutOfRange naming the value and its range; NotFinite for NaN or infinity.
 [[nodiscard]] Result<void> checkNumber(const char* what, double value, double lowest,
                                        double highest, const char* unit);
+
+/// What checkNumber is asked.
+struct CheckedNumber {
+    const char* what;
+    double value;
+    double lowest;
+    double highest;
+    const char* unit;
+};
+
+/// @returns the error of the first that is out of its range.
+[[nodiscard]] Result<void> checkNumbers(std::initializer_list<CheckedNumber> numbers);
 
 } // namespace carina

@@ -18,7 +18,7 @@ SessionTime checkpointTime(const RespirationTimeline& timeline, SessionTime t)
 RespirationFollower::Place RespirationFollower::begun(const RespirationTimeline& timeline,
                                                       SessionTime t)
 {
-    return {RespirationRun{timeline, t}, checkpointTime(timeline, t), timeline.decisions().size()};
+    return {PatientRun{timeline, t}, checkpointTime(timeline, t), timeline.decisions().size()};
 }
 
 /// Whether the run can continue to t: no decision since then has an earlier effect time.
@@ -32,7 +32,7 @@ bool RespirationFollower::holds(const Place& place, const RespirationTimeline& t
                                   [&](SessionTime from) { return from >= place.run.at(); });
 }
 
-const RespirationRun& RespirationFollower::at(const RespirationTimeline& timeline, SessionTime t)
+const PatientRun& RespirationFollower::at(const RespirationTimeline& timeline, SessionTime t)
 {
     if (!m_now || !holds(*m_now, timeline, t))
         m_now = m_before && holds(*m_before, timeline, t) ? *m_before : begun(timeline, t);

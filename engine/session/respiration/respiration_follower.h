@@ -1,15 +1,15 @@
 #pragma once
 
-#include "engine/session/respiration/respiration_run.h"
+#include "engine/session/respiration/patient_run.h"
 
 #include <optional>
 
 namespace carina
 {
 
-/// The breathing of a patient at times that mostly increase in small steps, as for drawing 60 times
-/// a second or plotting. The result is a pure function of the facts and the time; the object only
-/// caches runs.
+/// A patient, breathing and body, at times that mostly increase in small steps, as for drawing 60
+/// times a second or plotting. The result is a pure function of the facts and the time; the object
+/// only caches runs.
 ///
 /// - For a later time it takes the steps in between: eight for a frame.
 /// - It continues from the newest checkpoint, so that programs on different machines, whose
@@ -19,14 +19,14 @@ namespace carina
 class RespirationFollower
 {
 public:
-    /// The breathing at time t by the facts so far. The reference is valid until the next call.
+    /// The patient at time t by the facts so far. The reference is valid until the next call.
     /// Always pass the same timeline; it may have grown since the last call.
-    const RespirationRun& at(const RespirationTimeline& timeline, SessionTime t);
+    const PatientRun& at(const RespirationTimeline& timeline, SessionTime t);
 
 private:
     /// A run, and the facts that it contains.
     struct Place {
-        RespirationRun run;
+        PatientRun run;
         SessionTime checkpoint{};  ///< from which the run started
         std::size_t decisions = 0; ///< number of timeline decisions that it contains
     };

@@ -4,7 +4,6 @@
 #include "engine/session/facts/number_check.h"
 #include "engine/session/respiration/respiration_timeline.h"
 
-#include <initializer_list>
 #include <limits>
 
 namespace carina
@@ -12,25 +11,6 @@ namespace carina
 
 namespace
 {
-
-struct CheckedNumber {
-    const char* what;
-    double value;
-    double lowest;
-    double highest;
-    const char* unit;
-};
-
-/// The first that is out of its range.
-Result<void> checkNumbers(std::initializer_list<CheckedNumber> numbers)
-{
-    for (const CheckedNumber& n : numbers) {
-        const Result<void> verdict = checkNumber(n.what, n.value, n.lowest, n.highest, n.unit);
-        if (!verdict)
-            return verdict;
-    }
-    return {};
-}
 
 // Of figures that a fold divides by, in SI units: far below any patient's, far above zero.
 constexpr double kLeastVolume = 1e-7;

@@ -13,6 +13,8 @@ void RespirationTimeline::decide(SessionTime from)
     m_decisions.push_back(from);
     while (!m_checkpoints.empty() && m_checkpoints.back().at > from)
         m_checkpoints.pop_back();
+    if (m_parts && m_parts->at > from)
+        m_parts.reset();
 }
 
 void RespirationTimeline::setRate(SessionTime from, Frequency rate)
@@ -55,7 +57,33 @@ void RespirationTimeline::setVentilator(SessionTime from, const VentilatorSettin
 
 void RespirationTimeline::setTube(SessionTime from, Length innerDiameter)
 {
-    m_tube.set(from, innerDiameter);
+    m_tube.setOverride(from, innerDiameter);
+    decide(from);
+}
+
+void RespirationTimeline::noteIntubation(SessionTime from, const IntubationEvent& event,
+                                         Length innerDiameter)
+{
+    m_tube.note(from, event, innerDiameter);
+    decide(from);
+}
+
+void RespirationTimeline::setCuff(SessionTime from, bool inflated)
+{
+    m_tube.setCuff(from, inflated);
+    decide(from);
+}
+
+void RespirationTimeline::setGas(SessionTime from, const GasSupply& gas)
+{
+    m_gas.set(from, gas);
+    decide(from);
+}
+
+void RespirationTimeline::give(SessionTime from, const DrugDose& dose)
+{
+    m_doses.insert(std::ranges::upper_bound(m_doses, from, {}, &GivenDose::from),
+                   GivenDose{from, dose});
     decide(from);
 }
 
@@ -101,6 +129,27 @@ void RespirationTimeline::addBreath(const HeardBreath& breath)
     decide(breath.heard);
 }
 
+void RespirationTimeline::addBreathing(SessionTime at, const RespiratoryState& state)
+{
+    m_parts = CheckpointParts{at, state, std::nullopt};
+}
+
+void RespirationTimeline::addCapnograph(SessionTime at, const CapnographState& state)
+{
+    if (m_parts && m_parts->at == at)
+        m_parts->capnograph = state;
+}
+
+void RespirationTimeline::addBody(SessionTime at, const BodyState& state)
+{
+    if (!m_parts || m_parts->at != at || !m_parts->capnograph)
+        return;
+    RespirationState whole{at, m_parts->breathing, state};
+    whole.body.capnograph = *m_parts->capnograph;
+    addCheckpoint(whole);
+    m_parts.reset();
+}
+
 void RespirationTimeline::addCheckpoint(const RespirationState& checkpoint)
 {
     if (!m_checkpoints.empty() && m_checkpoints.back().at >= checkpoint.at)
@@ -123,18 +172,20 @@ void RespirationTimeline::forgetBefore(SessionTime t)
     m_conditions.forgetBefore(t);
     m_ventilator.forgetBefore(t);
     m_tube.forgetBefore(t);
+    m_gas.forgetBefore(t);
     m_position.forgetBefore(t);
     m_decided.forgetBefore(t);
     m_ownBreathing.forgetBefore(t);
     m_bag.forgetBefore(t);
     m_running.forgetBefore(t);
+    m_doses.erase(m_doses.begin(), std::ranges::lower_bound(m_doses, t, {}, &GivenDose::from));
 }
 
 RespiratorySettings RespirationTimeline::settingsAt(SessionTime t) const
 {
     return {m_build.at(t),
             m_conditions.at(t),
-            m_tube.at(t),
+            m_tube.overrideAt(t),
             BreathingPattern{m_rate.at(t), m_tidalVolume.at(t), m_inspiratoryFraction.at(t)},
             m_ventilator.at(t),
             m_position.at(t),
@@ -142,13 +193,22 @@ RespiratorySettings RespirationTimeline::settingsAt(SessionTime t) const
             m_bag.at(t)};
 }
 
+std::span<const GivenDose> RespirationTimeline::dosesWithin(SessionTime from,
+                                                            SessionTime before) const
+{
+    const auto first = std::ranges::lower_bound(m_doses, from, {}, &GivenDose::from);
+    return {first, std::ranges::lower_bound(first, m_doses.end(), before, {}, &GivenDose::from)};
+}
+
 SessionTime RespirationTimeline::changeAfter(SessionTime t) const
 {
+    const auto dose = std::ranges::upper_bound(m_doses, t, {}, &GivenDose::from);
     return std::min(
         {m_rate.changeAfter(t), m_tidalVolume.changeAfter(t), m_inspiratoryFraction.changeAfter(t),
          m_build.changeAfter(t), m_conditions.changeAfter(t), m_ventilator.changeAfter(t),
          m_tube.changeAfter(t), m_position.changeAfter(t), m_ownBreathing.changeAfter(t),
-         m_bag.changeAfter(t), m_running.changeAfter(t)});
+         m_bag.changeAfter(t), m_running.changeAfter(t), m_gas.changeAfter(t),
+         dose == m_doses.end() ? SessionTime::max() : dose->from});
 }
 
 const RespirationState* RespirationTimeline::checkpointBefore(SessionTime t) const

@@ -2,8 +2,11 @@
 
 #include "engine/core/session_time.h"
 #include "engine/lungs/mechanics/respiratory_fold.h"
+#include "engine/physiology/body_fold.h"
+#include "engine/session/body/tube_timeline.h"
 #include "engine/session/parameter_timeline.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,10 +19,19 @@ struct HeardBreath {
     SessionTime began{};
 };
 
-/// The state of a fold at a session time.
+/// The state of a patient at a session time: of the breathing, and of the body at the same time.
 struct RespirationState {
     SessionTime at{};
     RespiratoryState state;
+    BodyState body{};
+};
+
+/// A dose of a drug, and the effect time of its fact.
+struct GivenDose {
+    SessionTime from{};
+    DrugDose dose;
+
+    friend bool operator==(const GivenDose&, const GivenDose&) = default;
 };
 
 /// Whether the patient's own breathing stops, and over what time it changes.
@@ -30,12 +42,13 @@ struct OwnBreathing {
     friend bool operator==(const OwnBreathing&, const OwnBreathing&) = default;
 };
 
-/// What was decided about the breathing of one patient over the session, and whether the session
-/// runs. Before the first change the patient is a healthy child of 12 years, 150 cm and 40 kg,
-/// supine, breathing spontaneously by the default BreathingPattern, and the session does not run.
+/// What was decided about the breathing, the gas, the drugs and the tube of one patient over the
+/// session, and whether the session runs. Before the first change the patient is a healthy child of
+/// 12 years, 150 cm and 40 kg, supine, breathing room air spontaneously by the default
+/// BreathingPattern, without drugs and tube, and the session does not run.
 ///
-/// Changes may be added in any order; of two of one kind at the same time the last one added holds.
-/// Breaths and checkpoints are added in the order of their facts.
+/// Changes may be added in any order; of two of one kind at the same time the last one added holds,
+/// but of doses both. Breaths and checkpoints are added in the order of their facts.
 class RespirationTimeline
 {
 public:
@@ -49,7 +62,13 @@ public:
     void setBuild(SessionTime from, const PatientBuild& build);
     void setConditions(SessionTime from, const LungConditions& conditions);
     void setVentilator(SessionTime from, const VentilatorSettings& settings);
+    /// The console's own setting of the tube (TubeTimeline::setOverride).
     void setTube(SessionTime from, Length innerDiameter);
+    void noteIntubation(SessionTime from, const IntubationEvent& event, Length innerDiameter);
+    void setCuff(SessionTime from, bool inflated);
+    void drawStylet(SessionTime from) { m_tube.drawStylet(from); }
+    void setGas(SessionTime from, const GasSupply& gas);
+    void give(SessionTime from, const DrugDose& dose);
     void setPosition(SessionTime from, BodyPosition position);
     /// Changes the share of own breathing evenly over the time, in steps of kStoppingStep, from
     /// what is left at `from`. Replaces what of an earlier change was still to come.
@@ -58,6 +77,11 @@ public:
     void setRunning(SessionTime from, bool running);
     /// Ignored where it began after `heard`, or more than kLongestNews before.
     void addBreath(const HeardBreath& breath);
+    /// The parts of a checkpoint, in this order. The last one, without its capnograph, makes a
+    /// checkpoint of them; one that does not follow those of the same time is ignored.
+    void addBreathing(SessionTime at, const RespiratoryState& state);
+    void addCapnograph(SessionTime at, const CapnographState& state);
+    void addBody(SessionTime at, const BodyState& state);
     /// Ignored where it is not later than the last. A change with an earlier effect time that is
     /// added afterwards invalidates it. Only the last kMostCheckpoints are kept, and of the changes
     /// of settings those that have an effect from the first of these on: the state of a session is
@@ -75,10 +99,22 @@ public:
     /// The settings in force at t (what a console shows), which is no earlier than the first
     /// checkpoint that is kept.
     [[nodiscard]] RespiratorySettings settingsAt(SessionTime t) const;
+    /// The tube as it is set and noted, cuff and stylet.
+    [[nodiscard]] const TubeTimeline& tube() const { return m_tube; }
+    /// TubeTimeline::placeAt in this patient.
+    [[nodiscard]] TubePlace tubePlaceAt(SessionTime t) const
+    {
+        return m_tube.placeAt(t, m_build.at(t));
+    }
+    [[nodiscard]] GasSupply gasAt(SessionTime t) const { return m_gas.at(t); }
+    /// The doses from one time on and before another, in ascending order.
+    [[nodiscard]] std::span<const GivenDose> dosesWithin(SessionTime from,
+                                                         SessionTime before) const;
     /// What was decided last about the patient's own breathing.
     [[nodiscard]] OwnBreathing ownBreathingAt(SessionTime t) const { return m_decided.at(t); }
     [[nodiscard]] bool runsAt(SessionTime t) const { return m_running.at(t); }
-    /// The first change of a setting or of running after t; SessionTime::max() where there is none.
+    /// The first dose or change of a setting or of running after t; SessionTime::max() where there
+    /// is none.
     [[nodiscard]] SessionTime changeAfter(SessionTime t) const;
     /// In ascending order of `heard`.
     [[nodiscard]] std::span<const HeardBreath> breaths() const { return m_breaths; }
@@ -89,6 +125,13 @@ public:
     [[nodiscard]] std::span<const SessionTime> decisions() const { return m_decisions; }
 
 private:
+    /// Of a checkpoint of which the body is still to come.
+    struct CheckpointParts {
+        SessionTime at;
+        RespiratoryState breathing;
+        std::optional<CapnographState> capnograph;
+    };
+
     void decide(SessionTime from);
     void forgetBefore(SessionTime t);
 
@@ -98,14 +141,17 @@ private:
     ParameterTimeline<PatientBuild> m_build{{metres(1.5), 40.0, 12.0, Sex::Female}};
     ParameterTimeline<LungConditions> m_conditions{{}};
     ParameterTimeline<VentilatorSettings> m_ventilator{{}};
-    ParameterTimeline<Length> m_tube{{}};
+    TubeTimeline m_tube;
+    ParameterTimeline<GasSupply> m_gas{{}};
     ParameterTimeline<BodyPosition> m_position{BodyPosition::Supine};
     ParameterTimeline<OwnBreathing> m_decided{{}};
     ParameterTimeline<double> m_ownBreathing{1.0}; ///< share that is left
     ParameterTimeline<HandBag> m_bag{{}};
     ParameterTimeline<bool> m_running{false};
     std::vector<HeardBreath> m_breaths;
+    std::vector<GivenDose> m_doses; ///< in ascending order
     std::vector<RespirationState> m_checkpoints;
+    std::optional<CheckpointParts> m_parts;
     std::vector<SessionTime> m_decisions;
 };
 

@@ -92,6 +92,41 @@ private Q_SLOTS:
             QByteArray{"fine"});
     }
 
+    void aCuffAndAStyletChangeOnce()
+    {
+        LogWriter writer = sampleSession();
+        QCOMPARE(judged(writer, kSampleTrainee, fact::CuffSet{false}), QByteArray{"out of range"});
+        QCOMPARE(judged(writer, kSampleTrainee, fact::CuffSet{true}), QByteArray{"fine"});
+        writer.add(kNow, fact::CuffSet{true});
+        QCOMPARE(judged(writer, kSampleTrainee, fact::CuffSet{true}), QByteArray{"out of range"});
+        QCOMPARE(judged(writer, kSampleTrainee, fact::CuffSet{false}), QByteArray{"fine"});
+        QCOMPARE(judged(writer, kSampleTrainee, fact::StyletDrawn{}), QByteArray{"fine"});
+        writer.add(kNow, fact::StyletDrawn{});
+        QCOMPARE(judged(writer, kSampleTrainee, fact::StyletDrawn{}), QByteArray{"out of range"});
+        writer.add(kNow, fact::IntubationNoted{{.step = IntubationStep::TubeOut, .at = kNow}});
+        QCOMPARE(judged(writer, kSampleTrainee, fact::StyletDrawn{}), QByteArray{"fine"});
+    }
+
+    void aStepOfAnIntubationIsOfThePresentAndNotRepeated()
+    {
+        LogWriter writer = sampleSession();
+        const auto noted = [&](IntubationStep step, SessionTime at) {
+            return judged(writer, kSampleTrainee, fact::IntubationNoted{{.step = step, .at = at}});
+        };
+        const SessionTime effect = kNow + kShortestLead;
+        QCOMPARE(noted(IntubationStep::BladeIn, effect - kLongestNews), QByteArray{"fine"});
+        QCOMPARE(noted(IntubationStep::BladeIn, effect - kLongestNews - 1ns),
+                 QByteArray{"out of range"});
+        QCOMPARE(noted(IntubationStep::BladeIn, effect), QByteArray{"fine"});
+        QCOMPARE(noted(IntubationStep::BladeIn, effect + 1ns), QByteArray{"out of range"});
+        writer.add(kNow - 2s, fact::IntubationNoted{{IntubationStep::BladeIn, kNow - 2s}});
+        QCOMPARE(noted(IntubationStep::BladeIn, kNow - 2s), QByteArray{"out of range"});
+        QCOMPARE(noted(IntubationStep::BladeIn, kNow - 2s + kShortestStep - 1ns),
+                 QByteArray{"out of range"});
+        QCOMPARE(noted(IntubationStep::BladeIn, kNow - 2s + kShortestStep), QByteArray{"fine"});
+        QCOMPARE(noted(IntubationStep::BladeOut, kNow - 2s), QByteArray{"fine"});
+    }
+
     /// One that has no effect on the breathing is not heard either.
     void aBreathIsOfThePresent()
     {

@@ -27,6 +27,7 @@ private Q_SLOTS:
     void knowsTheStationItIsAbout_data();
     void knowsTheStationItIsAbout();
     void hearsOfAManikinFromThoseWhoAreAtIt();
+    void hearsOfAnIntubationFromWhoIsAtWork();
     void refusesACheckpointOfWhatIsToCome();
 };
 
@@ -60,6 +61,13 @@ fact::ParticipantJoined joinAs(const SessionState& state, ParticipantId id)
 fact::RespirationCheckpoint sampleCheckpoint()
 {
     return {SessionTime{}, RespiratoryFold{RespiratorySettings{}}.state()};
+}
+
+fact::BodyCheckpoint sampleBody() { return {SessionTime{}, BodyFold{BodySettings{}}.state()}; }
+
+fact::IntubationNoted notedNow(IntubationStep step)
+{
+    return {IntubationEvent{.step = step, .at = kNow}};
 }
 
 } // namespace
@@ -108,6 +116,20 @@ void TestSessionPermissions::permitsByRole_data()
     row("states how its registration stands", "yyynnn",
         [](auto) { return fact::RegistrationStated{}; });
     row("leaves a checkpoint", "ynnnnn", [](auto) { return sampleCheckpoint(); });
+    row("leaves one of the body", "ynnnnn", [](auto) { return sampleBody(); });
+    row("leaves one of the capnograph", "ynnnnn",
+        [](auto) { return fact::CapnographCheckpoint{}; });
+    row("turns the oxygen up", "yynnnn", [](auto) {
+        return fact::GasSupplySet{{1.0, true, true}};
+    });
+    row("gives a drug", "yynnnn", [](auto) {
+        return fact::DrugGiven{{DrugKind::Propofol, 100.0}};
+    });
+    row("inflates the cuff", "yyynnn", [](auto) { return fact::CuffSet{true}; });
+    row("draws the stylet", "yyynnn", [](auto) { return fact::StyletDrawn{}; });
+    // Who is at work in this session is the trainee.
+    row("notes a step of the intubation", "ynynnn",
+        [](auto) { return notedNow(IntubationStep::ThroughCords); });
     row("chooses the anatomy", "yynnnn", [](auto) { return fact::AnatomyChosen{"aa", "A"}; });
     row("comes back", "ynnnny", [&](auto id) { return joinAs(state, id); });
     row("comes back under its number", "nnnnnn", [&](ParticipantId id) {
@@ -246,6 +268,11 @@ void TestSessionPermissions::takesOnlyPeopleAndObjectsAfterTheEnd_data()
     row("fraction", fact::InspiratoryFractionSet{0.4}, "session ended");
     row("condition", fact::LungConditionsSet{}, "session ended");
     row("breath", fact::ManikinBreathed{}, "session ended");
+    row("gas", fact::GasSupplySet{}, "session ended");
+    row("drug", fact::DrugGiven{{DrugKind::Propofol, 100.0}}, "session ended");
+    row("cuff", fact::CuffSet{true}, "session ended");
+    row("stylet", fact::StyletDrawn{}, "session ended");
+    row("step of an intubation", notedNow(IntubationStep::BladeIn), "session ended");
 }
 
 void TestSessionPermissions::takesOnlyPeopleAndObjectsAfterTheEnd()
@@ -429,8 +456,38 @@ void TestSessionPermissions::hearsOfAManikinFromThoseWhoAreAtIt()
     QCOMPARE(heard(kSampleObserver, kSampleStation), QByteArray{"not permitted"});
 }
 
+void TestSessionPermissions::hearsOfAnIntubationFromWhoIsAtWork()
+{
+    LogWriter writer = sampleSession();
+    const fact::IntubationNoted noted = notedNow(IntubationStep::BladeIn);
+    const auto isHeard = [&](ParticipantId author) {
+        return judgeBy(SessionAuthority{writer.log()}, author, noted).has_value();
+    };
+    QVERIFY(isHeard(kSampleTrainee));
+    QVERIFY(!isHeard(kSampleOtherTrainee));
+    writer.add(kNow, fact::WorkTaken{kSampleOtherTrainee, kSampleTrainee});
+    QVERIFY(!isHeard(kSampleTrainee));
+    QVERIFY(isHeard(kSampleOtherTrainee));
+    QVERIFY(!isHeard(kSampleInstructor));
+    writer.add(kNow, fact::WorkTaken{kSampleInstructor, kSampleOtherTrainee});
+    QVERIFY(isHeard(kSampleInstructor));
+    writer.add(kNow, fact::ParticipantMuted{kSampleInstructor, true});
+    QVERIFY(!isHeard(kSampleInstructor));
+    QVERIFY(isHeard(kSampleHost));
+}
+
 void TestSessionPermissions::refusesACheckpointOfWhatIsToCome()
 {
+    fact::BodyCheckpoint body = sampleBody();
+    body.at = kNow;
+    QCOMPARE(verdict(judgeBy(sampleAuthority(), kSampleHost, body)), QByteArray{"fine"});
+    body.at = kNow + Duration{1};
+    QCOMPARE(verdict(judgeBy(sampleAuthority(), kSampleHost, body)), QByteArray{"out of range"});
+    fact::CapnographCheckpoint capnograph{kNow, {}};
+    QCOMPARE(verdict(judgeBy(sampleAuthority(), kSampleHost, capnograph)), QByteArray{"fine"});
+    capnograph.at = kNow + Duration{1};
+    QCOMPARE(verdict(judgeBy(sampleAuthority(), kSampleHost, capnograph)),
+             QByteArray{"out of range"});
     fact::RespirationCheckpoint checkpoint = sampleCheckpoint();
     checkpoint.at = kNow;
     QCOMPARE(verdict(judgeBy(sampleAuthority(), kSampleHost, checkpoint)), QByteArray{"fine"});

@@ -223,6 +223,8 @@ void TestStations::areSpokenForByThoseWhoAreThere_data()
     QTest::newRow("hand over") << FactBody{
         fact::ObjectHandedOver{kSampleTube, kSampleInstructor, 1}};
     QTest::newRow("breath") << FactBody{fact::ManikinBreathed{kNow}};
+    QTest::newRow("cuff") << FactBody{fact::CuffSet{true}};
+    QTest::newRow("stylet") << FactBody{fact::StyletDrawn{}};
 }
 
 void TestStations::areSpokenForByThoseWhoAreThere()
@@ -385,6 +387,11 @@ void TestStations::changeTogetherInThePatientOnly_data()
     row("bag", fact::BagSqueezed{}, "fine");
     row("airway", fact::AirwayEventsSet{}, "fine");
     row("head", fact::HeadPositionSet{}, "fine");
+    row("gas", fact::GasSupplySet{}, "fine");
+    row("drug", fact::DrugGiven{{DrugKind::Propofol, 100.0}}, "fine");
+    row("cuff", fact::CuffSet{}, "fine");
+    row("stylet", fact::StyletDrawn{}, "station unknown");
+    row("intubation", fact::IntubationNoted{{IntubationStep::BladeIn, kNow}}, "station unknown");
     row("anatomy", fact::AnatomyChosen{"aa", "A"}, "fine");
     row("phase", fact::PhaseChanged{SessionPhase::Running}, "fine"); // of no station
     row("breath", fact::ManikinBreathed{kNow}, "station unknown");

@@ -108,7 +108,7 @@ void TestBreathTrace::showsWhatTheFoldHas()
     desk.start();
     desk.run(seconds{8});
     const BreathTrace::Sample& last = desk.samples.back();
-    RespirationRun run{desk.timeline(), SessionTime::min()};
+    PatientRun run{desk.timeline(), SessionTime::min()};
     run.advanceTo(desk.timeline(), SessionTime{fromSeconds(last.time_s)});
     QVERIFY(std::abs(last.pressure_cmH2O - inCmH2O(run.fold().moment().opening)) < 1e-9);
     QVERIFY(std::abs(last.flow_lPerMin - 6e4 * run.fold().moment().airwayFlow.si) < 1e-9);
@@ -283,12 +283,13 @@ void TestBreathTrace::keepsCheckpointsThatChangeNothing()
     const RespirationState* checkpoint = with.checkpointBefore(*node.now());
     QVERIFY(checkpoint);
     QVERIFY(*node.now() - checkpoint->at < milliseconds{2});
-    RespirationRun late{with, *node.now()};
+    PatientRun late{with, *node.now()};
     QVERIFY(late.at() == checkpoint->at);
-    RespirationRun whole{with, SessionTime::min()};
+    PatientRun whole{with, SessionTime::min()};
     late.advanceTo(with, *node.now() + seconds{3});
     whole.advanceTo(with, *node.now() + seconds{3});
     QVERIFY(late.fold().state() == whole.fold().state());
+    QVERIFY(late.body().state() == whole.body().state());
 }
 
 void TestBreathTrace::keepsNoneWhileTheSessionDoesNotRun()

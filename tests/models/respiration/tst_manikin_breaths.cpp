@@ -1,4 +1,4 @@
-#include "engine/session/respiration/respiration_run.h"
+#include "engine/session/respiration/patient_run.h"
 #include "models/respiration/manikin_breaths.h"
 #include "tests/models/fake_session_node.h"
 #include "tests/support/test_class.h"
@@ -73,7 +73,7 @@ void TestManikinBreaths::locksThePatientToTheManikin()
     manikin.run(std::chrono::seconds{60});
     QVERIFY(manikin.timeline().breaths().size() >= 20);
     const RespirationTimeline timeline = manikin.timeline();
-    RespirationRun run{timeline, SessionTime::min()};
+    PatientRun run{timeline, SessionTime::min()};
     run.advanceTo(timeline, *manikin.node.now());
     const BreathClock::State clock = run.fold().state().clock;
     QVERIFY(std::abs(inPerMinute(clock.rate) - kRate_perMin) < 0.5);

@@ -132,7 +132,7 @@ void TestStationView::breathesAtTheTimeOfLight()
         node.state()->stations().at(FakeSessionNode::kStation).respiration;
     for (const int ms : {1000, 1040, 4000, 2500}) {
         const SessionTime t = kNow + milliseconds{ms};
-        RespirationRun run{timeline, t};
+        PatientRun run{timeline, t};
         run.advanceTo(timeline, t);
         const StationMoment moment = view.at(t, 0);
         QVERIFY(moment.breathing == run.shape());

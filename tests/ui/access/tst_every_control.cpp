@@ -25,7 +25,7 @@ using test::faultsOfControls;
 using test::soon;
 using test::verifyControls;
 
-constexpr std::array kChange{"breathingDock", "conditionDock", "airwayDock",
+constexpr std::array kChange{"breathingDock", "conditionDock", "gasDock",    "airwayDock",
                              "actionsDock",   "partsDock",     "trackerDock"};
 constexpr std::array kPeople{"waveformDock", "participantsDock", "invitationDock", "networkDock"};
 constexpr const char* kWithoutControl = "laryngoscopeDock"; ///< only looked at

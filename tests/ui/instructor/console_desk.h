@@ -32,6 +32,7 @@ struct ConsoleDesk {
     StationsModel stations{session};
     BreathingModel breathing{session, FakeSessionNode::kStation};
     RespirationModel respiration{session, FakeSessionNode::kStation};
+    GasModel gas{session, FakeSessionNode::kStation};
     AirwayEventModel airway{session, FakeSessionNode::kStation};
     HeadPositionModel head{session, FakeSessionNode::kStation};
     BreathTrace trace{session, FakeSessionNode::kStation};
@@ -49,9 +50,9 @@ struct ConsoleDesk {
     std::optional<TrackerSight> sight;
     PoseRecording recording{[this] { return node.now(); }};
     OfferSwitch offer{[this] { return OfferGiver::Shown{view, *drawn}; }};
-    InstructorWindow window{{session, breathing, respiration, airway, head, trace, participants,
-                             conduct, people, network, actions, stations, lesson, patient,
-                             attention},
+    InstructorWindow window{{session, breathing, respiration, gas, airway, head, trace,
+                             participants, conduct, people, network, actions, stations, lesson,
+                             patient, attention},
                             keeper,
                             view,
                             {.sight = [this] { return sight; },

@@ -203,6 +203,13 @@ constexpr std::array kDeeds{
          }},
     Deed{"condition", [](Shown& shown) { shown.respiration.setPosition(BodyPosition::Prone); },
          [](Shown& shown) { return numbered(int(shown.respiration.position())); }},
+    Deed{"oxygen",
+         [](Shown& shown) {
+             shown.gas.setGas({1.0, true, true});
+         },
+         [](Shown& shown) { return numbered(qRound(100.0 * shown.gas.gas().inspiredOxygen)); }},
+    Deed{"a cuff", [](Shown& shown) { shown.gas.setCuff(true); },
+         [](Shown& shown) { return numbered(shown.gas.isCuffInflated()); }},
     Deed{"an airway event",
          [](Shown& shown) { shown.airway.setSeverity(AirwayEventKind::Laryngospasm, 0.5); },
          [](Shown& shown) {
@@ -438,7 +445,8 @@ private Q_SLOTS:
         Shown shown{kept, opened};
         shown.window.resize(1920, 1080);
         Shown::settle();
-        for (const char* name : {"conditionDock", "airwayDock", "partsDock", "invitationDock"}) {
+        for (const char* name :
+             {"conditionDock", "gasDock", "airwayDock", "partsDock", "invitationDock"}) {
             QDockWidget& dock = shown.dock(name);
             dock.raise();
             Shown::settle();
@@ -1253,8 +1261,8 @@ private Q_SLOTS:
     {
         QTest::addColumn<QByteArray>("change");
         QTest::addColumn<QByteArray>("people");
-        for (const char* change : {"breathingDock", "conditionDock", "airwayDock", "actionsDock",
-                                   "partsDock", "trackerDock"})
+        for (const char* change : {"breathingDock", "conditionDock", "gasDock", "airwayDock",
+                                   "actionsDock", "partsDock", "trackerDock"})
             for (const char* people : {"waveformDock", "laryngoscopeDock", "participantsDock",
                                        "invitationDock", "networkDock"})
                 QTest::addRow("%s and %s", change, people)

@@ -1,6 +1,6 @@
 #include "apps/lab/soak/log_memory.h"
 #include "engine/session/facts/fact_codec.h"
-#include "engine/session/respiration/respiration_run.h"
+#include "engine/session/respiration/patient_run.h"
 #include "tests/engine/session/facts/sample_session.h"
 #include "tests/support/test_class.h"
 
@@ -54,11 +54,18 @@ private Q_SLOTS:
     void checkpointsTakeNothingAtAParticipant()
     {
         const SessionState state = stateOf(sampleSession());
-        fact::RespirationCheckpoint told =
-            RespirationRun{timelineOf(state), atSeconds(0.0)}.checkpoint();
-        const auto checkpoint = [&told](int i) -> FactBody {
-            told.at = atSeconds(10.0 * i);
-            return told;
+        const PatientRun run{timelineOf(state), atSeconds(0.0)};
+        const auto parts = run.checkpoint();
+        const auto checkpoint = [&](int i) {
+            FactBody part = parts[std::size_t(i) % parts.size()];
+            const SessionTime at = atSeconds(30.0 * (i / int(parts.size())));
+            std::visit(
+                [at](auto& body) {
+                    if constexpr (requires { body.at; })
+                        body.at = at;
+                },
+                part);
+            return part;
         };
         const LogMemory few = memoryOf(logWith(1000, checkpoint));
         const LogMemory many = memoryOf(logWith(8000, checkpoint));

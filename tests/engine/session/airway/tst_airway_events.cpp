@@ -83,6 +83,8 @@ LogWriter longSession()
     for (int i = 0; i < 30; ++i) {
         const double t = 10.0 * i;
         writer.add(atSeconds(t), fact::RespirationCheckpoint{atSeconds(t), rest});
+        writer.add(atSeconds(t), fact::CapnographCheckpoint{atSeconds(t), {}});
+        writer.add(atSeconds(t), fact::BodyCheckpoint{atSeconds(t), {}});
         writer.add(atSeconds(t + 1.0),
                    fact::AirwayEventsSet{{{TongueOedema, i % 2 == 0 ? 1.0 : 0.0}},
                                          std::chrono::seconds{40}});

@@ -117,6 +117,8 @@ void TestHeadPositionFacts::areTheSameForALateJoiner()
         const double t = 10.0 * i;
         const HeadPosition aim = i % 2 == 0 ? kSniffing : HeadPosition{};
         writer.add(atSeconds(t), fact::RespirationCheckpoint{atSeconds(t), rest});
+        writer.add(atSeconds(t), fact::CapnographCheckpoint{atSeconds(t), {}});
+        writer.add(atSeconds(t), fact::BodyCheckpoint{atSeconds(t), {}});
         writer.add(atSeconds(t + 1.0), fact::HeadPositionSet{aim, fromSeconds(40.0)});
         whole.set(atSeconds(t + 1.0), aim, fromSeconds(40.0));
     }

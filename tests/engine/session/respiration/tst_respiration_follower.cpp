@@ -39,7 +39,7 @@ LogWriter runningSession()
 
 RespiratoryState stateAt(const RespirationTimeline& timeline, double seconds)
 {
-    RespirationRun run{timeline, SessionTime::min()};
+    PatientRun run{timeline, SessionTime::min()};
     run.advanceTo(timeline, atSeconds(seconds));
     return run.fold().state();
 }
@@ -67,10 +67,10 @@ void TestRespirationFollower::takesOnlyTheStepsOfAFrame()
 {
     const SessionState state = stateOf(runningSession());
     RespirationFollower follower;
-    const RespirationRun& run = follower.at(timelineOf(state), atSeconds(10.0));
-    const RespirationRun* place = &run;
+    const PatientRun& run = follower.at(timelineOf(state), atSeconds(10.0));
+    const PatientRun* place = &run;
     QCOMPARE(run.fold().state().steps, std::int64_t{4500});
-    const RespirationRun& next = follower.at(timelineOf(state), atSeconds(10.016));
+    const PatientRun& next = follower.at(timelineOf(state), atSeconds(10.016));
     QCOMPARE(&next, place);
     QCOMPARE(next.fold().state().steps, std::int64_t{4508});
     QVERIFY(next.at() == atSeconds(10.016));
@@ -116,11 +116,16 @@ void TestRespirationFollower::standsOnTheNewestCheckpoint()
     SessionState state = stateOf(writer);
     RespirationFollower follower;
     followed(follower, timelineOf(state), 10.02);
-    RespirationRun run{timelineOf(state), SessionTime::min()};
+    PatientRun run{timelineOf(state), SessionTime::min()};
     run.advanceTo(timelineOf(state), atSeconds(10.0));
-    fact::RespirationCheckpoint checkpoint = run.checkpoint();
+    auto [first, capnograph, body] = run.checkpoint();
+    auto& checkpoint = std::get<fact::RespirationCheckpoint>(first);
     checkpoint.state.content[0].gas = checkpoint.state.content[0].gas + millilitres(1.0);
-    state.apply(writer.add(atSeconds(10.0), checkpoint));
+    for (const FactBody& part : {first, capnograph}) {
+        state.apply(writer.add(atSeconds(10.0), part));
+        QVERIFY(!timelineOf(state).checkpointBefore(atSeconds(20.0))); // the body is to come
+    }
+    state.apply(writer.add(atSeconds(10.0), body));
     RespiratoryFold fold{timelineOf(state).settingsAt(atSeconds(10.0)), checkpoint.state};
     for (int i = 0; i < 20; ++i)
         fold.step();
@@ -132,9 +137,10 @@ void TestRespirationFollower::breathesNoMoreThanAMinuteOfAGap()
 {
     LogWriter writer = runningSession();
     SessionState state = stateOf(writer);
-    RespirationRun run{timelineOf(state), SessionTime::min()};
+    PatientRun run{timelineOf(state), SessionTime::min()};
     run.advanceTo(timelineOf(state), atSeconds(10.0));
-    state.apply(writer.add(atSeconds(10.0), run.checkpoint()));
+    for (const FactBody& part : run.checkpoint())
+        state.apply(writer.add(atSeconds(10.0), part));
     const auto minuteAfter = [&](RespiratoryState from, double seconds) {
         RespiratoryFold fold{timelineOf(state).settingsAt(atSeconds(seconds)), from};
         for (int i = 0; i < 30'000; ++i)
@@ -142,7 +148,7 @@ void TestRespirationFollower::breathesNoMoreThanAMinuteOfAGap()
         return fold.state();
     };
     RespirationFollower follower;
-    const RespiratoryState morning = minuteAfter(run.checkpoint().state, 10.0);
+    const RespiratoryState morning = minuteAfter(run.fold().state(), 10.0);
     QVERIFY(followed(follower, timelineOf(state), 36'000.0) == morning);
 
     state.apply(writer.add(atSeconds(18'000.0), fact::PhaseChanged{SessionPhase::Paused}));
@@ -154,9 +160,10 @@ void TestRespirationFollower::forgetsACheckpointThatADecisionMakesVoid()
 {
     LogWriter writer = runningSession();
     SessionState state = stateOf(writer);
-    RespirationRun run{timelineOf(state), SessionTime::min()};
+    PatientRun run{timelineOf(state), SessionTime::min()};
     run.advanceTo(timelineOf(state), atSeconds(10.0));
-    state.apply(writer.add(atSeconds(10.0), run.checkpoint()));
+    for (const FactBody& part : run.checkpoint())
+        state.apply(writer.add(atSeconds(10.0), part));
     QVERIFY(timelineOf(state).checkpointBefore(atSeconds(20.0)));
     state.apply(writer.add(atSeconds(10.0), fact::TidalVolumeSet{millilitres(150.0)}));
     QVERIFY(timelineOf(state).checkpointBefore(atSeconds(20.0)));

@@ -1,4 +1,4 @@
-#include "engine/session/respiration/respiration_run.h"
+#include "engine/session/respiration/patient_run.h"
 
 #include "tests/engine/session/facts/sample_session.h"
 #include "tests/support/test_class.h"
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace carina::test::respiration_run_test
+namespace carina::test::patient_run_test
 {
 
 namespace
@@ -34,16 +34,16 @@ LogWriter eventfulSession()
     return writer;
 }
 
-RespirationRun ranTo(const SessionState& state, double seconds)
+PatientRun ranTo(const SessionState& state, double seconds)
 {
-    RespirationRun run{timelineOf(state), atSeconds(seconds)};
+    PatientRun run{timelineOf(state), atSeconds(seconds)};
     run.advanceTo(timelineOf(state), atSeconds(seconds));
     return run;
 }
 
 } // namespace
 
-class TestRespirationRun : public QObject
+class TestPatientRun : public QObject
 {
     Q_OBJECT
 
@@ -63,17 +63,17 @@ private Q_SLOTS:
     void namesTheNextChange();
 };
 
-void TestRespirationRun::restsUntilTheSessionRuns()
+void TestPatientRun::restsUntilTheSessionRuns()
 {
     const SessionState state = stateOf(eventfulSession());
-    const RespirationRun run = ranTo(state, 1.0);
+    const PatientRun run = ranTo(state, 1.0);
     QCOMPARE(run.fold().state().steps, std::int64_t{0});
     QCOMPARE(ranTo(state, 1.0019).fold().state().steps, std::int64_t{0});
     QCOMPARE(ranTo(state, 1.002).fold().state().steps, std::int64_t{1});
     QVERIFY(ranTo(state, 1.002).at() == atSeconds(1.002));
 }
 
-void TestRespirationRun::takesOneStepEveryTwoMilliseconds()
+void TestPatientRun::takesOneStepEveryTwoMilliseconds()
 {
     const SessionState state = stateOf(eventfulSession());
     QCOMPARE(ranTo(state, 11.0).fold().state().steps, std::int64_t{5000});
@@ -81,7 +81,7 @@ void TestRespirationRun::takesOneStepEveryTwoMilliseconds()
 }
 
 /// From the step in which it pauses to the moment it goes on.
-void TestRespirationRun::standsStillInAPause()
+void TestPatientRun::standsStillInAPause()
 {
     const SessionState state = stateOf(eventfulSession());
     const std::int64_t paused = ranTo(state, 20.51).fold().state().steps;
@@ -92,7 +92,7 @@ void TestRespirationRun::standsStillInAPause()
     QVERIFY(ranTo(state, 26.01).at() == atSeconds(26.01));
 }
 
-void TestRespirationRun::takesEverySettingAtItsTime()
+void TestPatientRun::takesEverySettingAtItsTime()
 {
     const SessionState state = stateOf(eventfulSession());
     const auto settingsAt = [&](double seconds) { return ranTo(state, seconds).fold().settings(); };
@@ -116,7 +116,7 @@ void TestRespirationRun::takesEverySettingAtItsTime()
 }
 
 /// Breaths every 3.1 s; the last one heard of began at 19.35 s.
-void TestRespirationRun::locksToTheManikin()
+void TestPatientRun::locksToTheManikin()
 {
     const SessionState state = stateOf(eventfulSession());
     const BreathClock::State clock = ranTo(state, 20.4).fold().state().clock;
@@ -125,19 +125,19 @@ void TestRespirationRun::locksToTheManikin()
     QVERIFY2(std::abs(phase - std::round(phase)) < 0.05, qPrintable(QString::number(phase)));
 }
 
-void TestRespirationRun::doesNotDependOnHowOftenItIsAsked()
+void TestPatientRun::doesNotDependOnHowOftenItIsAsked()
 {
     const SessionState state = stateOf(eventfulSession());
-    RespirationRun often{timelineOf(state), atSeconds(0.0)};
+    PatientRun often{timelineOf(state), atSeconds(0.0)};
     for (double seconds = 0.0; seconds < 40.0; seconds += 0.0166)
         often.advanceTo(timelineOf(state), atSeconds(seconds));
     often.advanceTo(timelineOf(state), atSeconds(40.0));
-    const RespirationRun once = ranTo(state, 40.0);
+    const PatientRun once = ranTo(state, 40.0);
     QVERIFY(once.at() == often.at());
     QVERIFY(once.fold().state() == often.fold().state());
 }
 
-void TestRespirationRun::goesOnFromACheckpoint_data()
+void TestPatientRun::goesOnFromACheckpoint_data()
 {
     QTest::addColumn<double>("seconds");
     QTest::newRow("before it runs") << 0.5;
@@ -148,22 +148,24 @@ void TestRespirationRun::goesOnFromACheckpoint_data()
 }
 
 /// Who joins late and finds a checkpoint comes to the same state as who was there.
-void TestRespirationRun::goesOnFromACheckpoint()
+void TestPatientRun::goesOnFromACheckpoint()
 {
     QFETCH(const double, seconds);
     LogWriter writer = eventfulSession();
-    const RespirationRun there = ranTo(stateOf(writer), seconds);
-    writer.add(atSeconds(35.0), there.checkpoint());
+    const PatientRun there = ranTo(stateOf(writer), seconds);
+    for (const FactBody& part : there.checkpoint())
+        writer.add(atSeconds(35.0), part);
     const SessionState state = stateOf(writer);
-    RespirationRun late{timelineOf(state), atSeconds(38.0)};
+    PatientRun late{timelineOf(state), atSeconds(38.0)};
     QVERIFY(late.at() == there.at());
     late.advanceTo(timelineOf(state), atSeconds(40.0));
-    const RespirationRun whole = ranTo(stateOf(eventfulSession()), 40.0);
+    const PatientRun whole = ranTo(stateOf(eventfulSession()), 40.0);
     QVERIFY(late.at() == whole.at());
     QVERIFY(late.fold().state() == whole.fold().state());
+    QVERIFY(late.body().state() == whole.body().state());
 }
 
-void TestRespirationRun::doesNotBelieveOldOrFutureBreaths()
+void TestPatientRun::doesNotBelieveOldOrFutureBreaths()
 {
     LogWriter writer = sampleSession();
     writer.add(atSeconds(10.0), fact::ManikinBreathed{atSeconds(10.1)});
@@ -178,7 +180,7 @@ void TestRespirationRun::doesNotBelieveOldOrFutureBreaths()
     QVERIFY(breaths[1].began == atSeconds(13.0));
 }
 
-void TestRespirationRun::keepsCheckpointsInOrder()
+void TestPatientRun::keepsCheckpointsInOrder()
 {
     RespirationTimeline timeline;
     QVERIFY(timeline.checkpointBefore(SessionTime::max()) == nullptr);
@@ -193,7 +195,7 @@ void TestRespirationRun::keepsCheckpointsInOrder()
     QCOMPARE(timeline.checkpointBefore(atSeconds(99.0))->state.steps, std::int64_t{2});
 }
 
-void TestRespirationRun::keepsTheLatestCheckpoints()
+void TestPatientRun::keepsTheLatestCheckpoints()
 {
     RespirationTimeline timeline;
     constexpr int kCheckpoints = 1000;
@@ -206,7 +208,7 @@ void TestRespirationRun::keepsTheLatestCheckpoints()
 }
 
 /// An instructor who changed a setting without end made each copy of the session longer.
-void TestRespirationRun::keepsTheSettingsSinceTheFirstCheckpoint()
+void TestPatientRun::keepsTheSettingsSinceTheFirstCheckpoint()
 {
     constexpr int kCheckpoints = 100;
     constexpr int kOldest = kCheckpoints - int(RespirationTimeline::kMostCheckpoints) + 1;
@@ -225,7 +227,7 @@ void TestRespirationRun::keepsTheSettingsSinceTheFirstCheckpoint()
     }
 }
 
-void TestRespirationRun::namesTheNextChange()
+void TestPatientRun::namesTheNextChange()
 {
     const SessionState state = stateOf(eventfulSession());
     const RespirationTimeline& timeline = timelineOf(state);
@@ -243,8 +245,8 @@ void TestRespirationRun::namesTheNextChange()
     QVERIFY(!timeline.runsAt(atSeconds(20.5003)));
 }
 
-CARINA_TEST(TestRespirationRun)
+CARINA_TEST(TestPatientRun)
 
-} // namespace carina::test::respiration_run_test
+} // namespace carina::test::patient_run_test
 
-#include "tst_respiration_run.moc"
+#include "tst_patient_run.moc"

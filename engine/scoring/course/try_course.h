@@ -1,0 +1,70 @@
+#pragma once
+
+#include "engine/scoring/course/try_metrics.h"
+
+#include <optional>
+#include <vector>
+
+namespace carina
+{
+
+/// Follows one try at intubating, from the blade or tube that passes the teeth to its end, with a
+/// bounded memory: no try lasts longer than kLongestTry, and of one no more than kMostEvents events
+/// are kept.
+///
+/// A try ends by itself kVentilatedFor after the first breath into a lung; once tube and blade have
+/// left the mouth for kOutFor, at the time when they left it; or after kLongestTry.
+/// A tube in the oesophagus does not end it:
+/// whether it is recognised is part of it. A person may end it at any time.
+class TryCourse
+{
+public:
+    static constexpr Duration kVentilatedFor = std::chrono::seconds{20}; ///< some breaths; of ours
+    static constexpr Duration kOutFor = std::chrono::seconds{10};        ///< of ours
+    static constexpr Duration kLongestTry = std::chrono::minutes{10};    ///< of ours
+    static constexpr std::size_t kMostEvents = 1000;                     ///< of ours
+
+    /// @param up_F  the direction against gravity in the frame of all poses, of length 1
+    explicit TryCourse(const Vec3& up_F);
+
+    /// The next event, in the order of their times. Before the first one that beginsTry(), all are
+    /// ignored.
+    void add(const IntubationEvent& event);
+    void addVitals(SessionTime t, const Vitals& vitals);
+    void addBlade(const PoseSample& X_FL); ///< counts while the blade is in the mouth
+    void addHead(const PoseSample& X_FH);
+    /// Where a blade in the mouth is known to press, or not to.
+    void addForces(SessionTime t, Force incisors, Force tongue);
+    /// How far the head is extended; the first after the try began counts.
+    void addHeadExtension(Angle extension);
+    void check(TryCheck what, bool isDone) { m_checks[static_cast<std::size_t>(what)] = isDone; }
+
+    [[nodiscard]] bool hasBegun() const { return !m_events.empty(); }
+    /// When the try ended by itself; nothing while it goes on.
+    /// @param now nothing that happened until then will be added any more
+    [[nodiscard]] std::optional<SessionTime> endedBy(SessionTime now) const;
+
+    /// All that was measured, without the events later than the end.
+    /// @param depthWanted by the scenario's rule; nothing where none holds
+    /// @pre hasBegun()
+    [[nodiscard]] TryMetrics metrics(SessionTime ended, std::optional<Length> depthWanted) const;
+
+private:
+    void follow(const IntubationEvent& event);
+
+    std::vector<IntubationEvent> m_events;
+    bool m_bladeIsIn = false;
+    bool m_tubeIsIn = false;
+    std::optional<SessionTime> m_outSince;    ///< of tube and blade
+    std::optional<SessionTime> m_firstBreath; ///< into a lung
+    OxygenMeter m_oxygen;
+    ForceMeter m_incisors{kIncisorLimits};
+    ForceMeter m_tongue{kTongueLimits};
+    PlaneMeter m_plane;
+    MotionMeter m_hand;
+    MotionMeter m_head;
+    std::optional<Angle> m_headExtension;
+    std::array<std::optional<bool>, kTryChecks> m_checks{};
+};
+
+} // namespace carina

@@ -1,0 +1,106 @@
+#pragma once
+
+#include "engine/airway/monitor/intubation_event.h"
+#include "engine/scoring/course/force_meter.h"
+#include "engine/scoring/course/oxygen_meter.h"
+#include "engine/scoring/motion/motion_meter.h"
+#include "engine/scoring/motion/plane_meter.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace carina
+{
+
+/// How a try at intubating ended.
+enum class TryOutcome : std::uint8_t {
+    Trachea,
+    RightMain,
+    LeftMain,
+    OesophagusUnrecognised, ///< the tube is still there
+    OesophagusRecognised,   ///< it was taken out of there, and no tube is in place
+    Abandoned,              ///< no tube is in place
+};
+inline constexpr TryOutcome kLastTryOutcome = TryOutcome::Abandoned;
+
+/// Once that the tube's tip was in the oesophagus.
+struct OesophagealStay {
+    SessionTime in{};
+    std::optional<SessionTime> out{}; ///< nothing: until the end of the try
+    bool wasVentilated = false;       ///< a breath was given through it
+
+    friend bool operator==(const OesophagealStay&, const OesophagealStay&) = default;
+};
+
+/// What only a person, or another device, can tell of a try.
+enum class TryCheck : std::uint8_t {
+    Prepared,       ///< laryngoscope, tube and what fixes it were made ready
+    MaskVentilated, ///< and effectively so
+    BladeFromRight, ///< the blade went in as its kind is meant to
+    PressureAsked,  ///< on the larynx, where it would have helped
+    Auscultated,    ///< both lungs, and the tube fixed
+};
+inline constexpr std::size_t kTryChecks = 5;
+
+/// The place of the tube at the end of a try, where it lies in the airway.
+struct TubeDepth {
+    SessionTime at{};     ///< when it was measured
+    Length atTeeth{};     ///< of the tip, along the tube
+    Length aboveCarina{}; ///< of the tip, along the airway; negative beyond
+
+    friend bool operator==(const TubeDepth&, const TubeDepth&) = default;
+};
+
+/// What was measured of one try at intubating a patient. What was not is std::nullopt.
+struct TryMetrics {
+    TryOutcome outcome = TryOutcome::Abandoned;
+    double confidence = 1.0; ///< of the event that the outcome rests on, 0 to 1
+    SessionTime begun{};     ///< the blade or the tube passed the teeth for the first time
+    SessionTime ended{};
+
+    std::vector<SessionTime> attempts{}; ///< when the blade went in; or the tube, without a blade
+    bool hadBlade = false; ///< a laryngoscope was seen to go in: view and blade are measured
+    std::optional<SessionTime> view{};         ///< the glottis was seen for the first time
+    std::optional<SessionTime> throughCords{}; ///< for good
+    std::optional<SessionTime> firstBreath{};  ///< through the tube, into a lung
+    std::optional<SessionTime> cuffInflated{}; ///< and not deflated again
+    std::optional<SessionTime> passedShut{};   ///< see IntubationStep::PassedShut
+    Duration bladeTime{};                      ///< that the blade was in the mouth
+    std::optional<double> glotticOpening{};    ///< the largest share that was seen, 0 to 1
+    std::vector<OesophagealStay> oesophagus{};
+    std::optional<TubeDepth> depth{};
+    std::optional<Length> depthWanted{}; ///< by the rule of the scenario
+
+    std::optional<Angle> headExtension{}; ///< when the blade went in
+    std::optional<OxygenFigures> oxygen{};
+    std::optional<ForceFigures> incisors{};
+    std::optional<ForceFigures> tongue{};
+    std::optional<PlaneFigures> plane{}; ///< of the laryngoscope, while its blade was in
+    std::optional<MotionFigures> hand{}; ///< of the laryngoscope, likewise
+    std::optional<MotionFigures> head{}; ///< of the trainee, during the try
+    std::array<std::optional<bool>, kTryChecks> checks{};
+
+    [[nodiscard]] const std::optional<bool>& check(TryCheck of) const
+    {
+        return checks[static_cast<std::size_t>(of)];
+    }
+
+    friend bool operator==(const TryMetrics&, const TryMetrics&) = default;
+};
+
+/// Whether a try begins with this step where none is under way.
+[[nodiscard]] bool beginsTry(IntubationStep step);
+
+/// What follows from the events of a try; all that rests on other measurements is left out.
+///
+/// The tube's passage through the cords is the last one that was not undone. The depth is that of
+/// the last event with the tip in trachea or bronchus; there is none where measured and constrained
+/// tube had parted by then.
+/// @param events in the order of their times, of one try
+/// @pre events is not empty
+[[nodiscard]] TryMetrics courseOf(std::span<const IntubationEvent> events, SessionTime ended);
+
+} // namespace carina

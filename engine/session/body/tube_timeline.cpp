@@ -1,0 +1,63 @@
+#include "engine/session/body/tube_timeline.h"
+
+#include "engine/anatomy/patient/patient_dimensions.h"
+
+#include <algorithm>
+
+namespace carina
+{
+
+void TubeTimeline::setOverride(SessionTime from, Length innerDiameter)
+{
+    m_override.set(from, innerDiameter);
+}
+
+void TubeTimeline::note(SessionTime from, const IntubationEvent& event, Length innerDiameter)
+{
+    if (m_notes.size() == kMostNotes)
+        m_notes.erase(m_notes.begin());
+    m_notes.push_back({from, event});
+    switch (event.step) {
+    case IntubationStep::BladeIn:
+    case IntubationStep::BladeOut:
+        m_blade.set(from, event.step == IntubationStep::BladeIn);
+        return;
+    case IntubationStep::GlottisSeen:
+        return;
+    case IntubationStep::TubeOut:
+        m_stylet.set(from, true);
+        break;
+    default:
+        break;
+    }
+    m_noted.set(from, NotedTube{true, event.seat, innerDiameter});
+}
+
+void TubeTimeline::forgetBefore(SessionTime t)
+{
+    m_override.forgetBefore(t);
+    m_noted.forgetBefore(t);
+    m_blade.forgetBefore(t);
+    m_cuff.forgetBefore(t);
+    m_stylet.forgetBefore(t);
+}
+
+TubePlace TubeTimeline::placeAt(SessionTime t, const PatientBuild& build) const
+{
+    if (const Length set = m_override.at(t); set.si > 0.0)
+        return {TubeSeat::Trachea, set};
+    const NotedTube noted = m_noted.at(t);
+    if (!noted.isWatched)
+        return {};
+    const Length diameter =
+        noted.innerDiameter.si > 0.0 ? noted.innerDiameter : usualTube(build.ageInYears, build.sex);
+    return {noted.seat, diameter, m_cuff.at(t) ? 0.0 : kEmptyCuffLeak};
+}
+
+SessionTime TubeTimeline::changeAfter(SessionTime t) const
+{
+    return std::min({m_override.changeAfter(t), m_noted.changeAfter(t), m_blade.changeAfter(t),
+                     m_cuff.changeAfter(t)});
+}
+
+} // namespace carina

@@ -1,0 +1,92 @@
+#pragma once
+
+#include "engine/airway/monitor/intubation_event.h"
+#include "engine/anatomy/patient/patient_build.h"
+#include "engine/lungs/mechanics/tube_place.h"
+#include "engine/session/parameter_timeline.h"
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace carina
+{
+
+/// An entry of a monitor, and when it took effect.
+struct NotedStep {
+    SessionTime effect{};
+    IntubationEvent event;
+
+    friend bool operator==(const NotedStep&, const NotedStep&) = default;
+};
+
+/// What a monitor has noted of a tube.
+struct NotedTube {
+    bool isWatched = false; ///< it has noted one
+    TubeSeat seat = TubeSeat::None;
+    Length innerDiameter{}; ///< 0: not known
+};
+
+/// Where the tracheal tube of one patient is over the session: as the console sets it, and as a
+/// monitor notes it. At first nobody has set or noted one.
+///
+/// The console's own setting, a tube in the trachea, overrides what the monitor notes for as long
+/// as it is set. Changes may be added in any order, as to a ParameterTimeline; entries of the
+/// monitor in the order of their facts.
+class TubeTimeline
+{
+public:
+    /// Entries that are kept: those of several tries. Older ones are in the log.
+    static constexpr std::size_t kMostNotes = 128;
+
+    /// The console's own setting: the inner diameter of a tube in the trachea; 0: none is set.
+    void setOverride(SessionTime from, Length innerDiameter);
+    /// An entry about the tube (from IntubationStep::TubePastTeeth on) says where its tip is.
+    /// @param innerDiameter 0 where it is not known
+    void note(SessionTime from, const IntubationEvent& event, Length innerDiameter);
+    void setCuff(SessionTime from, bool inflated) { m_cuff.set(from, inflated); }
+    /// Until the tube is out of the mouth again: for the next try it has its stylet back.
+    void drawStylet(SessionTime from) { m_stylet.set(from, false); }
+    /// As ParameterTimeline; entries stay.
+    void forgetBefore(SessionTime t);
+
+    [[nodiscard]] Length overrideAt(SessionTime t) const { return m_override.at(t); }
+    /// Whether the console's own setting takes the place of what a monitor has noted by then.
+    [[nodiscard]] bool isOverriddenAt(SessionTime t) const
+    {
+        return m_noted.at(t).isWatched && m_override.at(t).si > 0.0;
+    }
+    /// Whether a monitor has noted a tube by then.
+    [[nodiscard]] bool isWatchedAt(SessionTime t) const { return m_noted.at(t).isWatched; }
+    /// A watched tube whose tip is above the cords, or out of the mouth, has the seat None and an
+    /// inner diameter above 0; where nobody has set or noted a tube, the diameter is 0. A tube
+    /// that the console has set does not leak; a noted one leaks kEmptyCuffLeak until its cuff is
+    /// inflated.
+    /// @param build for the diameter of a tube of which it is not known (usualTube)
+    [[nodiscard]] TubePlace placeAt(SessionTime t, const PatientBuild& build) const;
+    /// Whether the last entry about the blade said that it is in the mouth.
+    [[nodiscard]] bool bladeInMouthAt(SessionTime t) const { return m_blade.at(t); }
+    [[nodiscard]] bool cuffInflatedAt(SessionTime t) const { return m_cuff.at(t); }
+    [[nodiscard]] bool styletInAt(SessionTime t) const { return m_stylet.at(t); }
+    /// The first change after t of what placeAt or bladeInMouthAt tells; SessionTime::max() where
+    /// there is none.
+    [[nodiscard]] SessionTime changeAfter(SessionTime t) const;
+    /// The last kMostNotes entries.
+    [[nodiscard]] std::span<const NotedStep> notes() const { return m_notes; }
+
+private:
+    ParameterTimeline<Length> m_override{{}};
+    ParameterTimeline<NotedTube> m_noted{NotedTube{}};
+    ParameterTimeline<bool> m_blade{false};
+    ParameterTimeline<bool> m_cuff{false};
+    ParameterTimeline<bool> m_stylet{true};
+    std::vector<NotedStep> m_notes;
+};
+
+/// Share of a delivered breath that escapes beside a tube whose cuff is empty. Of ours: enough to
+/// be seen as a tidal volume that falls, and little enough that the patient is still ventilated, as
+/// with a tube that has no cuff.
+inline constexpr double kEmptyCuffLeak = 0.25;
+
+} // namespace carina

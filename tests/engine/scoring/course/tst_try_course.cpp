@@ -1,0 +1,171 @@
+#include "engine/scoring/course/try_course.h"
+
+#include "tests/engine/scoring/course/hand_written_course.h"
+#include "tests/support/test_class.h"
+
+namespace carina::try_course_test
+{
+namespace
+{
+
+using namespace carina::test;
+
+const Vec3 kUp = -Vec3::UnitY();
+
+TryCourse follow(const HandWrittenCourse& written)
+{
+    TryCourse course{kUp};
+    for (const IntubationEvent& event : written.events())
+        course.add(event);
+    return course;
+}
+
+PoseSample bladeAt(double seconds, double x)
+{
+    PoseSample sample;
+    sample.time = courseTime(seconds);
+    sample.X_FO = RigidTransform::translation({x, 0.0, 0.0});
+    return sample;
+}
+
+} // namespace
+
+class TestTryCourse : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void beginsWithBladeOrTube();
+    void endsAfterSomeBreaths();
+    void endsWhenAllIsOut();
+    void goesOnWithATubeInTheOesophagus();
+    void goesOnBetweenAttempts();
+    void endsAtItsLongest();
+    void measuresTheHandWhileTheBladeIsIn();
+    void takesWhatIsKnownOfThePatient();
+    void leavesOutWhatCameAfterItsEnd();
+    void keepsNoMoreThanItsMost();
+};
+
+void TestTryCourse::beginsWithBladeOrTube()
+{
+    TryCourse course{kUp};
+    course.add({.step = IntubationStep::TubeOut});
+    course.add({.step = IntubationStep::CuffInflated});
+    course.addVitals(courseTime(1.0), saturatedBy(0.5));
+    QVERIFY(!course.hasBegun());
+    QVERIFY(!course.endedBy(courseTime(5000.0)));
+    course.add({.step = IntubationStep::TubePastTeeth, .at = courseTime(5.0)});
+    QVERIFY(course.hasBegun());
+    QVERIFY(!course.metrics(courseTime(6.0), std::nullopt).oxygen);
+}
+
+void TestTryCourse::endsAfterSomeBreaths()
+{
+    const TryCourse course = follow(goodCourse());
+    QVERIFY(!course.endedBy(courseTime(49.9)));
+    QCOMPARE(course.endedBy(courseTime(50.0)), courseTime(50.0));
+    QCOMPARE(course.endedBy(courseTime(70.0)), courseTime(50.0));
+}
+
+void TestTryCourse::endsWhenAllIsOut()
+{
+    HandWrittenCourse written;
+    written.at(10.0, IntubationStep::BladeIn)
+        .at(20.0, IntubationStep::TubePastTeeth)
+        .at(25.0, IntubationStep::BladeOut)
+        .at(30.0, IntubationStep::TubeOut);
+    const TryCourse course = follow(written);
+    QVERIFY(!course.endedBy(courseTime(39.9)));
+    QCOMPARE(course.endedBy(courseTime(40.0)), courseTime(30.0));
+}
+
+void TestTryCourse::goesOnWithATubeInTheOesophagus()
+{
+    HandWrittenCourse written;
+    written.at(10.0, IntubationStep::BladeIn)
+        .at(17.0, IntubationStep::TubePastTeeth)
+        .at(20.0, IntubationStep::InOesophagus, TubeSeat::Oesophagus)
+        .at(24.0, IntubationStep::BladeOut)
+        .at(30.0, IntubationStep::FirstBreath);
+    QVERIFY(!follow(written).endedBy(courseTime(300.0)));
+}
+
+void TestTryCourse::goesOnBetweenAttempts()
+{
+    HandWrittenCourse written;
+    written.at(10.0, IntubationStep::BladeIn)
+        .at(20.0, IntubationStep::BladeOut)
+        .at(29.0, IntubationStep::BladeIn);
+    QVERIFY(!follow(written).endedBy(courseTime(60.0)));
+}
+
+void TestTryCourse::endsAtItsLongest()
+{
+    HandWrittenCourse written;
+    written.at(10.0, IntubationStep::BladeIn);
+    QCOMPARE(follow(written).endedBy(courseTime(611.0)), courseTime(610.0));
+}
+
+/// It is still for two seconds, and between blade out and in again far away.
+void TestTryCourse::measuresTheHandWhileTheBladeIsIn()
+{
+    TryCourse course{kUp};
+    for (int i = 0; i <= 120; ++i)
+        course.addBlade(bladeAt(i / 60.0, 1e-3 * i));
+    course.add({.step = IntubationStep::BladeIn, .at = courseTime(2.0)});
+    for (int i = 120; i <= 240; ++i)
+        course.addBlade(bladeAt(i / 60.0, 0.0));
+    course.add({.step = IntubationStep::BladeOut, .at = courseTime(4.0)});
+    for (int i = 240; i <= 360; ++i)
+        course.addBlade(bladeAt(i / 60.0, 1.0));
+    const TryMetrics metrics = course.metrics(courseTime(6.0), std::nullopt);
+    QCOMPARE(metrics.hand->path.si, 0.0);
+    QVERIFY(std::abs(toSeconds(metrics.hand->watched) - 2.0) < 1e-6);
+    QVERIFY(std::abs(toSeconds(metrics.plane->measured) - 2.0) < 1e-6);
+    QVERIFY(!metrics.head);
+}
+
+void TestTryCourse::takesWhatIsKnownOfThePatient()
+{
+    TryCourse course = follow(goodCourse());
+    QVERIFY(!course.metrics(courseTime(50.0), std::nullopt).incisors);
+    course.addForces(courseTime(12.0), newtons(0.0), newtons(30.0));
+    course.addForces(courseTime(12.2), newtons(25.0), newtons(0.0));
+    course.addVitals(courseTime(12.0), saturatedBy(0.97));
+    course.addHeadExtension(degrees(20.0));
+    course.addHeadExtension(degrees(5.0)); // later
+    course.check(TryCheck::Auscultated, true);
+    const TryMetrics metrics = course.metrics(courseTime(50.0), millimetres(195.0));
+    QCOMPARE(inNewtons(metrics.incisors->peak), 25.0);
+    QCOMPARE(inNewtons(metrics.tongue->peak), 30.0);
+    QCOMPARE(metrics.oxygen->lowest, 0.97);
+    QCOMPARE(metrics.headExtension, degrees(20.0));
+    QCOMPARE(metrics.check(TryCheck::Auscultated), std::optional{true});
+    QVERIFY(!metrics.check(TryCheck::Prepared));
+    QCOMPARE(metrics.depthWanted, millimetres(195.0));
+}
+
+void TestTryCourse::leavesOutWhatCameAfterItsEnd()
+{
+    HandWrittenCourse written = goodCourse();
+    written.at(55.0, IntubationStep::PastCarina, TubeSeat::RightMain);
+    const TryCourse course = follow(written);
+    QCOMPARE(course.metrics(courseTime(50.0), std::nullopt).outcome, TryOutcome::Trachea);
+    QCOMPARE(course.metrics(courseTime(60.0), std::nullopt).outcome, TryOutcome::RightMain);
+}
+
+void TestTryCourse::keepsNoMoreThanItsMost()
+{
+    HandWrittenCourse written;
+    for (std::size_t i = 0; i < TryCourse::kMostEvents + 50; ++i)
+        written.at(0.1 * double(i), IntubationStep::BladeIn);
+    QCOMPARE(follow(written).metrics(courseTime(500.0), std::nullopt).attempts.size(),
+             TryCourse::kMostEvents);
+}
+
+CARINA_TEST(TestTryCourse)
+
+} // namespace carina::try_course_test
+
+#include "tst_try_course.moc"

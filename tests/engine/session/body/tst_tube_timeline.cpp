@@ -1,0 +1,150 @@
+#include "engine/session/body/tube_timeline.h"
+
+#include "engine/anatomy/patient/patient_dimensions.h"
+#include "tests/engine/session/facts/sample_session.h"
+#include "tests/support/test_class.h"
+
+namespace carina::test::tube_timeline_test
+{
+
+namespace
+{
+
+const PatientBuild kAdult{metres(1.75), 77.0, 40.0, Sex::Male};
+
+IntubationEvent event(IntubationStep step, TubeSeat seat) { return {.step = step, .seat = seat}; }
+
+TubePlace placeAt(const TubeTimeline& tube, double seconds)
+{
+    return tube.placeAt(atSeconds(seconds), kAdult);
+}
+
+} // namespace
+
+class TestTubeTimeline : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void hasNoTubeAtFirst()
+    {
+        const TubeTimeline tube;
+        QVERIFY(placeAt(tube, 0.0) == TubePlace{});
+        QVERIFY(!tube.isWatchedAt(SessionTime::max()));
+        QVERIFY(!tube.isOverriddenAt(SessionTime::max()));
+        QVERIFY(!tube.cuffInflatedAt(atSeconds(0.0)));
+        QVERIFY(tube.styletInAt(atSeconds(0.0)));
+        QVERIFY(tube.changeAfter(SessionTime::min()) == SessionTime::max());
+    }
+
+    void placesTheTubeThatTheConsoleSets()
+    {
+        TubeTimeline tube;
+        tube.setOverride(atSeconds(1.0), millimetres(6.5));
+        QVERIFY(placeAt(tube, 0.9) == TubePlace{});
+        QVERIFY(placeAt(tube, 1.0) == (TubePlace{TubeSeat::Trachea, millimetres(6.5)}));
+        QVERIFY(!tube.isOverriddenAt(atSeconds(1.0))); // of nothing
+    }
+
+    void followsTheMonitorFromTheTeethOn()
+    {
+        TubeTimeline tube;
+        const Length size = millimetres(7.5);
+        tube.note(atSeconds(1.0), event(IntubationStep::BladeIn, TubeSeat::None), size);
+        QVERIFY(!tube.isWatchedAt(atSeconds(1.5)));
+        tube.note(atSeconds(2.0), event(IntubationStep::TubePastTeeth, TubeSeat::None), size);
+        QVERIFY(tube.isWatchedAt(atSeconds(2.0)));
+        QCOMPARE(placeAt(tube, 2.0).seat, TubeSeat::None);
+        QCOMPARE(placeAt(tube, 2.0).innerDiameter, size);
+        tube.note(atSeconds(3.0), event(IntubationStep::ThroughCords, TubeSeat::Trachea), size);
+        QCOMPARE(placeAt(tube, 2.9).seat, TubeSeat::None);
+        QCOMPARE(placeAt(tube, 3.0).seat, TubeSeat::Trachea);
+        tube.note(atSeconds(4.0), event(IntubationStep::PastCarina, TubeSeat::RightMain), size);
+        QCOMPARE(placeAt(tube, 4.0).seat, TubeSeat::RightMain);
+        tube.note(atSeconds(5.0), event(IntubationStep::TubeOut, TubeSeat::None), size);
+        QCOMPARE(placeAt(tube, 5.0).seat, TubeSeat::None);
+        QCOMPARE(tube.notes().size(), std::size_t{5});
+    }
+
+    void takesAUsualTubeWhereItsDiameterIsNotKnown()
+    {
+        TubeTimeline tube;
+        tube.note(atSeconds(1.0), event(IntubationStep::ThroughCords, TubeSeat::Trachea), {});
+        QCOMPARE(placeAt(tube, 1.0).innerDiameter, usualTube(40.0, Sex::Male));
+        QVERIFY(placeAt(tube, 1.0).innerDiameter.si > 0.0);
+    }
+
+    void letsTheConsoleOverrideTheMonitorAndSaysSo()
+    {
+        TubeTimeline tube;
+        const Length size = millimetres(7.5);
+        tube.note(atSeconds(1.0), event(IntubationStep::InOesophagus, TubeSeat::Oesophagus), size);
+        tube.setOverride(atSeconds(2.0), millimetres(6.0));
+        tube.setOverride(atSeconds(3.0), {});
+        QCOMPARE(placeAt(tube, 1.9).seat, TubeSeat::Oesophagus);
+        QVERIFY(!tube.isOverriddenAt(atSeconds(1.9)));
+        QVERIFY(placeAt(tube, 2.0) == (TubePlace{TubeSeat::Trachea, millimetres(6.0)}));
+        QVERIFY(tube.isOverriddenAt(atSeconds(2.0)));
+        QCOMPARE(placeAt(tube, 3.0).seat, TubeSeat::Oesophagus);
+        QVERIFY(!tube.isOverriddenAt(atSeconds(3.0)));
+    }
+
+    void leaksUntilTheCuffIsInflated()
+    {
+        TubeTimeline tube;
+        tube.note(atSeconds(1.0), event(IntubationStep::ThroughCords, TubeSeat::Trachea), {});
+        tube.setCuff(atSeconds(2.0), true);
+        tube.setCuff(atSeconds(3.0), false);
+        QCOMPARE(placeAt(tube, 1.9).leak, kEmptyCuffLeak);
+        QCOMPARE(placeAt(tube, 2.0).leak, 0.0);
+        QCOMPARE(placeAt(tube, 3.0).leak, kEmptyCuffLeak);
+        tube.setOverride(atSeconds(4.0), millimetres(6.0));
+        QCOMPARE(placeAt(tube, 4.0).leak, 0.0); // it is said to be as it should
+    }
+
+    void knowsBladeAndStylet()
+    {
+        TubeTimeline tube;
+        tube.note(atSeconds(1.0), event(IntubationStep::BladeIn, TubeSeat::None), {});
+        tube.note(atSeconds(4.0), event(IntubationStep::BladeOut, TubeSeat::None), {});
+        QVERIFY(!tube.bladeInMouthAt(atSeconds(0.9)));
+        QVERIFY(tube.bladeInMouthAt(atSeconds(1.0)));
+        QVERIFY(!tube.bladeInMouthAt(atSeconds(4.0)));
+        tube.drawStylet(atSeconds(2.0));
+        QVERIFY(!tube.styletInAt(atSeconds(2.0)));
+        tube.note(atSeconds(5.0), event(IntubationStep::TubeOut, TubeSeat::None), {});
+        QVERIFY(tube.styletInAt(atSeconds(5.0)));
+    }
+
+    void namesTheNextChange()
+    {
+        TubeTimeline tube;
+        tube.note(atSeconds(1.0), event(IntubationStep::BladeIn, TubeSeat::None), {});
+        tube.note(atSeconds(2.0), event(IntubationStep::GlottisSeen, TubeSeat::None), {});
+        tube.note(atSeconds(3.0), event(IntubationStep::ThroughCords, TubeSeat::Trachea), {});
+        tube.setCuff(atSeconds(4.0), true);
+        tube.setOverride(atSeconds(5.0), millimetres(6.0));
+        const auto after = [&](double seconds) { return tube.changeAfter(atSeconds(seconds)); };
+        QVERIFY(after(0.0) == atSeconds(1.0));
+        QVERIFY(after(1.0) == atSeconds(3.0)); // the view changes nothing of the patient
+        QVERIFY(after(3.0) == atSeconds(4.0));
+        QVERIFY(after(4.0) == atSeconds(5.0));
+        QVERIFY(after(5.0) == SessionTime::max());
+    }
+
+    void keepsTheLatestEntries()
+    {
+        TubeTimeline tube;
+        constexpr int kMore = 10;
+        for (int i = 0; i < int(TubeTimeline::kMostNotes) + kMore; ++i)
+            tube.note(atSeconds(i), event(IntubationStep::ThroughCords, TubeSeat::Trachea), {});
+        QCOMPARE(tube.notes().size(), TubeTimeline::kMostNotes);
+        QVERIFY(tube.notes().front().effect == atSeconds(kMore));
+    }
+};
+
+CARINA_TEST(TestTubeTimeline)
+
+} // namespace carina::test::tube_timeline_test
+
+#include "tst_tube_timeline.moc"

@@ -2,6 +2,7 @@
 
 #include "engine/io/anatomy_set/set_codec.h"
 #include "engine/io/mesh/mesh_file_codec.h"
+#include "engine/io/scoring/rubric_file.h"
 #include "engine/io/site/site_json.h"
 #include "engine/net/discovery/session_notice.h"
 #include "engine/net/entry/join_link.h"
@@ -262,6 +263,8 @@ std::vector<std::string> manikins()
     return {QJsonDocument{manikin}.toJson(QJsonDocument::Compact).toStdString()};
 }
 
+std::vector<std::string> rubrics() { return {rubricText(publishedRubric())}; }
+
 std::vector<std::string> trajectories()
 {
     return {
@@ -380,7 +383,7 @@ int main(int argc, char** argv)
         && areWritten(folder / "site", sites()) && areWritten(folder / "manikin", manikins())
         && areWritten(folder / "tum", trajectories()) && areWritten(folder / "plus", deviceSets())
         && areWritten(folder / "record", poseRecords()) && areWritten(folder / "ndi", ndiReplies())
-        && areWritten(folder / "sequence", sequences())
+        && areWritten(folder / "rubric", rubrics()) && areWritten(folder / "sequence", sequences())
         && areWritten(folder / "surfaces", surfaceAnswers())
         && areWritten(folder / "conversation", conversations());
     return written ? 0 : 1;

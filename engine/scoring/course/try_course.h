@@ -27,8 +27,8 @@ public:
     /// @param up_F  the direction against gravity in the frame of all poses, of length 1
     explicit TryCourse(const Vec3& up_F);
 
-    /// The next event, in the order of their times. Before the first one that beginsTry(), all are
-    /// ignored.
+    /// The next event, in the order in which they were noted. Before the first one that
+    /// beginsTry(), all are ignored.
     void add(const IntubationEvent& event);
     void addVitals(SessionTime t, const Vitals& vitals);
     void addBlade(const PoseSample& X_FL); ///< counts while the blade is in the mouth

@@ -86,8 +86,10 @@ void CourseReader::readTube(const IntubationEvent& event)
             stays.push_back({.in = event.at});
         break;
     case IntubationStep::OutOfOesophagus:
-        if (isStaying)
+        if (isStaying && event.at > stays.back().in)
             stays.back().out = event.at;
+        else if (isStaying) // the monitor has concluded otherwise
+            stays.pop_back();
         break;
     case IntubationStep::FirstBreath:
         if (isInAirway(event.seat))
@@ -145,8 +147,9 @@ TryMetrics CourseReader::endedAt(SessionTime ended)
         m_course.outcome = TryOutcome::OesophagusUnrecognised;
         break;
     case TubeSeat::None:
-        m_course.outcome = m_lastPlace == TubeSeat::Oesophagus ? TryOutcome::OesophagusRecognised
-                                                               : TryOutcome::Abandoned;
+        m_course.outcome = m_lastPlace == TubeSeat::Oesophagus && !m_course.oesophagus.empty()
+                               ? TryOutcome::OesophagusRecognised
+                               : TryOutcome::Abandoned;
         break;
     }
     return std::move(m_course);

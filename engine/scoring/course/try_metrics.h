@@ -98,8 +98,10 @@ struct TryMetrics {
 ///
 /// The tube's passage through the cords is the last one that was not undone. The depth is that of
 /// the last event with the tip in trachea or bronchus; there is none where measured and constrained
-/// tube had parted by then.
-/// @param events in the order of their times, of one try
+/// tube had parted by then. A monitor may conclude otherwise later, and then notes with its time
+/// that the tip has left where it was taken to be: an oesophagus that it left when it came there
+/// does not count.
+/// @param events in the order in which they were noted, of one try
 /// @pre events is not empty
 [[nodiscard]] TryMetrics courseOf(std::span<const IntubationEvent> events, SessionTime ended);
 

@@ -28,6 +28,7 @@ private Q_SLOTS:
     void tellASideAndThatItWasPulledBack();
     void tellAnOesophagusThatWasRecognisedLate();
     void tellAnOesophagusThatWasNotRecognised();
+    void believeAMonitorThatConcludesAnew();
     void tellThatATryWasGivenUp();
     void countAttempts();
     void forgetAPassageThatWasUndone();
@@ -105,6 +106,21 @@ void TestTryMetrics::tellAnOesophagusThatWasNotRecognised()
     QVERIFY(!metrics.depth);
     QVERIFY(!metrics.firstBreath);
     QCOMPARE(metrics.bladeTime, Duration{std::chrono::seconds{190}}); // still in
+}
+
+/// It took the trachea for the oesophagus, and is told so by the way of the tip beyond.
+void TestTryMetrics::believeAMonitorThatConcludesAnew()
+{
+    HandWrittenCourse course;
+    course.at(10.0, IntubationStep::BladeIn)
+        .at(20.0, IntubationStep::InOesophagus, TubeSeat::Oesophagus)
+        .at(21.0, IntubationStep::BladeOut)
+        .at(20.0, IntubationStep::OutOfOesophagus, TubeSeat::None)
+        .at(20.0, IntubationStep::ThroughCords, TubeSeat::Trachea);
+    const TryMetrics metrics = courseUntil(course, 60.0);
+    QCOMPARE(metrics.outcome, TryOutcome::Trachea);
+    QCOMPARE(metrics.throughCords, courseTime(20.0));
+    QVERIFY(metrics.oesophagus.empty());
 }
 
 void TestTryMetrics::tellThatATryWasGivenUp()

@@ -135,6 +135,8 @@ Use intubateOnce()
                      kHeartRate,
                      kMean,
                      kMetrics,
+                     kMeasuredMetric,
+                     kMeasuredValue,
                      kNotMeasured,
                      kScore,
                      kRubric,

@@ -62,9 +62,9 @@ inline constexpr Key kShown{"spo2_percent", "as the oximeter shows it; null with
 inline constexpr Key kEndTidal{"etco2_mmhg", "of the last breath; null before the first", 1};
 inline constexpr Key kHeartRate{"heart_rate_per_min", "beats", 1};
 inline constexpr Key kMean{"mean_pressure_mmhg", "arterial", 1};
-inline constexpr Key kMetrics{"metrics",
-                              "what was measured of the try, by the words of the rubrics, each "
-                              "with its unit; 1 is yes"};
+inline constexpr Key kMetrics{"metrics", "what was measured of the try:"};
+inline constexpr Key kMeasuredMetric{"metric", "its word, as in rubrics, with the unit", 1};
+inline constexpr Key kMeasuredValue{"value", "1 is yes", 1};
 inline constexpr Key kNotMeasured{"not_measured", "the words of what was not"};
 inline constexpr Key kScore{"score", "by the published rubric; null where no try began:"};
 inline constexpr Key kRubric{"rubric", "its name", 1};

@@ -123,11 +123,13 @@ QJsonObject scoreObject(const TryMetrics& metrics)
 
 void addScore(QJsonObject& report, const TryMetrics& metrics)
 {
-    QJsonObject values;
+    QJsonArray values;
     for (std::size_t i = 0; i < kMetricCount; ++i) {
         const auto metric = static_cast<Metric>(i);
         if (const auto value = valueOf(metrics, metric))
-            values[QString::fromLatin1(entryOf(metric).word)] = *value;
+            values += QJsonObject{
+                {intubate_key::kMeasuredMetric, QString::fromLatin1(entryOf(metric).word)},
+                {intubate_key::kMeasuredValue, *value}};
     }
     QJsonArray missing;
     for (const Metric metric : notMeasured(metrics))

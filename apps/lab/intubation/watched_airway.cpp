@@ -1,5 +1,7 @@
 #include "apps/lab/intubation/watched_airway.h"
 
+#include "engine/anatomy/airway/centreline.h"
+
 #include <algorithm>
 
 namespace carina::lab
@@ -19,6 +21,20 @@ double jawShareAt(const PatientWays& ways, const Vec3& p_A)
     return std::clamp(inside, 0.0, 1.0);
 }
 
+/// The line with another length: cut, or straight on.
+std::vector<Vec3> withLength(std::vector<Vec3> line, double length)
+{
+    double missing = length - lengthOf(line).si;
+    while (missing < 0.0 && line.size() > 2
+           && (line.back() - line[line.size() - 2]).norm() <= -missing) {
+        missing += (line.back() - line[line.size() - 2]).norm();
+        line.pop_back();
+    }
+    const Vec3 ahead = (line.back() - line[line.size() - 2]).normalized();
+    line.back() += missing * ahead;
+    return line;
+}
+
 } // namespace
 
 AirwayMoment WatchedAirway::take(const SeenTools& tools)
@@ -26,9 +42,9 @@ AirwayMoment WatchedAirway::take(const SeenTools& tools)
     const MotionPatient& patient = *m_subject.motion;
     const NeckField neck{patient.airway.p_A_glottis, patient.airway.p_A_incisors, tools.head};
     const PatientWays ways = waysAt(tools, neck);
-    const TubeShape tube = bent(m_subject.tube, neck);
     std::vector<Vec3> p_A_shown;
-    for (const Vec3& p_E : tube.p_E_centre)
+    for (const Vec3& p_E :
+         withLength(bent(m_subject.tube, neck).p_E_centre, lengthOf(m_subject.tube.p_E_centre).si))
         p_A_shown.push_back(tools.tube.X_FO * p_E);
     return airwayMoment(tools.tube.time, ways,
                         {.validity = tools.tube.validity, .p_A_shown = p_A_shown},

@@ -19,8 +19,9 @@ struct SeenTools {
 /// Makes of poses what the monitor of an intubation takes: the ways of the patient as jaw and neck
 /// have taken them, the tube's curve, and the blade's tip.
 ///
-/// The tube is the patient's own, which has the form of the airway and bends with the neck, so that
-/// it has one shape only. The glottis that is seen is not measured: nothing is drawn here.
+/// The tube is the patient's own, which has the form of the airway, so that it has one shape only.
+/// It bends with the neck and keeps its length, as one that is fixed at the teeth. The glottis that
+/// is seen is not measured: nothing is drawn here.
 class WatchedAirway
 {
 public:

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace carina
 {
@@ -85,6 +86,7 @@ Result<IntubationMotion> IntubationMotion::make(std::shared_ptr<const MotionPati
     motion.m_grip = grip;
     motion.m_commands = std::move(commands);
     motion.m_length = length;
+    motion.tabulateBlade();
     const UpperAirway& upper = motion.m_patient->upper;
     const LaryngoscopyPose atTeeth =
         laryngoscopyPose(upper, motion.m_patient->throat, blade, LaryngoscopyStep::Teeth, grip.lift,
@@ -167,10 +169,26 @@ Vec3 IntubationMotion::inward_A() const
         .normalized();
 }
 
-LaryngoscopyPose IntubationMotion::bladeInside(double value) const
+/// What is between two entries is interpolated: it takes long to find how a blade passes the teeth.
+void IntubationMotion::tabulateBlade()
 {
-    return laryngoscopyPose(m_patient->upper, m_patient->throat, m_blade, 1.0 + value, m_grip.lift,
-                            m_patient->held);
+    constexpr int kLast = 3 * kBladePoses; // LaryngoscopyStep::Full
+    for (int i = 0; i <= kLast; ++i) {
+        const LaryngoscopyPose pose =
+            laryngoscopyPose(m_patient->upper, m_patient->throat, m_blade,
+                             1.0 + double(i) / kBladePoses, m_grip.lift, m_patient->held);
+        m_inside.push_back({pose.X_AL, pose.X_AJ});
+    }
+}
+
+IntubationMotion::BladePose IntubationMotion::bladeInside(double value) const
+{
+    const double entry = std::clamp(value * kBladePoses, 0.0, double(m_inside.size() - 1));
+    const auto before = std::min(static_cast<std::size_t>(entry), m_inside.size() - 2);
+    const double share = entry - double(before);
+    const BladePose& a = m_inside[before];
+    const BladePose& b = m_inside[before + 1];
+    return {interpolate(a.X_AL, b.X_AL, share), interpolate(a.X_AJ, b.X_AJ, share)};
 }
 
 RigidTransform IntubationMotion::jawAt(double seconds) const

@@ -105,6 +105,8 @@ public:
     [[nodiscard]] const Blade& blade() const { return m_blade; }
 
 private:
+    static constexpr int kBladePoses = 50;
+
     IntubationMotion() = default;
 
     // All in the neutral position of the head, which takes tube and blade with it.
@@ -113,14 +115,20 @@ private:
     [[nodiscard]] RigidTransform jawAt(double seconds) const;
     [[nodiscard]] TrueTip heldTipAt(double seconds) const;
     [[nodiscard]] NeckField neckAt(double seconds) const;
-    [[nodiscard]] LaryngoscopyPose bladeInside(double value) const;
+    struct BladePose {
+        RigidTransform X_AL;
+        RigidTransform X_AJ;
+    };
+    void tabulateBlade();
+    [[nodiscard]] BladePose bladeInside(double value) const;
     [[nodiscard]] Vec3 inward_A() const;
 
     std::shared_ptr<const MotionPatient> m_patient;
     TubeShape m_tube;
     Blade m_blade;
-    RigidTransform m_X_AL_ready; ///< in front of the mouth
-    RigidTransform m_X_AL_aside; ///< beside the face
+    std::vector<BladePose> m_inside; ///< every 1 / kBladePoses of MotionTracks::blade from 0 on
+    RigidTransform m_X_AL_ready;     ///< in front of the mouth
+    RigidTransform m_X_AL_aside;     ///< beside the face
     MotionTracks m_tracks;
     MotionGrip m_grip;
     std::vector<MotionCommand> m_commands;

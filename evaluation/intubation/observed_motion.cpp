@@ -3,6 +3,7 @@
 #include "engine/core/expects.h"
 #include "engine/geometry/rotation.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace carina

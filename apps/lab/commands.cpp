@@ -8,7 +8,7 @@ namespace carina::lab
 std::span<const Command> commands()
 {
     static const std::array all{anatomyCommand(), //
-                                breatheCommand(),
+                                breatheCommand(),     intubateCommand(),
                                 mechanicsCommand(), //
                                 deformCommand(),    //
                                 fitCommand(),         icpCommand(),       pivotCommand(),

@@ -25,6 +25,8 @@ namespace carina::lab
 [[nodiscard]] Command guestsCommand();
 [[nodiscard]] Command handshakeCommand();
 
+[[nodiscard]] Command intubateCommand();
+
 [[nodiscard]] Command fitCommand();
 [[nodiscard]] Command icpCommand();
 [[nodiscard]] Command pivotCommand();

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "engine/airway/monitor/patient_ways.h"
+#include "engine/anatomy/patient/patient_build.h"
+#include "engine/anatomy/shapes/tube.h"
+#include "evaluation/intubation/motion_patient.h"
+
+#include <memory>
+
+namespace carina::lab
+{
+
+/// Whom scripted motions intubate, with which tube.
+struct IntubationSubject {
+    std::string name;
+    PatientBuild build;
+    std::shared_ptr<const MotionPatient> motion; ///< as those who move know the patient,
+    PatientWays ways;                            ///< and as the monitor does
+    Length innerDiameter{};
+    TubeShape tube;
+};
+
+/// @param innerDiameter of the tube; 0: the usual one
+/// @returns the errors of motionPatient and motionTube
+[[nodiscard]] Result<IntubationSubject>
+intubationSubject(const Anatomy& anatomy, const PatientBuild& build, Length innerDiameter);
+
+} // namespace carina::lab

@@ -1,0 +1,270 @@
+#include "evaluation/intubation/intubation_motion.h"
+
+#include "engine/anatomy/airway/airway_measure.h"
+#include "engine/anatomy/laryngoscopy/blade_levering.h"
+#include "engine/geometry/rotation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace carina
+{
+namespace
+{
+
+constexpr double kTubeChord = 0.04;   ///< metres of way, before the tip is through the teeth
+constexpr double kLeastAcross = 1e-3; ///< of a direction, to x
+constexpr Length kBladeReady = millimetres(30.0); ///< in front of the teeth, in an adult
+const Vec3 kBladeAside_A{0.0, -0.12, 0.12};
+constexpr double kLookedAt_s = 0.05;
+
+/// The axes (across, third, direction) of a direction and the x axis, each in some frame; nothing
+/// where there is no direction or it is that of x.
+std::optional<Mat3> axesOf(const Vec3& direction)
+{
+    const Vec3 along = direction.stableNormalized();
+    const Vec3 across = Vec3::UnitX() - along.x() * along;
+    if (!(along.norm() > 0.5) || across.norm() < kLeastAcross)
+        return std::nullopt;
+    Mat3 axes;
+    axes << across.normalized(), along.cross(across.normalized()), along;
+    return axes;
+}
+
+/// The place of a tube's centreline that has this distance from its tip, the nearest along it;
+/// nothing where the tube is too short.
+std::optional<Vec3> centreAtDistance(const std::vector<Vec3>& p_E_centre, double distance)
+{
+    const Vec3& p_E_tip = p_E_centre.back();
+    for (std::size_t i = p_E_centre.size() - 1; i > 0; --i) {
+        const Vec3 a = p_E_centre[i] - p_E_tip;
+        const Vec3 step = p_E_centre[i - 1] - p_E_centre[i];
+        if ((a + step).norm() < distance)
+            continue;
+        // |a + share * step| = distance, with |a| below it
+        const double half = a.dot(step) / step.squaredNorm();
+        const double rest = (distance * distance - a.squaredNorm()) / step.squaredNorm();
+        return Vec3{p_E_centre[i] + (std::sqrt(half * half + rest) - half) * step};
+    }
+    return std::nullopt;
+}
+
+/// Arc length from the place of a line that is nearest to p to the line's end.
+double lengthAfter(std::span<const Vec3> line, const Vec3& p)
+{
+    double least = std::numeric_limits<double>::infinity();
+    double before = 0.0;
+    double nearest = 0.0;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const Vec3 step = line[i] - line[i - 1];
+        const double share = std::clamp(step.dot(p - line[i - 1]) / step.squaredNorm(), 0.0, 1.0);
+        const double distance = (line[i - 1] + share * step - p).norm();
+        if (distance < least) {
+            least = distance;
+            nearest = before + share * step.norm();
+        }
+        before += step.norm();
+    }
+    return before - nearest;
+}
+
+} // namespace
+
+Result<IntubationMotion> IntubationMotion::make(std::shared_ptr<const MotionPatient> patient,
+                                                TubeShape tube, const Blade& blade,
+                                                MotionTracks tracks, MotionGrip grip,
+                                                std::vector<MotionCommand> commands,
+                                                Duration length)
+{
+    IntubationMotion motion;
+    motion.m_patient = std::move(patient);
+    motion.m_tube = std::move(tube);
+    motion.m_tube.pieces.clear(); // nothing is drawn of it
+    motion.m_blade = blade;
+    motion.m_tracks = std::move(tracks);
+    motion.m_grip = grip;
+    motion.m_commands = std::move(commands);
+    motion.m_length = length;
+    motion.tabulateBlade();
+    const UpperAirway& upper = motion.m_patient->upper;
+    const LaryngoscopyPose atTeeth =
+        laryngoscopyPose(upper, motion.m_patient->throat, blade, LaryngoscopyStep::Teeth, grip.lift,
+                         motion.m_patient->held);
+    motion.m_X_AL_ready =
+        RigidTransform::translation(-upper.size() * kBladeReady.si * motion.inward_A())
+        * atTeeth.X_AL;
+    motion.m_X_AL_aside = RigidTransform::translation(kBladeAside_A) * motion.m_X_AL_ready;
+    for (double t = 0.0; t <= toSeconds(length); t += kLookedAt_s)
+        if (!motion.tubeAt(t))
+            return fail(Errc::OutOfRange, "the tube is too short for its way");
+    return motion;
+}
+
+MotionMoment IntubationMotion::at(Duration t) const
+{
+    const double seconds = toSeconds(t);
+    const NeckField neck = neckAt(seconds);
+    const RigidTransform& X_AU = neck.X_AU();
+    return {.X_AE = X_AU * tubeAt(seconds).value_or(m_tube.X_AE),
+            .X_AL = X_AU * bladeAt(seconds),
+            .X_AJ = jawAt(seconds),
+            .head = neck.position()};
+}
+
+TrueTip IntubationMotion::tipAt(Duration t) const
+{
+    const double seconds = toSeconds(t);
+    TrueTip tip = heldTipAt(seconds);
+    const NeckField neck = neckAt(seconds);
+    if (!neck.isBent())
+        return tip;
+    const TipWay& way = m_patient->way(tip.target);
+    const RigidTransform X_AJ = jawAt(seconds);
+    // What of the tube is in the patient keeps its length; a way hardly changes its own.
+    constexpr int kSteps = 3;
+    const double inside = lengthOfWay(*m_patient, way, way.teeth, tip.along, {X_AJ, {}}).si;
+    for (int i = 0; i < kSteps; ++i)
+        tip.along += inside - lengthOfWay(*m_patient, way, way.teeth, tip.along, {X_AJ, neck}).si;
+    tip.p_A = placeOnWay(*m_patient, way, tip.along, {X_AJ, neck});
+    return tip;
+}
+
+Length IntubationMotion::bladePastTeeth(Duration t) const
+{
+    const Vec3 p_A_tip = bladeAt(toSeconds(t)) * middleOfBlade(m_blade.form, 1.0);
+    return metres(inward_A().dot(p_A_tip - m_patient->airway.p_A_incisors));
+}
+
+Length IntubationMotion::depthAtTeeth(Duration t) const
+{
+    const TrueTip tip = heldTipAt(toSeconds(t));
+    const std::optional<RigidTransform> X_AE = tubeAt(toSeconds(t));
+    if (!X_AE || tip.along <= m_patient->way(tip.target).teeth)
+        return {};
+    return metres(lengthAfter(m_tube.p_E_centre, X_AE->inverse() * m_patient->airway.p_A_incisors));
+}
+
+Length IntubationMotion::tipAboveCarina(Duration t) const
+{
+    const TrueTip tip = tipAt(t);
+    const TipWay& way = m_patient->way(tip.target);
+    const double seconds = toSeconds(t);
+    return lengthOfWay(*m_patient, way, tip.along, way.carina, {jawAt(seconds), neckAt(seconds)});
+}
+
+NeckField IntubationMotion::neckAt(double seconds) const
+{
+    const AirwayLandmarks& l = m_patient->airway;
+    return {l.p_A_glottis, l.p_A_incisors, {radians(m_tracks.flexion.at(seconds)), {}}};
+}
+
+/// The direction of the ways at the teeth, into the mouth.
+Vec3 IntubationMotion::inward_A() const
+{
+    constexpr double kAhead = 0.01;
+    const TipWay& way = m_patient->way(TipTarget::Trachea);
+    return (pointAlong(way.line_A, metres(way.teeth + kAhead))
+            - pointAlong(way.line_A, metres(way.teeth)))
+        .normalized();
+}
+
+/// What is between two entries is interpolated: it takes long to find how a blade passes the teeth.
+void IntubationMotion::tabulateBlade()
+{
+    constexpr int kLast = 3 * kBladePoses; // LaryngoscopyStep::Full
+    for (int i = 0; i <= kLast; ++i) {
+        const LaryngoscopyPose pose =
+            laryngoscopyPose(m_patient->upper, m_patient->throat, m_blade,
+                             1.0 + double(i) / kBladePoses, m_grip.lift, m_patient->held);
+        m_inside.push_back({pose.X_AL, pose.X_AJ});
+    }
+}
+
+IntubationMotion::BladePose IntubationMotion::bladeInside(double value) const
+{
+    const double entry = std::clamp(value * kBladePoses, 0.0, double(m_inside.size() - 1));
+    const auto before = std::min(static_cast<std::size_t>(entry), m_inside.size() - 2);
+    const double share = entry - double(before);
+    const BladePose& a = m_inside[before];
+    const BladePose& b = m_inside[before + 1];
+    return {interpolate(a.X_AL, b.X_AL, share), interpolate(a.X_AJ, b.X_AJ, share)};
+}
+
+RigidTransform IntubationMotion::jawAt(double seconds) const
+{
+    const double blade = m_tracks.blade.at(seconds);
+    const RigidTransform open = bladeInside(std::max(blade, 0.0)).X_AJ;
+    if (blade >= 0.0)
+        return open;
+    const double byBlade = std::clamp(blade + 2.0, 0.0, 1.0);
+    return interpolate({}, open, std::lerp(m_tracks.jaw.at(seconds), 1.0, byBlade));
+}
+
+RigidTransform IntubationMotion::bladeAt(double seconds) const
+{
+    const double value = m_tracks.blade.at(seconds);
+    RigidTransform X_AL = bladeInside(std::max(value, 0.0)).X_AL;
+    if (value < -1.0)
+        X_AL = interpolate(m_X_AL_ready, m_X_AL_aside, -1.0 - value);
+    else if (value < 0.0)
+        X_AL = interpolate(X_AL, m_X_AL_ready, -value);
+    if (const double angle = m_tracks.lever.at(seconds); angle > 0.0)
+        X_AL = levered(m_blade.form, X_AL, m_patient->upper.p_A_edge(), radians(angle));
+    return RigidTransform::translation(m_grip.bladeHand.at(seconds)) * X_AL;
+}
+
+TrueTip IntubationMotion::heldTipAt(double seconds) const
+{
+    const auto turn =
+        std::prev(std::ranges::upper_bound(m_tracks.turns.begin() + 1, m_tracks.turns.end(),
+                                           seconds, {}, &MotionTracks::Turn::from_s));
+    const TipWay& way = m_patient->way(turn->target);
+    const HeldTissue tissue{jawAt(seconds), {}};
+    const Vec3 trembling = m_grip.tubeHand.at(seconds); // along, and across to both sides
+    const double along = way.teeth + m_tracks.tip.at(seconds) + trembling.x();
+    constexpr double kBefore = 0.002;
+    const Vec3 p_A = placeOnWay(*m_patient, way, along, tissue);
+    const Vec3 ahead = p_A - placeOnWay(*m_patient, way, along - kBefore, tissue);
+    const Vec3 across = ahead.cross(Vec3::UnitX()).stableNormalized();
+    return {turn->target, along, p_A + trembling.y() * Vec3::UnitX() + trembling.z() * across};
+}
+
+std::optional<RigidTransform> IntubationMotion::tubeAt(double seconds) const
+{
+    const TrueTip tip = heldTipAt(seconds);
+    const TipWay& way = m_patient->way(tip.target);
+    const double alongSecond = std::min(tip.along - kTubeChord, way.teeth);
+    const Vec3 chord_A =
+        tip.p_A - m_grip.corner_A - placeOnWay(*m_patient, way, alongSecond, {jawAt(seconds), {}});
+    const auto p_E_second = centreAtDistance(m_tube.p_E_centre, chord_A.norm());
+    if (!p_E_second)
+        return std::nullopt;
+    const auto axes_A = axesOf(chord_A);
+    const auto axes_E = axesOf(m_tube.p_E_tip - *p_E_second);
+    if (!axes_A || !axes_E)
+        return std::nullopt;
+    const Quat roll = rotationFromVector(m_grip.roll.si * chord_A.normalized());
+    const Quat q_AE = roll * Quat{Mat3{*axes_A * axes_E->transpose()}};
+    return RigidTransform{q_AE, tip.p_A - q_AE * m_tube.p_E_tip};
+}
+
+Result<TubeShape> motionTube(const AirwayLandmarks& airway, Length innerDiameter)
+{
+    constexpr double kLonger = 0.045; // than makeTube lets it stick out
+    const std::span<const Vec3> path{airway.path_A};
+    const Length teeth = lengthOf(path) - teethToCarina(airway);
+    return makeTube(innerDiameter, path, pointAlong(path, teeth - metres(kLonger)),
+                    usualTipAboveCarina(innerDiameter));
+}
+
+const Blade& motionBlade(const UpperAirway& upper)
+{
+    if (upper.size() >= 0.9)
+        return bladeOf(BladeKind::Macintosh3);
+    if (upper.size() >= 0.65)
+        return bladeOf(BladeKind::Macintosh2);
+    return bladeOf(upper.size() >= 0.5 ? BladeKind::Miller1 : BladeKind::Miller0);
+}
+
+} // namespace carina

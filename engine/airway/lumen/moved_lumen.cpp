@@ -1,0 +1,299 @@
+#include "engine/airway/lumen/moved_lumen.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace carina
+{
+namespace
+{
+
+constexpr auto kHalf = std::size_t(kLumenDirections / 2);
+
+/// cos and sin of the directions across a way.
+constexpr double kDiagonal = 0.5 * std::numbers::sqrt2;
+constexpr std::array<std::array<double, 2>, kLumenDirections> kAcross{{{1.0, 0.0},
+                                                                       {kDiagonal, kDiagonal},
+                                                                       {0.0, 1.0},
+                                                                       {-kDiagonal, kDiagonal},
+                                                                       {-1.0, 0.0},
+                                                                       {-kDiagonal, -kDiagonal},
+                                                                       {0.0, -1.0},
+                                                                       {kDiagonal, -kDiagonal}}};
+
+/// The direction before (u, v), counter-clockwise.
+std::size_t wedgeOf(double u, double v)
+{
+    if (v >= 0.0) {
+        if (u >= 0.0)
+            return v < u ? 0 : 1;
+        return v > -u ? 2 : 3;
+    }
+    if (u < 0.0)
+        return -v < -u ? 4 : 5;
+    return -v > u ? 6 : 7;
+}
+
+/// Depth beyond a rounded polygon about the origin, along the line from there, and its gradient.
+struct PolygonDepth {
+    double depth = 0.0;
+    double byU = 0.0, byV = 0.0;
+    double byAlong = 0.0; ///< as all corners change by `slope`
+};
+/// 1 / reach is a quadratic spline of the direction: round between the corners, and a circle where
+/// these lie on one. Without kRounding a straight wall would be left behind by 8 percent of its
+/// distance; with it by half of that, and a circle is as much too small.
+PolygonDepth polygonDepth(double u, double v, const std::array<double, kLumenDirections>& reach,
+                          const std::array<double, kLumenDirections>& slope)
+{
+    constexpr double kRounding = 1.04;
+    const double r = std::sqrt(u * u + v * v);
+    if (!(r > 0.0))
+        return {-*std::ranges::min_element(reach), 0.0, 0.0, 0.0};
+    const std::size_t k = wedgeOf(u, v);
+    const auto& [uk, vk] = kAcross[k];
+    const auto& [un, vn] = kAcross[(k + 1) % kLumenDirections];
+    // The share of the way from direction k to the next.
+    const double a = u * vn - v * un;
+    const double b = uk * v - vk * u;
+    const double share = b / (a + b);
+    const double perBoth = 1.0 / ((a + b) * (a + b));
+    const double shareByU = (-vk * a - b * vn) * perBoth;
+    const double shareByV = (uk * a + b * un) * perBoth;
+    const std::size_t m = share < 0.5 ? k : (k + 1) % kLumenDirections;
+    const double f = share < 0.5 ? share : share - 1.0;
+    const std::array at{(m + kLumenDirections - 1) % kLumenDirections, m,
+                        (m + 1) % kLumenDirections};
+    const std::array weight{0.5 * (0.5 - f) * (0.5 - f), 0.75 - f * f, 0.5 * (0.5 + f) * (0.5 + f)};
+    const std::array change{f - 0.5, -2.0 * f, 0.5 + f};
+    double inverse = 0.0;
+    double byShare = 0.0;
+    double byAlong = 0.0;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        const double one = kRounding / reach[at[i]];
+        inverse += weight[i] * one;
+        byShare += change[i] * one;
+        byAlong -= weight[i] * one * slope[at[i]] / reach[at[i]];
+    }
+    const double radius = 1.0 / inverse;
+    const double steep = radius * radius;
+    return {r - radius, u / r + steep * byShare * shareByU, v / r + steep * byShare * shareByV,
+            steep * byAlong};
+}
+
+/// Of a section the axes, and the corners from the middle between them.
+MovedSection middled(const Vec3& p_A_about, const AcrossWay& across,
+                     const std::array<Vec3, kLumenDirections>& corners, double give)
+{
+    MovedSection section{.side = across.side, .back = across.back, .give = give};
+    const auto between = [&](const Vec3& axis, std::size_t k) {
+        return 0.5 * (corners[k] + corners[k + kHalf] - 2.0 * p_A_about).dot(axis);
+    };
+    section.p_A_centre =
+        p_A_about + between(across.side, 0) * across.side + between(across.back, 2) * across.back;
+    std::array<double, kLumenDirections> reach{};
+    for (std::size_t k = 0; k < kLumenDirections; ++k)
+        reach[k] = (corners[k] - section.p_A_centre).dot(across.direction(k));
+    section.spare = 0.5 * (reach[0] + reach[kHalf]);
+    for (std::size_t k = 0; k < kHalf; ++k)
+        section.spare = std::min(section.spare, 0.5 * (reach[k] + reach[k + kHalf]));
+    for (std::size_t k = 0; k < kLumenDirections; ++k)
+        section.reach[k] = std::max(reach[k], MovedSection::kLeastReach);
+    return section;
+}
+
+MovedSection between(const MovedSection& a, const MovedSection& b, double share)
+{
+    MovedSection section{.p_A_centre = a.p_A_centre + share * (b.p_A_centre - a.p_A_centre),
+                         .side = a.side + share * (b.side - a.side),
+                         .back = a.back + share * (b.back - a.back)};
+    for (std::size_t k = 0; k < kLumenDirections; ++k)
+        section.reach[k] = a.reach[k] + share * (b.reach[k] - a.reach[k]);
+    section.spare = a.spare + share * (b.spare - a.spare);
+    section.give = a.give + share * (b.give - a.give);
+    return section;
+}
+
+/// By how much the corners of a section move.
+std::array<Vec3, kLumenDirections> movesOf(const LumenSection& section, const TissueMotion& motion)
+{
+    std::array<Vec3, kLumenDirections> moves;
+    for (std::size_t k = 0; k < kLumenDirections; k += 2) {
+        const LumenLimit& limit = section.limits[k];
+        moves[k] = motion(limit.p_A_wall, limit.tissue) - limit.p_A_wall;
+    }
+    for (std::size_t k = 1; k < kLumenDirections; k += 2)
+        moves[k] = 0.5 * (moves[k - 1] + moves[(k + 1) % kLumenDirections]);
+    return moves;
+}
+
+MovedWay movedWay(const std::vector<LumenSection>& sections, const TissueMotion& motion)
+{
+    MovedWay way;
+    std::vector<std::array<Vec3, kLumenDirections>> corners(sections.size());
+    std::vector<Vec3> about(sections.size());
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+        const auto moves = movesOf(sections[i], motion);
+        about[i] =
+            sections[i].p_A_centre + 0.25 * (moves[0] + moves[2] + moves[kHalf] + moves[kHalf + 2]);
+        for (std::size_t k = 0; k < kLumenDirections; ++k) {
+            const LumenLimit& limit = sections[i].limits[k];
+            corners[i][k] = limit.p_A_wall + limit.fromWall + moves[k];
+        }
+    }
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+        const Vec3 along = about[std::min(i + 1, about.size() - 1)] - about[i > 0 ? i - 1 : 0];
+        way.sections.push_back(
+            middled(about[i], acrossWay(along), corners[i], sections[i].give.si));
+        way.along.push_back(
+            i > 0 ? way.along.back()
+                        + (way.sections[i].p_A_centre - way.sections[i - 1].p_A_centre).norm()
+                  : 0.0);
+    }
+    return way;
+}
+
+} // namespace
+
+TissueMotion tissueMotion(const AirwayField& changes, const FollowingThroat& throat,
+                          const BladeField& blade)
+{
+    return [&](const Vec3& p_A_made, AirwayTissue tissue) {
+        Vec3 p_A = p_A_made + airwayPull<double>(changes.frame(), tissue, p_A_made).d;
+        p_A = throat.neck.placed(p_A);
+        if (tissue != AirwayTissue::Teeth && tissue != AirwayTissue::Skin)
+            p_A += throatPull(throat,
+                              tissue == AirwayTissue::Pharynx ? ThroatTissue::Pharynx
+                                                              : ThroatTissue::Airway,
+                              p_A)
+                       .d;
+        if (blade.isThere())
+            p_A += bladePull<double>(blade.frame(), tissue, p_A).d;
+        return p_A;
+    };
+}
+
+MovedLumen moved(const AirwayLumen& lumen, const TissueMotion& motion)
+{
+    MovedLumen made;
+    made.tubeRadius = lumen.tubeRadius;
+    for (std::size_t w = 0; w < kAirwayWays; ++w) {
+        made.ways[w] = movedWay(lumen.ways[w], motion);
+        if (made.ways[w].isThere())
+            made.begins[w] = made.ways[w].along[lumen.begins[w]];
+    }
+    made.teeth = made.ways.front().along[lumen.teeth];
+    made.glottis = made.ways.front().along[lumen.glottis];
+    return made;
+}
+
+MovedLumen unmoved(const AirwayLumen& lumen)
+{
+    return moved(lumen, [](const Vec3& p_A, AirwayTissue /*tissue*/) { return p_A; });
+}
+
+std::size_t MovedWay::nearestSegment(const Vec3& p_A) const
+{
+    // Every fourth section, then step by step.
+    constexpr std::size_t kStride = 4;
+    std::size_t best = 0;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < sections.size(); i += kStride) {
+        const double squared = (sections[i].p_A_centre - p_A).squaredNorm();
+        if (squared < nearest) {
+            nearest = squared;
+            best = i;
+        }
+    }
+    std::size_t segment = std::min(best, sections.size() - 2);
+    static_cast<void>(alongAt(p_A, segment));
+    return segment;
+}
+
+double MovedWay::alongAt(const Vec3& p_A, std::size_t& segment) const
+{
+    constexpr int kMostSteps = 12;
+    double share = 0.0;
+    int last = 0;
+    for (int i = 0; i < kMostSteps; ++i) {
+        const Vec3 step = sections[segment + 1].p_A_centre - sections[segment].p_A_centre;
+        share = (p_A - sections[segment].p_A_centre).dot(step) / step.squaredNorm();
+        const int towards = share < 0.0 && segment > 0                     ? -1
+                            : share > 1.0 && segment + 2 < sections.size() ? 1
+                                                                           : 0;
+        // Where it is beyond both, at the outside of a bend, the place between them is the nearest.
+        if (towards == 0 || towards == -last)
+            break;
+        segment = towards > 0 ? segment + 1 : segment - 1;
+        last = towards;
+    }
+    const double length = along[segment + 1] - along[segment];
+    return along[segment] + std::clamp(share, 0.0, 1.0) * length;
+}
+
+double MovedWay::stopBehind(double from) const
+{
+    const auto over = [this](std::size_t i) { return sections[i].spare + sections[i].give; };
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+        if (along[i] < from || over(i) >= 0.0)
+            continue;
+        if (i == 0 || over(i - 1) <= 0.0)
+            return std::max(along[i > 0 ? i - 1 : 0], from);
+        const double share = over(i - 1) / (over(i - 1) - over(i));
+        return std::max(along[i - 1] + share * (along[i] - along[i - 1]), from);
+    }
+    return along.back();
+}
+
+WallTouch MovedSection::touch(const Vec3& p_A) const
+{
+    const Vec3 from = p_A - p_A_centre;
+    const PolygonDepth across = polygonDepth(from.dot(side), from.dot(back), reach, {});
+    return {across.depth, across.byU * side + across.byV * back};
+}
+
+MovedSection MovedLumen::sectionAt(AirwayWay which, double along) const
+{
+    const MovedWay& it = way(which);
+    const auto after = std::ranges::upper_bound(it.along, along);
+    const auto s = std::size_t(std::clamp<std::ptrdiff_t>(after - it.along.begin(), 1,
+                                                          std::ptrdiff_t(it.along.size()) - 1))
+                   - 1;
+    return between(it.sections[s], it.sections[s + 1],
+                   std::clamp((along - it.along[s]) / (it.along[s + 1] - it.along[s]), 0.0, 1.0));
+}
+
+WallTouch MovedLumen::touchIn(AirwayWay which, double stop, const Vec3& p_A,
+                              std::size_t& segment) const
+{
+    const MovedWay& it = way(which);
+    const double place = std::min(it.alongAt(p_A, segment), stop);
+    std::size_t s = segment;
+    while (s > 0 && it.along[s] > place)
+        --s;
+    const MovedSection& a = it.sections[s];
+    const MovedSection& b = it.sections[s + 1];
+    const double length = it.along[s + 1] - it.along[s];
+    const MovedSection there = between(a, b, (place - it.along[s]) / length);
+    const Vec3 t = (b.p_A_centre - a.p_A_centre) / length;
+    const Vec3 from = p_A - there.p_A_centre;
+    const double beyond = from.dot(t);
+    if (which == AirwayWay::Trunk && place <= 0.0 && beyond < 0.0)
+        return {};
+    std::array<double, kLumenDirections> slope;
+    for (std::size_t k = 0; k < kLumenDirections; ++k)
+        slope[k] = (b.reach[k] - a.reach[k]) / length;
+    const PolygonDepth across =
+        polygonDepth(from.dot(there.side), from.dot(there.back), there.reach, slope);
+    const Vec3 out = across.byU * there.side + across.byV * there.back + across.byAlong * t;
+    const bool isAtEnd = place >= std::min(stop, it.along.back()) && beyond > 0.0;
+    if (!isAtEnd)
+        return {across.depth, out};
+    const double beside = std::max(across.depth, 0.0);
+    const double depth = std::hypot(beside, beyond);
+    return {depth, (beside * out + beyond * t) / depth};
+}
+
+} // namespace carina

@@ -1,0 +1,82 @@
+#pragma once
+
+#include "engine/airway/lumen/airway_lumen.h"
+#include "engine/airway/tube/elastic_rod.h"
+#include "engine/geometry/deformation/airway_field.h"
+#include "engine/geometry/deformation/blade_field.h"
+#include "engine/geometry/deformation/throat_field.h"
+
+#include <functional>
+#include <optional>
+
+namespace carina
+{
+
+/// Where tissue goes that lies at a place of the surfaces, in A.
+using TissueMotion = std::function<Vec3(const Vec3& p_A, AirwayTissue tissue)>;
+
+/// As it is drawn: changed by events and breath, then taken by the neck, then by the jaw, and
+/// pushed by a blade. The arguments must outlive the motion.
+[[nodiscard]] TissueMotion tissueMotion(const AirwayField& changes, const FollowingThroat& throat,
+                                        const BladeField& blade);
+
+/// A section of a moved lumen, for the centre line of a tube.
+struct MovedSection {
+    Vec3 p_A_centre = Vec3::Zero();
+    Vec3 side = Vec3::UnitX(); ///< unit, as AcrossWay
+    Vec3 back = Vec3::UnitY();
+    /// From the centre to the corners, at least kLeastReach, metres.
+    std::array<double, kLumenDirections> reach{};
+    /// Half the least width, metres; below 0 by so much the tube is too thick.
+    double spare = 0.0;
+    double give = 0.0; ///< metres
+
+    static constexpr double kLeastReach = 1e-5;
+
+    /// Depth beyond the wall as if the way went straight on with this section.
+    [[nodiscard]] WallTouch touch(const Vec3& p_A) const;
+};
+
+/// A way of a moved lumen. No sections: the patient has none such.
+struct MovedWay {
+    std::vector<MovedSection> sections;
+    std::vector<double> along; ///< to each, from the first, along the centres; metres
+
+    [[nodiscard]] bool isThere() const { return sections.size() >= 2; }
+    /// From the first section to the nearest place of the centre line.
+    /// @param segment with which the search begins; it becomes the one that was found
+    [[nodiscard]] double alongAt(const Vec3& p_A, std::size_t& segment) const;
+    /// The segment of the centre line that is nearest to a place.
+    [[nodiscard]] std::size_t nearestSegment(const Vec3& p_A) const;
+    /// Where a tube that comes from `from` is stopped: the first place that is narrower than tube
+    /// and tissue allow; the end where there is none.
+    [[nodiscard]] double stopBehind(double from) const;
+};
+
+/// A lumen where the tissue around it is at a moment. A, metres.
+struct MovedLumen {
+    std::array<MovedWay, kAirwayWays> ways;
+    Length tubeRadius{};
+    double teeth = 0.0; ///< along the trunk
+    double glottis = 0.0;
+    std::array<double, kAirwayWays> begins{}; ///< along each way but the trunk
+
+    [[nodiscard]] const MovedWay& way(AirwayWay which) const { return ways[std::size_t(which)]; }
+
+    /// Depth of a place of the tube beyond the wall of one way that ends at `stop`: across the way,
+    /// along the line from the nearest place of its centre; and before the end, if that is more. In
+    /// front of the trunk space is free.
+    /// @param segment with which the search begins; it becomes the one that was found
+    [[nodiscard]] WallTouch touchIn(AirwayWay which, double stop, const Vec3& p_A,
+                                    std::size_t& segment) const;
+    /// The section at a length along a way.
+    [[nodiscard]] MovedSection sectionAt(AirwayWay which, double along) const;
+};
+
+/// Moves a lumen with the tissue around it. Four of eight corners are moved with what they touch,
+/// the others by the mean of their neighbours; centres go to the middle between them.
+[[nodiscard]] MovedLumen moved(const AirwayLumen& lumen, const TissueMotion& motion);
+/// As the surfaces have it.
+[[nodiscard]] MovedLumen unmoved(const AirwayLumen& lumen);
+
+} // namespace carina

@@ -1,0 +1,80 @@
+#include "engine/airway/tube/tube_size.h"
+
+#include "engine/anatomy/shapes/tube.h"
+#include "engine/core/expects.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace carina
+{
+namespace
+{
+
+constexpr Length kShortest = millimetres(140.0); ///< of the thinnest
+constexpr Length kLongest = millimetres(320.0);  ///< from an inner diameter of 8 mm on
+constexpr Length kInnerOfLongest = millimetres(8.0);
+
+double coreStiffness(TubeCore core)
+{
+    constexpr Length kUsual = millimetres(7.0);
+    const double usual = bendingStiffness(kColdPvc_Pa, 0.5 * outerDiameterOf(kUsual), 0.5 * kUsual);
+    switch (core) {
+    case TubeCore::Bougie:
+        return kBougieToTube * usual;
+    case TubeCore::Stylet:
+        return kStyletToTube * usual;
+    case TubeCore::Nothing:
+        break;
+    }
+    return 0.0;
+}
+
+} // namespace
+
+std::vector<Length> tubeSizes()
+{
+    std::vector<Length> sizes;
+    const int steps = int(std::lround((kThickestTube - kThinnestTube) / kTubeSizeStep));
+    for (int i = 0; i <= steps; ++i)
+        sizes.push_back(kThinnestTube + double(i) * kTubeSizeStep);
+    return sizes;
+}
+
+double bendingStiffness(double modulus_Pa, Length outerRadius, Length innerRadius)
+{
+    return modulus_Pa * 0.25 * std::numbers::pi
+           * (std::pow(outerRadius.si, 4) - std::pow(innerRadius.si, 4));
+}
+
+Result<TubeSize> tubeOfSize(Length inner, TubeCore core, bool isWarm)
+{
+    constexpr Length kRounding = millimetres(1e-6);
+    if (!(inner >= kThinnestTube - kRounding && inner <= kThickestTube + kRounding))
+        return fail(Errc::OutOfRange, "a tube of " + std::to_string(inMillimetres(inner)) + " mm");
+    TubeSize size{.inner = inner, .outer = outerDiameterOf(inner), .length = {}, .core = core};
+    const double share = std::min((inner - kThinnestTube) / (kInnerOfLongest - kThinnestTube), 1.0);
+    size.length = kShortest + share * (kLongest - kShortest);
+    size.stiffness =
+        bendingStiffness(isWarm ? kWarmPvc_Pa : kColdPvc_Pa, size.outerRadius(), 0.5 * inner)
+        + coreStiffness(core);
+    return size;
+}
+
+std::vector<Vec3> restCurve(const TubeSize& size, int pieces)
+{
+    CARINA_EXPECTS(pieces > 0);
+    std::vector<Vec3> curve;
+    for (int i = 0; i <= pieces; ++i) {
+        const double along = size.length.si * i / pieces;
+        const double straight = std::min(along, kStraightOfTube.si);
+        const double angle = (along - straight) / size.restRadius.si;
+        curve.emplace_back(0.0, -size.restRadius.si * (1.0 - std::cos(angle)),
+                           -straight - size.restRadius.si * std::sin(angle));
+    }
+    return curve;
+}
+
+} // namespace carina

@@ -15,6 +15,7 @@
 
 #include <QActionGroup>
 #include <QApplication>
+#include <QPointer>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QTimer>
@@ -66,7 +67,7 @@ TraineeWindow::TraineeWindow(const SessionNode& node, SessionPatient& patient,
     makeActions(actions);
     makeParts();
     makeTracker(tracker);
-    makeLaryngoscope();
+    makeLaryngoscope(tries);
     makeDebriefing(tries);
     for (QLabel* notice : m_notices) {
         notice->setAttribute(Qt::WA_NativeWindow); // else the scene's own window would cover it
@@ -133,10 +134,11 @@ void TraineeWindow::makeTracker(const ProgramTracker& tracker)
     tabifyDockWidget(m_parts, m_tracker);
 }
 
-void TraineeWindow::makeLaryngoscope()
+void TraineeWindow::makeLaryngoscope(TryWatch& tries)
 {
     auto* panel = new LaryngoscopePanel;
     panel->setStation(m_stationScene);
+    tries.setEffort([shown = QPointer{panel}] { return shown ? shown->effort() : std::nullopt; });
     addPanel(m_laryngoscope, panel, tr("&View of the laryngoscope"));
     tabifyDockWidget(m_tracker, m_laryngoscope);
 }

@@ -138,7 +138,9 @@ void TraineeWindow::makeLaryngoscope(TryWatch& tries)
 {
     auto* panel = new LaryngoscopePanel;
     panel->setStation(m_stationScene);
-    tries.setEffort([shown = QPointer{panel}] { return shown ? shown->effort() : std::nullopt; });
+    tries.setEffort([shown = QPointer<LaryngoscopePanel>{panel}] {
+        return shown ? shown->effort() : std::nullopt;
+    });
     addPanel(m_laryngoscope, panel, tr("&View of the laryngoscope"));
     tabifyDockWidget(m_tracker, m_laryngoscope);
 }

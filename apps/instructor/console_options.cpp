@@ -6,6 +6,7 @@
 #include "apps/program/patient_option.h"
 #include "apps/program/site_option.h"
 #include "apps/program/tracker_option.h"
+#include "apps/program/try_option.h"
 #include "engine/anatomy/patient/patient_name.h"
 #include "engine/sync/strategies/strategy.h"
 
@@ -169,6 +170,7 @@ void addConsoleOptions(QCommandLineParser& parser)
                             "everybody at the station that is shown. All but the simulated one "
                             "need --site. Without it this program has no tracker, until it is "
                             "given one."));
+    program::addTryOptions(parser);
     program::addOpenIgtLinkOption(parser);
     program::addPatientOptions(parser);
     program::addMeasureOptions(parser);

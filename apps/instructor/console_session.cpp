@@ -3,6 +3,7 @@
 #include "apps/program/entry_option.h"
 #include "apps/program/openigtlink_option.h"
 #include "apps/program/site_blade.h"
+#include "apps/program/try_option.h"
 #include "engine/session/station_rules.h"
 #include "models/session/session_summary.h"
 #include "ui/start/leave_question.h"
@@ -160,6 +161,8 @@ Result<void> ConsoleSession::follow(const QCommandLineParser& parser)
     if (!journal)
         return tl::unexpected(journal.error());
     m_journal = *std::move(journal);
+    if (const auto judged = program::readTryOptions(parser, m_tries); !judged)
+        return judged;
     if (const auto given = program::openIgtLinkOption(parser, m_window, m_offer); !given)
         return given;
     const QString record = std::exchange(m_tracker.record, {});

@@ -29,8 +29,8 @@ public:
     /// @param isAskedFor whether the patient is to be laid also where another one lies
     /// @param tracker the one of the session at its end is that of the next one
     /// @pre tracker and parser outlive the session.
-    /// @returns the errors of journalFromOptions, openIgtLinkOption, PoseRecording::begin and
-    ///          writing the codes.
+    /// @returns the errors of journalFromOptions, readTryOptions, openIgtLinkOption,
+    ///          PoseRecording::begin and writing the codes.
     [[nodiscard]] static Result<std::unique_ptr<ConsoleSession>>
     open(HostedSession hosted, const program::ChosenPatient& patient, bool isAskedFor,
          const ConsoleOptions& options, ConsoleTracker& tracker, const QCommandLineParser& parser);

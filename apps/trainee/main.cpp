@@ -11,6 +11,7 @@
 #include "apps/program/tracker_change.h"
 #include "apps/program/tracker_option.h"
 #include "apps/program/tracker_question.h"
+#include "apps/program/try_option.h"
 #include "apps/trainee/trainee_station.h"
 #include "engine/io/anatomy_set/anatomy_cache.h"
 #include "models/patient/shared_patient.h"
@@ -76,6 +77,7 @@ void addOptions(QCommandLineParser& parser)
         QApplication::translate("Trainee", "All but the simulated one need --site. Without "
                                            "it the devices are used that the site names; where it "
                                            "names none, this program shows the session only."));
+    program::addTryOptions(parser);
     program::addOpenIgtLinkOption(parser);
     program::addMeasureOptions(parser);
     program::addScriptOption(parser);
@@ -275,6 +277,8 @@ Result<Left> takePart(const QCommandLineParser& parser, Outfit& outfit, program:
     ObjectActionModel actions{object};
     PeopleModel people{session, place.id()};
     TryWatch tries{session, place.id(), tools.posesOnScreen()};
+    if (const auto judged = program::readTryOptions(parser, tries); !judged)
+        return tl::unexpected(judged.error());
     SessionPatient sessionPatient{station.node(), place.id(), outfit.patient,
                                   AnatomyCache::defaultFolder()};
     OfferSwitch offer{[&station] { return OfferGiver::Shown{station.view(), station.patient()}; }};

@@ -52,6 +52,7 @@ void TryWatch::setStation(StationId station)
     m_patient = {};
     m_report.reset();
     m_lastNote.reset();
+    m_maskVentilated.reset();
     m_hasLooked = false;
     Q_EMIT changed();
 }
@@ -77,10 +78,11 @@ void TryWatch::watch()
         return;
     takeNotes(*station);
     if (!isUnderWay())
-        return;
+        return lookAtMask(*station, *now);
     if (*now - m_vitalsAt >= kVitalsEvery)
         takeVitals(*station, *now);
     takeCuff(*station, *now);
+    takeForces(*now);
     takePoses(*state, *now);
     if (const auto at = m_course.endedBy(*now))
         end(*station, *at);
@@ -118,8 +120,27 @@ void TryWatch::take(const IntubationEvent& event)
     }
     m_hasBreathed = m_hasBreathed || event.step == IntubationStep::FirstBreath;
     m_latest = event;
-    if (!wasUnderWay)
-        Q_EMIT changed();
+    if (wasUnderWay)
+        return;
+    if (m_maskVentilated && event.at - *m_maskVentilated <= kMaskBefore)
+        m_course.check(TryCheck::MaskVentilated, true);
+    Q_EMIT changed();
+}
+
+void TryWatch::lookAtMask(const Station& station, SessionTime now)
+{
+    const RespiratorySettings settings = station.respiration.settingsAt(now);
+    const bool isBlown =
+        settings.bag.rate.si > 0.0 || settings.ventilator.mode != VentilationMode::Spontaneous;
+    if (isBlown && station.respiration.gasAt(now).maskHeld && station.respiration.runsAt(now)
+        && station.respiration.tubePlaceAt(now).seat == TubeSeat::None)
+        m_maskVentilated = now;
+}
+
+void TryWatch::takeForces(SessionTime now)
+{
+    if (const std::optional<BladeEffort> effort = m_effort())
+        m_course.addForces(now, effort->teeth, effort->contact.tongue);
 }
 
 void TryWatch::begin(SessionTime now)

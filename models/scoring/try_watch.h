@@ -1,11 +1,13 @@
 #pragma once
 
+#include "engine/anatomy/laryngoscopy/blade_levering.h"
 #include "engine/scoring/course/try_course.h"
 #include "engine/session/respiration/respiration_follower.h"
 #include "models/scoring/try_report.h"
 #include "models/session/session_model.h"
 #include "models/station/people_poses.h"
 
+#include <functional>
 #include <optional>
 
 namespace carina
@@ -17,8 +19,10 @@ namespace carina
 /// laryngoscope and the head of who is at work are sampled every kPoseEvery of session time,
 /// kPoseDelay late, so that they are measured ones and not predicted. Nobody notes the first breath
 /// through a tube: it is the first one by bag or ventilator that began after the tube came where it
-/// lies. Forces and what only a person can tell are not measured here. Up is to the front of the
-/// patient, who lies supine.
+/// lies. Mask ventilation counts where a bag or ventilator blew through a mask within kMaskBefore
+/// before the try; whether the manikin was ventilated, nobody measures. Forces are the estimates of
+/// whoever draws the blade in the patient, while somebody does. Up is to the front of the patient,
+/// who lies supine.
 class TryWatch : public QObject
 {
     Q_OBJECT
@@ -26,6 +30,7 @@ class TryWatch : public QObject
 public:
     static constexpr Duration kPoseEvery = std::chrono::milliseconds{16};
     static constexpr Duration kPoseDelay = std::chrono::milliseconds{250};
+    static constexpr Duration kMaskBefore = std::chrono::minutes{3}; ///< of ours
     static constexpr Duration kVitalsEvery = std::chrono::milliseconds{200};
     /// After a longer gap the missing poses are skipped.
     static constexpr Duration kLongestGap = std::chrono::seconds{2};
@@ -37,8 +42,9 @@ public:
 
     /// Watches another station from now on; the report of the one before is gone.
     void setStation(StationId station);
-    /// Has poses of this program's objects from elsewhere, as from another tracker.
-    void setOwn(ObjectPoses own) { m_own = std::move(own); }
+    /// Where the effort of a blade in the patient's mouth is estimated; nothing while none is.
+    using EffortSource = std::function<std::optional<BladeEffort>()>;
+    void setEffort(EffortSource effort) { m_effort = std::move(effort); }
     /// The rule for the depth; nothing: the usual one for the patient.
     void setRule(std::optional<DepthRule> rule) { m_rule = rule; }
     void setRubric(Rubric rubric) { m_rubric = std::move(rubric); }
@@ -66,6 +72,8 @@ private:
     void takeVitals(const Station& station, SessionTime now);
     void takeBreath(const PatientRun& run, SessionTime now);
     void takeCuff(const Station& station, SessionTime now);
+    void takeForces(SessionTime now);
+    void lookAtMask(const Station& station, SessionTime now);
     void takePoses(const SessionState& state, SessionTime now);
     void begin(SessionTime now);
     void end(const Station& station, SessionTime at);
@@ -74,6 +82,7 @@ private:
     SessionModel& m_session;
     StationId m_station;
     ObjectPoses m_own;
+    EffortSource m_effort = [] { return std::nullopt; };
     std::optional<DepthRule> m_rule;
     Rubric m_rubric = publishedRubric();
     std::optional<TryReport> m_report;
@@ -86,6 +95,7 @@ private:
     SessionTime m_seatedAt{};            ///< when the tube came there
     bool m_hasBreathed = false;          ///< through the tube as it lies
     bool m_isCuffInflated = false;
+    std::optional<SessionTime> m_maskVentilated; ///< seen last
     SessionTime m_begun{};
     SessionTime m_vitalsAt{};
     std::optional<SessionTime> m_posesAt;

@@ -15,6 +15,7 @@
 
 #include <QCloseEvent>
 #include <QDockWidget>
+#include <QPointer>
 #include <QShowEvent>
 #include <QTimer>
 #include <QToolButton>
@@ -103,6 +104,9 @@ void InstructorWindow::fillPanels(const ProgramTracker& tracker)
     m_ui->waveforms->setTrace(m_models.trace);
     m_ui->laryngoscope->setStation(stationScene());
     m_ui->tries->setModel(m_models.tries);
+    m_models.tries.setEffort([scope = QPointer<LaryngoscopePanel>{m_ui->laryngoscope}] {
+        return scope ? scope->effort() : std::nullopt;
+    });
     m_ui->participants->setModel(m_models.participants, m_models.conduct, m_models.stations,
                                  m_models.people);
     m_ui->participants->setOwnHead([this] { return stationScene().moment().head; });

@@ -15,6 +15,7 @@
 
 #include <QActionGroup>
 #include <QApplication>
+#include <QPointer>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QTimer>
@@ -66,7 +67,7 @@ TraineeWindow::TraineeWindow(const SessionNode& node, SessionPatient& patient,
     makeActions(actions);
     makeParts();
     makeTracker(tracker);
-    makeLaryngoscope();
+    makeLaryngoscope(tries);
     makeDebriefing(tries);
     for (QLabel* notice : m_notices) {
         notice->setAttribute(Qt::WA_NativeWindow); // else the scene's own window would cover it
@@ -133,10 +134,13 @@ void TraineeWindow::makeTracker(const ProgramTracker& tracker)
     tabifyDockWidget(m_parts, m_tracker);
 }
 
-void TraineeWindow::makeLaryngoscope()
+void TraineeWindow::makeLaryngoscope(TryWatch& tries)
 {
     m_scope = new LaryngoscopePanel;
     m_scope->setStation(m_stationScene);
+    tries.setEffort([shown = QPointer<LaryngoscopePanel>{m_scope}] {
+        return shown ? shown->effort() : std::nullopt;
+    });
     addPanel(m_laryngoscope, m_scope, tr("&View of the laryngoscope"));
     tabifyDockWidget(m_tracker, m_laryngoscope);
 }

@@ -78,7 +78,7 @@ private:
     void makeActions(ObjectActionModel& actions);
     void makeParts();
     void makeTracker(const ProgramTracker& tracker);
-    void makeLaryngoscope();
+    void makeLaryngoscope(TryWatch& tries);
     void makeDebriefing(TryWatch& tries);
     void addPanel(QDockWidget* dock, QWidget* panel, const QString& menuText);
     void makeMenu();

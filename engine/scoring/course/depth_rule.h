@@ -22,6 +22,11 @@ inline constexpr std::array kDepthRules{DepthRule::TenthOfHeight, DepthRule::Eig
                                         DepthRule::ThreeDiameters, DepthRule::HalfOfAge,
                                         DepthRule::WomanTwentyOneManTwentyThree};
 
+/// How options and files call them, in the order of the enumeration.
+inline constexpr std::array kDepthRuleWords{"tenth-of-height", "eighth-of-height",
+                                            "three-diameters", "half-of-age", "21-23"};
+static_assert(kDepthRuleWords.size() == kDepthRules.size());
+
 /// What the rules are about.
 struct TubedPatient {
     Length height{};

@@ -25,6 +25,8 @@ private Q_SLOTS:
     void takesTheCuffFromItsControl();
     void judgesTheDepthByTheRuleOfThePatient();
     void watchesTheOxygen();
+    void countsMaskVentilationBefore();
+    void takesTheForcesThatAreEstimated();
     void tellsATubeInTheOesophagusWhenAsked();
     void reportsATryThatWasGivenUp();
     void forgetsTheReportWhenAnotherTryBegins();
@@ -100,6 +102,43 @@ void TestTryWatch::watchesTheOxygen()
     session.tries.finish();
     const OxygenFigures oxygen = session.tries.report()->metrics.oxygen.value();
     QVERIFY(oxygen.lowest > 0.0 && oxygen.lowest <= oxygen.first);
+}
+
+void TestTryWatch::countsMaskVentilationBefore()
+{
+    const auto checkAfter = [](bool isMaskHeld, std::chrono::milliseconds pause) {
+        TriedSession session;
+        session.node.decide(fact::GasSupplySet{{1.0, isMaskHeld, true}});
+        session.squeezeBag();
+        session.run(std::chrono::seconds{5});
+        session.node.decide(fact::BagSqueezed{});
+        session.run(pause);
+        session.intubate();
+        session.tries.finish();
+        return session.tries.report()->metrics.check(TryCheck::MaskVentilated);
+    };
+    QCOMPARE(checkAfter(true, std::chrono::seconds{20}), std::optional{true});
+    QVERIFY(!checkAfter(false, std::chrono::seconds{20})); // what was done is not known
+    QVERIFY(!checkAfter(true, std::chrono::minutes{4}));
+}
+
+void TestTryWatch::takesTheForcesThatAreEstimated()
+{
+    TriedSession session;
+    session.note(IntubationStep::BladeIn);
+    BladeEffort effort;
+    effort.teeth = newtons(25.0);
+    effort.contact.tongue = newtons(35.0);
+    session.tries.setEffort([effort] { return std::optional{effort}; });
+    session.run(std::chrono::seconds{2});
+    session.tries.setEffort([] { return std::nullopt; });
+    session.note(IntubationStep::BladeOut);
+    session.tries.finish();
+    const TryMetrics& metrics = session.tries.report()->metrics;
+    QCOMPARE(inNewtons(metrics.incisors->peak), 25.0);
+    QCOMPARE(inNewtons(metrics.tongue->peak), 35.0);
+    const double above = toSeconds(metrics.incisors->aboveWarning);
+    QVERIFY(above > 1.5 && above < 2.6); // two seconds, and the gap that is held
 }
 
 void TestTryWatch::tellsATubeInTheOesophagusWhenAsked()

@@ -67,6 +67,14 @@ QString LaryngoscopePanel::text() const
                    : laryngoscopeText(LaryngoscopeState::None);
 }
 
+std::optional<BladeEffort> LaryngoscopePanel::effort() const
+{
+    const bool isShown = m_scope && isVisible() && isInsideWindow(*this);
+    if (!isShown || m_scope->sight().state != LaryngoscopeState::Live)
+        return std::nullopt;
+    return m_scope->sight().effort;
+}
+
 void LaryngoscopePanel::refresh()
 {
     if (m_station && !m_picture && isVisible() && isInsideWindow(*this))

@@ -36,6 +36,9 @@ public:
     /// As it is written beneath the picture.
     [[nodiscard]] QString text() const;
 
+    /// What the blade does in the patient's mouth, while its picture is shown here; an estimate.
+    [[nodiscard]] std::optional<BladeEffort> effort() const;
+
     [[nodiscard]] bool hasHeightForWidth() const override { return true; }
     [[nodiscard]] int heightForWidth(int width) const override;
     [[nodiscard]] QSize sizeHint() const override;

@@ -92,7 +92,7 @@ void TryPanel::setModel(TryWatch& tries)
 }
 
 /// A part without a text takes no room.
-void TryPanel::show(const Part& part, const QString& text)
+void TryPanel::tell(const Part& part, const QString& text)
 {
     part.text->setText(text);
     part.heading->setVisible(!text.isEmpty());
@@ -108,7 +108,7 @@ void TryPanel::refresh()
     if (m_tries && m_tries->report())
         return showReport(*m_tries->report());
     for (const Part& part : {m_figures, m_advice, m_points, m_literature, m_missing})
-        show(part, {});
+        tell(part, {});
 }
 
 void TryPanel::refreshState()
@@ -126,11 +126,11 @@ void TryPanel::refreshState()
 
 void TryPanel::showReport(const TryReport& report)
 {
-    show(m_figures, linesText(tryLines(report)));
-    show(m_advice, adviceLines(report.advice));
-    show(m_points, pointsLines(report));
-    show(m_literature, linesText(literatureLines(report.metrics)));
-    show(m_missing, notMeasuredText(report.metrics));
+    tell(m_figures, linesText(tryLines(report)));
+    tell(m_advice, adviceLines(report.advice));
+    tell(m_points, pointsLines(report));
+    tell(m_literature, linesText(literatureLines(report.metrics)));
+    tell(m_missing, notMeasuredText(report.metrics));
 }
 
 } // namespace carina

@@ -30,12 +30,12 @@ public:
 
 private:
     struct Part {
-        QLabel* heading;
-        QLabel* text;
+        QLabel* heading = nullptr;
+        QLabel* text = nullptr;
     };
 
     [[nodiscard]] Part addPart(const char* name, const QString& heading);
-    static void show(const Part& part, const QString& text);
+    static void tell(const Part& part, const QString& text);
     void refresh();
     void refreshState();
     void showReport(const TryReport& report);

@@ -6,6 +6,8 @@
 #include "apps/program/tracker_change.h"
 #include "models/openigtlink/offer_switch.h"
 #include "models/respiration/checkpoint_keeper.h"
+#include "models/vitals/sound_output.h"
+#include "models/vitals/station_vitals.h"
 #include "ui/instructor/instructor_window.h"
 
 #include <functional>
@@ -54,6 +56,7 @@ private:
     ConsoleSession(HostedSession hosted, const program::ChosenPatient& patient,
                    const QString& folder, ConsoleTracker& tracker);
     void offerTracker();
+    void offerStethoscope();
     [[nodiscard]] Result<void> keepCodes(const QString& file);
     void show(const QSize& size);
     [[nodiscard]] Result<void> follow(const QCommandLineParser& parser);
@@ -84,6 +87,8 @@ private:
     HeadPositionModel m_head;
     BreathTrace m_trace;
     AttentionModel m_attention;
+    StationVitals m_vitals;
+    SoundOutput m_sound;
     CheckpointKeeper m_checkpoints;
     ShownStation m_shown;
     OfferSwitch m_offer;

@@ -15,6 +15,9 @@
 #include "engine/io/anatomy_set/anatomy_cache.h"
 #include "models/patient/shared_patient.h"
 #include "models/station/own_station.h"
+#include "models/vitals/sound_output.h"
+#include "models/vitals/station_vitals.h"
+#include "models/vitals/stethoscope.h"
 #include "ui/tracker/recording_end.h"
 #include "ui/trainee/trainee_window.h"
 #include "widgets/scene/view/scene_view.h"
@@ -275,6 +278,9 @@ Result<Left> takePart(const QCommandLineParser& parser, Outfit& outfit, program:
     PeopleModel people{session, place.id()};
     SessionPatient sessionPatient{station.node(), place.id(), outfit.patient,
                                   AnatomyCache::defaultFolder()};
+    StationVitals vitals{session, place.id(), KeptSounds{program::dataFolder(parser)}};
+    const SoundOutput sound{
+        [&vitals](std::span<float> samples) { vitals.model().sounds().render(samples); }};
     OfferSwitch offer{[&station] { return OfferGiver::Shown{station.view(), station.patient()}; }};
     TraineeWindow window{station.node(),
                          sessionPatient,
@@ -288,6 +294,11 @@ Result<Left> takePart(const QCommandLineParser& parser, Outfit& outfit, program:
                          program::programTracker(tools, recording, offer,
                                                  entered.role == Role::Trainee,
                                                  program::dataFolder(parser))};
+    window.setMonitor(vitals.model(), sound);
+    vitals.setStethoscope([&window, hears = std::make_shared<Stethoscope>()] {
+        const StationScene& scene = window.stationScene();
+        return hears->heard(scene.patient(), scene.moment());
+    });
     const auto show = [&] {
         window.show(station.patient(), station.view(), tools.chinProbe());
         window.stationScene().showBlade(program::bladeOf(tools));
@@ -322,6 +333,7 @@ Result<Left> takePart(const QCommandLineParser& parser, Outfit& outfit, program:
         station.setStation(now);
         object.setStation(now);
         people.setStation(now);
+        vitals.setStation(now);
         sessionPatient.setStation(now);
         if (*journal)
             (*journal)->setStation(now);

@@ -97,6 +97,7 @@ void InstructorWindow::fillPanels(const ProgramTracker& tracker)
             [this](const QByteArray& name) { m_kept.keepAirwayGroup(name); });
     m_ui->waveforms->setTrace(m_models.trace);
     m_ui->laryngoscope->setStation(stationScene());
+    m_ui->monitor->setModel(m_models.vitals, m_models.sound);
     m_ui->participants->setModel(m_models.participants, m_models.conduct, m_models.stations,
                                  m_models.people);
     m_ui->participants->setOwnHead([this] { return stationScene().moment().head; });
@@ -176,7 +177,7 @@ void InstructorWindow::layPanels()
         *this,
         QList<Group>{Group{m_ui->breathingDock, m_ui->conditionDock, m_ui->gasDock,
                            m_ui->airwayDock, m_ui->actionsDock, m_ui->partsDock, m_ui->trackerDock},
-                     Group{m_ui->waveformDock, m_ui->laryngoscopeDock},
+                     Group{m_ui->waveformDock, m_ui->laryngoscopeDock, m_ui->monitorDock},
                      Group{m_ui->participantsDock, m_ui->invitationDock, m_ui->networkDock}});
     offerPanels();
     m_docks->offerAll();
@@ -211,6 +212,9 @@ void InstructorWindow::offerPanels()
     offer(
         m_ui->laryngoscopeDock, "showLaryngoscope", tr("&Laryngoscope"), QStringLiteral("Ctrl+L"),
         tr("What the camera of the laryngoscope shows, with grade and percentage of the glottis"));
+    offer(m_ui->monitorDock, "showMonitor", tr("Bedside m&onitor"), QStringLiteral("Ctrl+H"),
+          tr("Heart, oxygen, CO2 and blood pressure of the patient, alarms, and the volume of "
+             "their sounds"));
     offer(m_ui->participantsDock, "showParticipants", tr("&Participants"), QStringLiteral("Ctrl+U"),
           tr("Who takes part, and what is decided about them"));
     offer(m_ui->invitationDock, "showInvitation", tr("&Invite"), QStringLiteral("Ctrl+I"),

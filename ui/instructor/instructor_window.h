@@ -19,6 +19,8 @@
 #include "models/session/session_model.h"
 #include "models/session/session_plan.h"
 #include "models/station/stations_model.h"
+#include "models/vitals/sound_output.h"
+#include "models/vitals/vitals_model.h"
 #include "ui/lesson/scene_teacher.h"
 #include "ui/scene/part_chooser.h"
 #include "ui/scene/station_scene.h"
@@ -61,6 +63,8 @@ struct ConsoleModels {
     LessonModel& lesson;
     SessionPatient& patient;
     AttentionModel& attention;
+    VitalsModel& vitals;
+    const SoundOutput& sound;
 };
 
 /// The instructor's console: session control, what needs attention, and a 3-D view of the patient

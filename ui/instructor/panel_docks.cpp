@@ -17,7 +17,7 @@ namespace carina
 namespace
 {
 
-constexpr int kStateVersion = 5;  ///< changes with the panels that there are
+constexpr int kStateVersion = 6;  ///< changes with the panels that there are
 constexpr int kDragLook_ms = 100; ///< how often the end of a drag is looked for
 constexpr int kBarFrame = 16; ///< pixels around the words of a title or a tab, with some to spare
 

@@ -22,15 +22,18 @@ class QPushButton;
 namespace carina
 {
 
+class BedsideMonitorPanel;
 class PartsPanel;
 class SectionPanel;
+class SoundOutput;
+class VitalsModel;
 
 /// The trainee's window: only the anatomy on black, on a screen or in a headset. Notices appear
 /// over the lower edge, once per eye if each has its own picture, and disappear automatically; the
 /// picture does not move. Esc opens a menu, from which panels for the actions on shared objects,
-/// the parts of the patient, the tools of the tracker and the view of the laryngoscope open: beside
-/// the picture on a screen, in a separate window with a headset. While no headset is tracked, mouse
-/// and keys turn the head that its picture is seen from.
+/// the parts of the patient, the tools of the tracker, the view of the laryngoscope and the bedside
+/// monitor open: beside the picture on a screen, in a separate window with a headset. While no
+/// headset is tracked, mouse and keys turn the head that its picture is seen from.
 class TraineeWindow : public QMainWindow
 {
     Q_OBJECT
@@ -51,6 +54,9 @@ public:
     /// @pre all outlive the window, or live until the next show().
     void show(const PatientModel& patient, const StationView& view, ChinProbeModel chinProbe);
     using QMainWindow::show;
+
+    /// The patient's bedside monitor, in a panel of its own. @pre both outlive the window
+    void setMonitor(VitalsModel& vitals, const SoundOutput& sound);
 
     [[nodiscard]] StationScene& stationScene() { return m_stationScene; }
     /// What is written over the lower edge; empty where nothing is.
@@ -74,6 +80,7 @@ private:
     void makeParts();
     void makeTracker(const ProgramTracker& tracker);
     void makeLaryngoscope();
+    void makeMonitor();
     void addPanel(QDockWidget* dock, QWidget* panel, const QString& menuText);
     void makeMenu();
     /// Says at which station this is, where there are several.
@@ -103,6 +110,8 @@ private:
     QDockWidget* m_parts;
     QDockWidget* m_tracker;
     QDockWidget* m_laryngoscope;
+    QDockWidget* m_monitor;
+    BedsideMonitorPanel* m_monitorPanel;
     PartsPanel* m_partsPanel;
     SectionPanel* m_section;
     std::array<QLabel*, 2> m_notices; ///< for the whole window or its left half; for its right half

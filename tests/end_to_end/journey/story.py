@@ -28,8 +28,8 @@ CONDITION = "Pneumothorax, tension"
 SEVERITY = 0.9
 DEVELOPS_S = 150  # in which gas enters the chest with every breath
 CHANGED = 6.0  # grey levels that pictures differ at least, at the most alike moments of breathing
-PANELS = ["Condition", "Gas", "Airway", "Move", "Parts", "Tracker", "Breathing", "Waveforms",
-          "Participants", "Network", "Invite"]
+PANELS = ["Condition", "Gas", "Airway", "Move", "Parts", "Tracker", "Breathing", "Waves",
+          "Vitals", "Participants", "Network", "Invite"]
 CONSOLE, TRAINEE, JOINING = "Carina instructor", "Carina trainee", "Join a session"
 WINDOWS = ("frame", "dialog", "filler")
 PAUSED, CONNECTING = "Paused", "Connecting to the instructor"

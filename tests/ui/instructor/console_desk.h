@@ -2,6 +2,7 @@
 
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "engine/io/anatomy_set/anatomy_cache.h"
+#include "models/vitals/station_vitals.h"
 #include "tests/models/fake_session_node.h"
 #include "tests/support/scratch_folder.h"
 #include "ui/instructor/instructor_window.h"
@@ -45,6 +46,9 @@ struct ConsoleDesk {
     ObjectActionModel actions{object};
     SessionPatient patient{node, FakeSessionNode::kStation, drawn, AnatomyCache::defaultFolder()};
     AttentionModel attention{session};
+    StationVitals vitals{session, FakeSessionNode::kStation};
+    SoundOutput sound{
+        [this](std::span<float> samples) { vitals.model().sounds().render(samples); }};
     StationView view{node, FakeSessionNode::kStation, drawn->lungs()};
     KeptConsole keeper;
     std::optional<TrackerSight> sight;
@@ -52,7 +56,7 @@ struct ConsoleDesk {
     OfferSwitch offer{[this] { return OfferGiver::Shown{view, *drawn}; }};
     InstructorWindow window{{session, breathing, respiration, gas, airway, head, trace,
                              participants, conduct, people, network, actions, stations, lesson,
-                             patient, attention},
+                             patient, attention, vitals.model(), sound},
                             keeper,
                             view,
                             {.sight = [this] { return sight; },

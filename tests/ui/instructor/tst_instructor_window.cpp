@@ -1263,8 +1263,8 @@ private Q_SLOTS:
         QTest::addColumn<QByteArray>("people");
         for (const char* change : {"breathingDock", "conditionDock", "gasDock", "airwayDock",
                                    "actionsDock", "partsDock", "trackerDock"})
-            for (const char* people : {"waveformDock", "laryngoscopeDock", "participantsDock",
-                                       "invitationDock", "networkDock"})
+            for (const char* people : {"waveformDock", "laryngoscopeDock", "monitorDock",
+                                       "participantsDock", "invitationDock", "networkDock"})
                 QTest::addRow("%s and %s", change, people)
                     << QByteArray{change} << QByteArray{people};
     }

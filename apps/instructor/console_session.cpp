@@ -6,6 +6,7 @@
 #include "apps/program/try_option.h"
 #include "engine/session/station_rules.h"
 #include "models/session/session_summary.h"
+#include "models/vitals/stethoscope.h"
 #include "ui/start/leave_question.h"
 #include "ui/tracker/recording_end.h"
 
@@ -55,6 +56,8 @@ ConsoleSession::ConsoleSession(HostedSession hosted, const program::ChosenPatien
       m_tries{m_session, m_stations.shown(), m_tools.posesOnScreen()},
       m_attention{m_session},
       m_intubation{m_session, m_stations.shown()},
+      m_vitals{m_session, m_stations.shown(), KeptSounds{folder}},
+      m_sound{[this](std::span<float> samples) { m_vitals.model().sounds().render(samples); }},
       m_checkpoints{*m_hosted.node},
       m_shown{*m_hosted.node, m_stations.shown(), patient.model, m_lesson.poses(), m_tools},
       m_watch{*m_hosted.node, m_stations.shown(), m_tools.posesOnScreen()},
@@ -62,9 +65,11 @@ ConsoleSession::ConsoleSession(HostedSession hosted, const program::ChosenPatien
           return OfferGiver::Shown{m_shown.view(), m_shown.drawn()};
       }},
       m_kept{folder},
-      m_window{{m_session, m_breathing, m_respiration, m_gas, m_airway, m_head, m_trace, m_tries,
-                m_participants, m_conduct, m_people, m_network, m_actions, m_stations, m_lesson,
-                m_shown.patient(), m_attention, m_intubation},
+      m_window{{m_session,      m_breathing,  m_respiration,    m_gas,
+                m_airway,       m_head,       m_trace,          m_tries,
+                m_participants, m_conduct,    m_people,         m_network,
+                m_actions,      m_stations,   m_lesson,         m_shown.patient(),
+                m_attention,    m_intubation, m_vitals.model(), m_sound},
                m_kept,
                m_shown.view(),
                program::programTracker(m_tools, m_recording, m_offer, true, folder)}
@@ -73,6 +78,7 @@ ConsoleSession::ConsoleSession(HostedSession hosted, const program::ChosenPatien
     m_window.setReach(m_hosted.reach);
     m_watch.readView([this] { return m_window.glottisSeen(); });
     offerTracker();
+    offerStethoscope();
     m_window.onClose([this] { return mayClose(); });
     QObject::connect(&m_stations, &StationsModel::shownChanged, &m_window,
                      [this](StationId now) { setStation(now); });
@@ -110,6 +116,15 @@ void ConsoleSession::offerTracker()
                      [this] { m_tracker.change.ask(m_window, m_tools); });
     QObject::connect(&m_window, &InstructorWindow::trackerUnwanted, &m_window,
                      [this] { m_tracker.change.take(m_window, m_tools); });
+}
+
+/// Of whoever holds a stylus to the chest of the patient that is shown.
+void ConsoleSession::offerStethoscope()
+{
+    m_vitals.setStethoscope([this, hears = std::make_shared<Stethoscope>()] {
+        const StationScene& scene = m_window.stationScene();
+        return hears->heard(scene.patient(), scene.moment());
+    });
 }
 
 Result<std::unique_ptr<ConsoleSession>>
@@ -183,6 +198,7 @@ void ConsoleSession::setStation(StationId station)
     m_intubation.setStation(station);
     m_watch.setStation(station);
     m_tries.setStation(station);
+    m_vitals.setStation(station);
     m_shown.setStation(station);
     if (m_journal)
         m_journal->setStation(station);

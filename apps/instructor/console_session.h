@@ -7,6 +7,8 @@
 #include "models/openigtlink/offer_switch.h"
 #include "models/respiration/checkpoint_keeper.h"
 #include "models/station/intubation_watch.h"
+#include "models/vitals/sound_output.h"
+#include "models/vitals/station_vitals.h"
 #include "ui/instructor/instructor_window.h"
 
 #include <functional>
@@ -55,6 +57,7 @@ private:
     ConsoleSession(HostedSession hosted, const program::ChosenPatient& patient,
                    const QString& folder, ConsoleTracker& tracker);
     void offerTracker();
+    void offerStethoscope();
     [[nodiscard]] Result<void> keepCodes(const QString& file);
     void show(const QSize& size);
     [[nodiscard]] Result<void> follow(const QCommandLineParser& parser);
@@ -87,6 +90,8 @@ private:
     TryWatch m_tries;
     AttentionModel m_attention;
     IntubationTimeline m_intubation;
+    StationVitals m_vitals;
+    SoundOutput m_sound;
     CheckpointKeeper m_checkpoints;
     ShownStation m_shown;
     IntubationWatch m_watch; ///< where who runs this console is at work with its tracker

@@ -17,6 +17,9 @@
 #include "models/patient/shared_patient.h"
 #include "models/station/intubation_watch.h"
 #include "models/station/own_station.h"
+#include "models/vitals/sound_output.h"
+#include "models/vitals/station_vitals.h"
+#include "models/vitals/stethoscope.h"
 #include "ui/tracker/recording_end.h"
 #include "ui/trainee/trainee_window.h"
 #include "widgets/scene/view/scene_view.h"
@@ -281,6 +284,9 @@ Result<Left> takePart(const QCommandLineParser& parser, Outfit& outfit, program:
         return tl::unexpected(judged.error());
     SessionPatient sessionPatient{station.node(), place.id(), outfit.patient,
                                   AnatomyCache::defaultFolder()};
+    StationVitals vitals{session, place.id(), KeptSounds{program::dataFolder(parser)}};
+    const SoundOutput sound{
+        [&vitals](std::span<float> samples) { vitals.model().sounds().render(samples); }};
     OfferSwitch offer{[&station] { return OfferGiver::Shown{station.view(), station.patient()}; }};
     TraineeWindow window{station.node(),
                          sessionPatient,
@@ -297,6 +303,11 @@ Result<Left> takePart(const QCommandLineParser& parser, Outfit& outfit, program:
                                                  program::dataFolder(parser))};
     IntubationWatch watch{station.node(), place.id(), tools.posesOnScreen()};
     watch.readView([&window] { return window.glottisSeen(); });
+    window.setMonitor(vitals.model(), sound);
+    vitals.setStethoscope([&window, hears = std::make_shared<Stethoscope>()] {
+        const StationScene& scene = window.stationScene();
+        return hears->heard(scene.patient(), scene.moment());
+    });
     const auto show = [&] {
         window.show(station.patient(), station.view(), tools.chinProbe());
         window.stationScene().showBlade(program::bladeOf(tools));
@@ -335,6 +346,7 @@ Result<Left> takePart(const QCommandLineParser& parser, Outfit& outfit, program:
         people.setStation(now);
         watch.setStation(now);
         tries.setStation(now);
+        vitals.setStation(now);
         sessionPatient.setStation(now);
         if (*journal)
             (*journal)->setStation(now);

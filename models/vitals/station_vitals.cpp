@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace carina
 {
@@ -51,7 +52,7 @@ StationVitals::StationVitals(SessionModel& session, StationId station, KeptSound
     : QObject{parent},
       m_session{session},
       m_station{station},
-      m_age_years{presentAge_years()},
+      m_age_years{decidedAge_years()},
       m_model{sources(), m_age_years, std::move(kept)}
 {
     connect(&m_session, &SessionModel::changed, this, &StationVitals::followAge);
@@ -74,24 +75,24 @@ void StationVitals::setStation(StationId station)
     if (std::exchange(m_station, station) == station)
         return;
     m_patient = {};
-    m_age_years = presentAge_years();
+    m_age_years = decidedAge_years();
     m_model.startAfresh(m_age_years);
 }
 
 /// The limits of the alarms go by it: another patient may have been laid.
 void StationVitals::followAge()
 {
-    const double age_years = presentAge_years();
+    const double age_years = decidedAge_years();
     if (std::exchange(m_age_years, age_years) != age_years)
         m_model.startAfresh(age_years);
 }
 
-double StationVitals::presentAge_years() const
+/// As it was decided last: no signal comes when that takes effect.
+double StationVitals::decidedAge_years() const
 {
     const auto state = m_session.node().state();
     const Station* station = stationIn(*state, m_station);
-    const SessionTime now = m_session.node().now().value_or(SessionTime{});
-    return station ? station->respiration.settingsAt(now).build.ageInYears
+    return station ? station->respiration.settingsAt(SessionTime::max()).build.ageInYears
                    : PatientBuild{}.ageInYears;
 }
 

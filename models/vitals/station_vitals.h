@@ -31,7 +31,7 @@ private:
     [[nodiscard]] VitalsSources sources();
     [[nodiscard]] const PatientRun* runAt(SessionTime t);
     [[nodiscard]] std::optional<BreathFlows> flowsAt(SessionTime t);
-    [[nodiscard]] double presentAge_years() const;
+    [[nodiscard]] double decidedAge_years() const;
     void followAge();
 
     SessionModel& m_session;

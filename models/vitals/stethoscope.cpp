@@ -2,6 +2,7 @@
 
 #include "engine/geometry/mesh/surface_tree.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -15,7 +16,7 @@ constexpr double kToLeft = 1.0 / 3.0;
 constexpr double kBelowGlottis = 1.0 / 3.0;
 constexpr double kBelowLung = 0.1;
 
-/// Of a surface in full.
+/// A surface of this role; null without one.
 const TriangleMesh* surfaceOf(const PatientModel& patient, PartRole role)
 {
     for (const PatientSurface& surface : patient.surfaces())

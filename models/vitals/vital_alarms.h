@@ -71,8 +71,7 @@ public:
     static constexpr Duration kSilence = std::chrono::minutes{2};
     /// A rise of exhaled CO2 through this is a breath.
     static constexpr Pressure kBreathCO2 = mmHg(7.5);
-    /// Slower by this share of its limit, or of a fifth below the low pressure, is of high priority
-    /// (of ours).
+    /// A heart rate or pressure below this share of its low limit is of high priority (of ours).
     static constexpr double kVeryLow = 0.8;
     /// Longer steps from one moment to the next are not observed time.
     static constexpr double kLongestStep_s = 1.0;

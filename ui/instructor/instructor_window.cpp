@@ -107,6 +107,7 @@ void InstructorWindow::fillPanels(const ProgramTracker& tracker)
     m_models.tries.setEffort([scope = QPointer<LaryngoscopePanel>{m_ui->laryngoscope}] {
         return scope ? scope->effort() : std::nullopt;
     });
+    m_ui->monitor->setModel(m_models.vitals, m_models.sound);
     m_ui->participants->setModel(m_models.participants, m_models.conduct, m_models.stations,
                                  m_models.people);
     m_ui->participants->setOwnHead([this] { return stationScene().moment().head; });
@@ -184,10 +185,11 @@ void InstructorWindow::layPanels()
     using Group = PanelDocks::Group;
     m_docks = std::make_unique<PanelDocks>(
         *this,
-        QList<Group>{Group{m_ui->breathingDock, m_ui->conditionDock, m_ui->gasDock,
-                           m_ui->airwayDock, m_ui->actionsDock, m_ui->partsDock, m_ui->trackerDock},
-                     Group{m_ui->waveformDock, m_ui->laryngoscopeDock, m_ui->tryDock},
-                     Group{m_ui->participantsDock, m_ui->invitationDock, m_ui->networkDock}});
+        QList<Group>{
+            Group{m_ui->breathingDock, m_ui->conditionDock, m_ui->gasDock, m_ui->airwayDock,
+                  m_ui->actionsDock, m_ui->partsDock, m_ui->trackerDock},
+            Group{m_ui->waveformDock, m_ui->laryngoscopeDock, m_ui->monitorDock, m_ui->tryDock},
+            Group{m_ui->participantsDock, m_ui->invitationDock, m_ui->networkDock}});
     offerPanels();
     m_docks->offerAll();
     offerWindows();
@@ -223,6 +225,9 @@ void InstructorWindow::offerPanels()
         tr("What the camera of the laryngoscope shows, with grade and percentage of the glottis"));
     offer(m_ui->tryDock, "showTry", tr("Tri&es"), QStringLiteral("Ctrl+J"),
           tr("How the last try at intubating went, points, and what to do next"));
+    offer(m_ui->monitorDock, "showMonitor", tr("Bedside m&onitor"), QStringLiteral("Ctrl+H"),
+          tr("Heart, oxygen, CO2 and blood pressure of the patient, alarms, and the volume of "
+             "their sounds"));
     offer(m_ui->participantsDock, "showParticipants", tr("&Participants"), QStringLiteral("Ctrl+U"),
           tr("Who takes part, and what is decided about them"));
     offer(m_ui->invitationDock, "showInvitation", tr("&Invite"), QStringLiteral("Ctrl+I"),

@@ -21,6 +21,8 @@
 #include "models/session/session_plan.h"
 #include "models/station/intubation_timeline.h"
 #include "models/station/stations_model.h"
+#include "models/vitals/sound_output.h"
+#include "models/vitals/vitals_model.h"
 #include "ui/lesson/scene_teacher.h"
 #include "ui/scene/part_chooser.h"
 #include "ui/scene/station_scene.h"
@@ -65,6 +67,8 @@ struct ConsoleModels {
     SessionPatient& patient;
     AttentionModel& attention;
     IntubationTimeline& intubation;
+    VitalsModel& vitals;
+    const SoundOutput& sound;
 };
 
 /// The instructor's console: session control, what needs attention, and a 3-D view of the patient

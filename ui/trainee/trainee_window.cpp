@@ -10,6 +10,7 @@
 #include "ui/panels/patient/parts_panel.h"
 #include "ui/panels/patient/section_panel.h"
 #include "ui/panels/people/people_menus.h"
+#include "ui/vitals/bedside_monitor_panel.h"
 #include "widgets/plain_label.h"
 #include "widgets/scene/view/scene_view.h"
 
@@ -47,6 +48,8 @@ TraineeWindow::TraineeWindow(const SessionNode& node, SessionPatient& patient,
       m_tracker{new QDockWidget{tr("Tracker"), this}},
       m_laryngoscope{new QDockWidget{tr("Laryngoscope"), this}},
       m_debriefing{new QDockWidget{tr("Debriefing"), this}},
+      m_monitor{new QDockWidget{tr("Bedside monitor"), this}},
+      m_monitorPanel{new BedsideMonitorPanel},
       m_partsPanel{new PartsPanel},
       m_section{new SectionPanel},
       m_notices{new PlainLabel{this}, new PlainLabel{this}},
@@ -69,6 +72,7 @@ TraineeWindow::TraineeWindow(const SessionNode& node, SessionPatient& patient,
     makeTracker(tracker);
     makeLaryngoscope(tries);
     makeDebriefing(tries);
+    makeMonitor();
     for (QLabel* notice : m_notices) {
         notice->setAttribute(Qt::WA_NativeWindow); // else the scene's own window would cover it
         notice->setAlignment(Qt::AlignCenter);
@@ -166,6 +170,18 @@ void TraineeWindow::makeDebriefing(TryWatch& tries)
     });
 }
 
+void TraineeWindow::makeMonitor()
+{
+    addPanel(m_monitor, m_monitorPanel, tr("&Bedside monitor"));
+    addDockWidget(Qt::LeftDockWidgetArea, m_monitor); // it is looked at beside each of the others
+    m_monitor->hide();
+}
+
+void TraineeWindow::setMonitor(VitalsModel& vitals, const SoundOutput& sound)
+{
+    m_monitorPanel->setModel(vitals, sound);
+}
+
 void TraineeWindow::addPanel(QDockWidget* dock, QWidget* panel, const QString& menuText)
 {
     dock->setWidget(panel);
@@ -200,6 +216,7 @@ void TraineeWindow::makeMenu()
     m_menu.addAction(m_tracker->toggleViewAction());
     m_menu.addAction(m_laryngoscope->toggleViewAction());
     m_menu.addAction(m_debriefing->toggleViewAction());
+    m_menu.addAction(m_monitor->toggleViewAction());
     m_menu.addSeparator();
     addFetching();
     addMotion();
@@ -363,7 +380,8 @@ void TraineeWindow::showTo(ViewOutput output)
 {
     m_stationScene.showTo(m_headset, output);
     // A headset's picture keeps all of the window.
-    for (QDockWidget* dock : {m_actions, m_parts, m_tracker, m_laryngoscope, m_debriefing}) {
+    for (QDockWidget* dock :
+         {m_actions, m_parts, m_tracker, m_laryngoscope, m_debriefing, m_monitor}) {
         dock->setFloating(output != ViewOutput::Screen);
         dock->setAllowedAreas(output == ViewOutput::Screen ? Qt::AllDockWidgetAreas
                                                            : Qt::NoDockWidgetArea);

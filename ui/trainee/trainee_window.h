@@ -23,17 +23,21 @@ class QPushButton;
 namespace carina
 {
 
+class BedsideMonitorPanel;
 class LaryngoscopePanel;
 class PartsPanel;
 class SectionPanel;
+class SoundOutput;
+class VitalsModel;
 
 /// The trainee's window: only the anatomy on black, on a screen or in a headset. Notices appear
 /// over the lower edge, once per eye if each has its own picture, and disappear automatically; the
 /// picture does not move. Esc opens a menu, from which panels for the actions on shared objects,
-/// the parts of the patient, the tools of the tracker, the view of the laryngoscope and the
-/// debriefing of the last try open: beside the picture on a screen, in a separate window with a
-/// headset. The debriefing opens by itself when a try has ended, and leaves the keyboard where it
-/// is. While no headset is tracked, mouse and keys turn the head that its picture is seen from.
+/// the parts of the patient, the tools of the tracker, the view of the laryngoscope, the bedside
+/// monitor and the debriefing of the last try open: beside the picture on a screen, in a separate
+/// window with a headset. The debriefing opens by itself when a try has ended, and leaves the
+/// keyboard where it is. While no headset is tracked, mouse and keys turn the head that its picture
+/// is seen from.
 class TraineeWindow : public QMainWindow
 {
     Q_OBJECT
@@ -54,6 +58,9 @@ public:
     /// @pre all outlive the window, or live until the next show().
     void show(const PatientModel& patient, const StationView& view, ChinProbeModel chinProbe);
     using QMainWindow::show;
+
+    /// The patient's bedside monitor, in a panel of its own. @pre both outlive the window
+    void setMonitor(VitalsModel& vitals, const SoundOutput& sound);
 
     [[nodiscard]] StationScene& stationScene() { return m_stationScene; }
     /// What was read of the glottis last, while the view of the laryngoscope is open.
@@ -80,6 +87,7 @@ private:
     void makeTracker(const ProgramTracker& tracker);
     void makeLaryngoscope(TryWatch& tries);
     void makeDebriefing(TryWatch& tries);
+    void makeMonitor();
     void addPanel(QDockWidget* dock, QWidget* panel, const QString& menuText);
     void makeMenu();
     /// Says at which station this is, where there are several.
@@ -111,6 +119,8 @@ private:
     QDockWidget* m_laryngoscope;
     LaryngoscopePanel* m_scope = nullptr;
     QDockWidget* m_debriefing;
+    QDockWidget* m_monitor;
+    BedsideMonitorPanel* m_monitorPanel;
     PartsPanel* m_partsPanel;
     SectionPanel* m_section;
     std::array<QLabel*, 2> m_notices; ///< for the whole window or its left half; for its right half

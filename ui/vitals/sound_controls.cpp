@@ -1,5 +1,6 @@
 #include "ui/vitals/sound_controls.h"
 
+#include "models/text/shown_as_is.h"
 #include "models/vitals/vital_words.h"
 
 #include <QCheckBox>
@@ -62,7 +63,8 @@ void SoundControls::refresh()
         const QSignalBlocker volume{controls.volume};
         controls.isPlayed->setChecked(!loudness.isMuted);
         controls.volume->setValue(loudness.volume_percent);
-        controls.volume->setToolTip(tr("Volume: %1\u00a0%").arg(loudness.volume_percent));
+        controls.volume->setToolTip(
+            shownAsIs(tr("Volume: %1\u00a0%").arg(loudness.volume_percent)));
     }
 }
 

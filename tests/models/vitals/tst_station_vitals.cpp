@@ -86,7 +86,7 @@ private Q_SLOTS:
     {
         Desk desk;
         desk.vitals.setStethoscope([] { return AuscultationGains{.right = 1.0}; });
-        desk.node.decide(fact::ConditionsSet{{{ConditionKind::Asthma, 0.8}}});
+        desk.node.decide(fact::LungConditionsSet{{{ConditionKind::Asthma, 0.8}}});
         desk.start();
         bool wheezed = false;
         for (int i = 0; i < 60; ++i) {
@@ -105,7 +105,8 @@ private Q_SLOTS:
         QCoreApplication::sendPostedEvents();
         QCOMPARE(afresh.count(), 1);
         QCOMPARE(desk.model.limits(), alarmLimits(0.8));
-        const StationId another = desk.node.addStation("Station 2");
+        const StationId another{FakeSessionNode::kStation.value + 1};
+        desk.node.addStation("Station 2");
         desk.vitals.setStation(another);
         QCOMPARE(afresh.count(), 2);
         desk.vitals.setStation(another); // the same

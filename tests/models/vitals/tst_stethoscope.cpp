@@ -47,7 +47,8 @@ Vec3 inFrontOf(const Vec3& p_A)
 StationMoment withStylusAt(const Vec3& p_A, Validity validity = Validity::Tracked)
 {
     StationMoment moment;
-    PersonPose stylus{.kind = ObjectKind::Stylus};
+    PersonPose stylus;
+    stylus.kind = ObjectKind::Stylus;
     stylus.pose.X_FO = RigidTransform::translation(p_A);
     stylus.pose.validity = validity;
     moment.people = {stylus};

@@ -27,7 +27,8 @@ using test::verifyControls;
 
 constexpr std::array kChange{"breathingDock", "conditionDock", "gasDock",    "airwayDock",
                              "actionsDock",   "partsDock",     "trackerDock"};
-constexpr std::array kPeople{"waveformDock", "participantsDock", "invitationDock", "networkDock"};
+constexpr std::array kPeople{"waveformDock", "monitorDock", "participantsDock", "invitationDock",
+                             "networkDock"};
 constexpr std::array kLookedAt{"laryngoscopeDock", "tryDock"}; ///< they have no control to use
 
 /// While a patient is ventilated that can be moved.
@@ -50,6 +51,7 @@ void nameTraineesPanels()
     QTest::newRow("actions") << 0;
     QTest::newRow("parts") << 1;
     QTest::newRow("tracker") << 2;
+    QTest::newRow("bedside monitor") << 4;
 }
 
 /// In its own window where the output is a headset's.

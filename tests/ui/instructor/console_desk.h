@@ -2,6 +2,7 @@
 
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "engine/io/anatomy_set/anatomy_cache.h"
+#include "models/vitals/station_vitals.h"
 #include "tests/models/fake_session_node.h"
 #include "tests/support/scratch_folder.h"
 #include "ui/instructor/instructor_window.h"
@@ -47,21 +48,25 @@ struct ConsoleDesk {
     SessionPatient patient{node, FakeSessionNode::kStation, drawn, AnatomyCache::defaultFolder()};
     AttentionModel attention{session};
     IntubationTimeline intubation{session, FakeSessionNode::kStation};
+    StationVitals vitals{session, FakeSessionNode::kStation};
+    SoundOutput sound{
+        [this](std::span<float> samples) { vitals.model().sounds().render(samples); }};
     StationView view{node, FakeSessionNode::kStation, drawn->lungs()};
     KeptConsole keeper;
     std::optional<TrackerSight> sight;
     PoseRecording recording{[this] { return node.now(); }};
     OfferSwitch offer{[this] { return OfferGiver::Shown{view, *drawn}; }};
-    InstructorWindow window{{session, breathing, respiration, gas, airway, head, trace, tries,
-                             participants, conduct, people, network, actions, stations, lesson,
-                             patient, attention, intubation},
-                            keeper,
-                            view,
-                            {.sight = [this] { return sight; },
-                             .recording = &recording,
-                             .canBeGiven = true,
-                             .treatment = {{}, [](const PoseTreatment& /*chosen*/) {}},
-                             .offer = &offer}};
+    InstructorWindow window{
+        {session, breathing,    respiration, gas,        airway,         head,    trace,
+         tries,   participants, conduct,     people,     network,        actions, stations,
+         lesson,  patient,      attention,   intubation, vitals.model(), sound},
+        keeper,
+        view,
+        {.sight = [this] { return sight; },
+         .recording = &recording,
+         .canBeGiven = true,
+         .treatment = {{}, [](const PoseTreatment& /*chosen*/) {}},
+         .offer = &offer}};
 
     template <class Thing> [[nodiscard]] Thing& find(const char* name)
     {

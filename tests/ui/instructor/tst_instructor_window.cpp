@@ -1263,7 +1263,7 @@ private Q_SLOTS:
         QTest::addColumn<QByteArray>("people");
         for (const char* change : {"breathingDock", "conditionDock", "gasDock", "airwayDock",
                                    "actionsDock", "partsDock", "trackerDock"})
-            for (const char* people : {"waveformDock", "laryngoscopeDock", "tryDock",
+            for (const char* people : {"waveformDock", "laryngoscopeDock", "monitorDock", "tryDock",
                                        "participantsDock", "invitationDock", "networkDock"})
                 QTest::addRow("%s and %s", change, people)
                     << QByteArray{change} << QByteArray{people};

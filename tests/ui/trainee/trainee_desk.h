@@ -2,6 +2,8 @@
 
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "engine/io/anatomy_set/anatomy_cache.h"
+#include "models/vitals/sound_output.h"
+#include "models/vitals/station_vitals.h"
 #include "tests/models/fake_session_node.h"
 #include "ui/trainee/trainee_window.h"
 
@@ -17,7 +19,10 @@ struct TraineeDesk {
         return made;
     }
 
-    explicit TraineeDesk(ViewOutput kind = ViewOutput::Screen) : output{kind} {}
+    explicit TraineeDesk(ViewOutput kind = ViewOutput::Screen) : output{kind}
+    {
+        window.setMonitor(vitals.model(), sound);
+    }
 
     ViewOutput output;
     SharedPatientModel drawn = child();
@@ -29,6 +34,9 @@ struct TraineeDesk {
     TryWatch tries{session, FakeSessionNode::kStation};
     SessionPatient patient{node, FakeSessionNode::kStation, drawn, AnatomyCache::defaultFolder()};
     StationView view{node, FakeSessionNode::kStation, drawn->lungs()};
+    StationVitals vitals{session, FakeSessionNode::kStation};
+    SoundOutput sound{
+        [this](std::span<float> samples) { vitals.model().sounds().render(samples); }};
     OfferSwitch offer{[this] { return OfferGiver::Shown{view, *drawn}; }};
     TraineeWindow window{node,
                          patient,

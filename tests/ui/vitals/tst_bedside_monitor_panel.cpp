@@ -19,7 +19,7 @@ constexpr double kGrown_years = 40.0;
 
 /// A patient whose saturation is chosen, a monitor, and a stethoscope.
 struct Desk {
-    SessionTime now{std::chrono::seconds{100}};
+    SessionTime now{std::chrono::seconds{96}}; ///< a sweep begins
     double saturation = 0.97;
     std::optional<AuscultationGains> stethoscope{};
     VitalsModel model{

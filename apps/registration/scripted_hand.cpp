@@ -52,7 +52,7 @@ ScriptedHand::Order ScriptedHand::wantedOfTool() const
         return {};
     Order order{.task = Task::Hold, .place = task.nextName(), .error = kToolTouchError};
     const SimulatedTools& tools = m_workplace.tools;
-    if (const auto* onTube = std::get_if<TubePlace>(&*next))
+    if (const auto* onTube = std::get_if<TubeTouchPlace>(&*next))
         order.p_TQ = m_workplace.X_TN_tube * (tools.X_NE * placeOnTube(tools.tube, *onTube));
     else
         order.p_TQ = m_workplace.X_TN_laryngoscope

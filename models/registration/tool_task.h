@@ -15,7 +15,7 @@ namespace carina
 {
 
 /// A place of a tube or laryngoscope that is touched with the stylus.
-using ToolPlace = std::variant<TubePlace, BladePlace>;
+using ToolPlace = std::variant<TubeTouchPlace, BladePlace>;
 
 /// Calibrates the tube and the laryngoscope: their places are touched one by one with the tip of
 /// the stylus while the tracker sees both, and the last touch is followed by the fit

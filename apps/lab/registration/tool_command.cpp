@@ -69,7 +69,7 @@ private:
 Result<TubeCalibration> touchTube(StrayingTouch& hand)
 {
     std::vector<TubeTouch> touches;
-    for (const TubePlace& place : kTubePlaces)
+    for (const TubeTouchPlace& place : kTubePlaces)
         touches.push_back({place.part, hand.at(placeOnTube(kLabTube, place))});
     return calibrateTube(touches, kLabTube.outerDiameter);
 }

@@ -88,7 +88,7 @@ Length sagittaOfTube(const TubeRest& tube)
     return metres(sagitta);
 }
 
-Vec3 placeOnTube(const TubeRest& tube, const TubePlace& place)
+Vec3 placeOnTube(const TubeRest& tube, const TubeTouchPlace& place)
 {
     const double turn = 2.0 * std::numbers::pi * place.share;
     switch (place.part) {

@@ -53,7 +53,7 @@ enum class TubePart : std::uint8_t {
 
 /// A place to touch: on the rim at a share of the way round it, on the wall at a share of the way
 /// to the tip.
-struct TubePlace {
+struct TubeTouchPlace {
     TubePart part = TubePart::Tip;
     double share = 0.0;
     bool isBeside = false; ///< on the wall at the side of the bend; otherwise at its outside
@@ -63,13 +63,13 @@ struct TubePlace {
 /// and cuff, the tip. Those at the outside of the bend tell its curvature, those at the side of it
 /// the plane that it lies in.
 inline constexpr std::array kTubePlaces{
-    TubePlace{TubePart::Rim, 0.0},         TubePlace{TubePart::Rim, 1.0 / 3.0},
-    TubePlace{TubePart::Rim, 2.0 / 3.0},   TubePlace{TubePart::Wall, 0.1},
-    TubePlace{TubePart::Wall, 0.28, true}, TubePlace{TubePart::Wall, 0.46},
-    TubePlace{TubePart::Wall, 0.64, true}, TubePlace{TubePart::Wall, 0.82},
-    TubePlace{TubePart::Tip, 1.0}};
+    TubeTouchPlace{TubePart::Rim, 0.0},         TubeTouchPlace{TubePart::Rim, 1.0 / 3.0},
+    TubeTouchPlace{TubePart::Rim, 2.0 / 3.0},   TubeTouchPlace{TubePart::Wall, 0.1},
+    TubeTouchPlace{TubePart::Wall, 0.28, true}, TubeTouchPlace{TubePart::Wall, 0.46},
+    TubeTouchPlace{TubePart::Wall, 0.64, true}, TubeTouchPlace{TubePart::Wall, 0.82},
+    TubeTouchPlace{TubePart::Tip, 1.0}};
 
 /// A place of a tube in E; beside the bend it is on the side of +x.
-[[nodiscard]] Vec3 placeOnTube(const TubeRest& tube, const TubePlace& place);
+[[nodiscard]] Vec3 placeOnTube(const TubeRest& tube, const TubeTouchPlace& place);
 
 } // namespace carina

@@ -32,7 +32,7 @@ struct ToolDesk {
     }
     [[nodiscard]] ToolTask& task() const { return model->toolTask(); }
 
-    void touch(const TubePlace& place, const Vec3& off_T = Vec3::Zero())
+    void touch(const TubeTouchPlace& place, const Vec3& off_T = Vec3::Zero())
     {
         site.hold(*model, site.m_X_TN_tube * (X_NE * placeOnTube(tube, place)) + off_T);
     }
@@ -95,7 +95,7 @@ private Q_SLOTS:
     {
         ToolDesk desk;
         desk.task().beginCalibration();
-        for (const TubePlace& place : kTubePlaces) {
+        for (const TubeTouchPlace& place : kTubePlaces) {
             desk.site.m_X_TN_tube =
                 RigidTransform{rotationFromVector({place.share, 0.5, -place.share}),
                                {0.1 * place.share, 0.05, -1.1}};

@@ -33,7 +33,7 @@ inline Vec3 strayed(const Vec3& p, Length fle, std::mt19937& random)
 inline std::vector<TubeTouch> touchesOf(const TubeRest& tube, Length fle, std::mt19937& random)
 {
     std::vector<TubeTouch> touches;
-    for (const TubePlace& place : kTubePlaces)
+    for (const TubeTouchPlace& place : kTubePlaces)
         touches.push_back({place.part, strayed(kX_NE * placeOnTube(tube, place), fle, random)});
     return touches;
 }

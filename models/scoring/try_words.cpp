@@ -95,17 +95,17 @@ QString judgementText(const Judgement& judged, SessionTime begun)
     const QString possible = pointsText(judged.criterion.points);
     const bool isPenalty = judged.criterion.points == 0.0;
     switch (judged.verdict) {
-    case Verdict::Met:
+    case ItemVerdict::Met:
         return isPenalty
                    ? tryWords(QT_TRANSLATE_NOOP("Try", "✓ no penalty"))
                    : tryWords(QT_TRANSLATE_NOOP("Try", "✓ %1 of %2 points")).arg(got, possible);
-    case Verdict::Missed:
-    case Verdict::Never:
+    case ItemVerdict::Missed:
+    case ItemVerdict::Never:
         return (isPenalty ? tryWords(QT_TRANSLATE_NOOP("Try", "▲ %1 points: %2")).arg(got)
                           : tryWords(QT_TRANSLATE_NOOP("Try", "▲ %1 of %2 points: %3"))
                                 .arg(got, possible))
             .arg(reasonText(judged, begun));
-    case Verdict::NotMeasured:
+    case ItemVerdict::NotMeasured:
         return tryWords(QT_TRANSLATE_NOOP("Try", "○ not measured, does not count"));
     }
     return {};

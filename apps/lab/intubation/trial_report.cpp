@@ -93,7 +93,7 @@ TryMetrics metricsOf(const IntubationSubject& subject, const IntubationTrial& tr
     return course.metrics(ended, depthBy(usualDepthRule(patient), patient));
 }
 
-QString wordOf(Verdict verdict)
+QString wordOf(ItemVerdict verdict)
 {
     constexpr std::array kVerdicts{"met", "missed", "never", "not_measured"};
     return QString::fromLatin1(kVerdicts[static_cast<std::size_t>(verdict)]);

@@ -32,11 +32,11 @@ Judgement judgementOf(const TryMetrics& metrics, const Criterion& criterion)
     if (!judged.value && !neverCameTo(metrics, criterion.metric))
         return judged;
     if (judged.value && isWithin(criterion, *judged.value)) {
-        judged.verdict = Verdict::Met;
+        judged.verdict = ItemVerdict::Met;
         judged.points = criterion.points;
         return judged;
     }
-    judged.verdict = judged.value ? Verdict::Missed : Verdict::Never;
+    judged.verdict = judged.value ? ItemVerdict::Missed : ItemVerdict::Never;
     judged.points = -criterion.penalty;
     judged.moment = momentOfLoss(metrics, criterion);
     return judged;
@@ -62,7 +62,7 @@ Score scoreOf(const TryMetrics& metrics, const Rubric& rubric)
     for (const Criterion& criterion : rubric.criteria) {
         const Judgement judged = judgementOf(metrics, criterion);
         score.ofAll += criterion.points;
-        if (judged.verdict != Verdict::NotMeasured)
+        if (judged.verdict != ItemVerdict::NotMeasured)
             score.possible += criterion.points;
         score.points += judged.points;
         score.judgements.push_back(judged);

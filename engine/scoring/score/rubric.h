@@ -32,7 +32,7 @@ struct Rubric {
     friend bool operator==(const Rubric&, const Rubric&) = default;
 };
 
-enum class Verdict : std::uint8_t {
+enum class ItemVerdict : std::uint8_t {
     Met,
     Missed,      ///< the value is beyond the limit
     Never,       ///< the try never came to it, and so lost the points
@@ -42,7 +42,7 @@ enum class Verdict : std::uint8_t {
 /// How one criterion was judged.
 struct Judgement {
     Criterion criterion{};
-    Verdict verdict = Verdict::NotMeasured;
+    ItemVerdict verdict = ItemVerdict::NotMeasured;
     std::optional<double> value{};
     double points = 0.0; ///< those got; negative for a penalty
     /// Of lost points, the moment they are linked to; nothing where it is the whole try.

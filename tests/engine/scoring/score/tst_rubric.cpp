@@ -46,7 +46,7 @@ void TestRubric::givesAllPointsForAGoodTry()
     QCOMPARE(score.possible, 100.0);
     QCOMPARE(score.ofAll, 100.0);
     for (const Judgement& judged : score.judgements)
-        QCOMPARE(judged.verdict, Verdict::Met);
+        QCOMPARE(judged.verdict, ItemVerdict::Met);
 }
 
 void TestRubric::doesNotCountWhatWasNotMeasured()
@@ -58,7 +58,8 @@ void TestRubric::doesNotCountWhatWasNotMeasured()
     QCOMPARE(score.points, 40.0);
     QCOMPARE(score.possible, 40.0);
     QCOMPARE(score.ofAll, 100.0);
-    QCOMPARE(std::ranges::count(score.judgements, Verdict::NotMeasured, &Judgement::verdict), 6);
+    QCOMPARE(std::ranges::count(score.judgements, ItemVerdict::NotMeasured, &Judgement::verdict),
+             6);
     QVERIFY(!judgementOf(score, Metric::DepthError).moment);
 }
 
@@ -69,7 +70,7 @@ void TestRubric::takesAwayForTheOesophagus()
     QCOMPARE(score.points, -10.0);
     QCOMPARE(score.possible, 40.0);
     const Judgement& failed = judgementOf(score, Metric::Failed);
-    QCOMPARE(failed.verdict, Verdict::Missed);
+    QCOMPARE(failed.verdict, ItemVerdict::Missed);
     QCOMPARE(failed.points, -10.0);
     QCOMPARE(failed.moment, courseTime(20.0));
 }
@@ -91,7 +92,7 @@ void TestRubric::linksALateBreathToTheMomentItWasDue()
     metrics.ended = courseTime(220.0);
     const Score score = scoreOf(metrics, publishedRubric());
     const Judgement& time = judgementOf(score, Metric::TimeToBreath);
-    QCOMPARE(time.verdict, Verdict::Missed);
+    QCOMPARE(time.verdict, ItemVerdict::Missed);
     QCOMPARE(time.value, 190.0);
     QCOMPARE(time.moment, courseTime(160.0));
 }
@@ -100,29 +101,29 @@ void TestRubric::losesWhatTheTryNeverCameTo()
 {
     const Score score = scoreOf(oesophagealTry(), publishedRubric());
     const Judgement& time = judgementOf(score, Metric::TimeToBreath);
-    QCOMPARE(time.verdict, Verdict::Never);
+    QCOMPARE(time.verdict, ItemVerdict::Never);
     QVERIFY(!time.value);
     QCOMPARE(time.moment, courseTime(80.0)); // the end came before the limit
-    QCOMPARE(judgementOf(score, Metric::DepthError).verdict, Verdict::Never);
-    QCOMPARE(judgementOf(score, Metric::HeadExtension).verdict, Verdict::NotMeasured);
+    QCOMPARE(judgementOf(score, Metric::DepthError).verdict, ItemVerdict::Never);
+    QCOMPARE(judgementOf(score, Metric::HeadExtension).verdict, ItemVerdict::NotMeasured);
 }
 
 void TestRubric::meetsALimitExactly_data()
 {
     QTest::addColumn<Bound>("bound");
     QTest::addColumn<double>("limit");
-    QTest::addColumn<Verdict>("verdict");
-    QTest::newRow("at most, exactly") << Bound::AtMost << 32.0 << Verdict::Met;
-    QTest::newRow("at most, beyond") << Bound::AtMost << 31.9 << Verdict::Missed;
-    QTest::newRow("at least, exactly") << Bound::AtLeast << 32.0 << Verdict::Met;
-    QTest::newRow("at least, beyond") << Bound::AtLeast << 32.1 << Verdict::Missed;
+    QTest::addColumn<ItemVerdict>("verdict");
+    QTest::newRow("at most, exactly") << Bound::AtMost << 32.0 << ItemVerdict::Met;
+    QTest::newRow("at most, beyond") << Bound::AtMost << 31.9 << ItemVerdict::Missed;
+    QTest::newRow("at least, exactly") << Bound::AtLeast << 32.0 << ItemVerdict::Met;
+    QTest::newRow("at least, beyond") << Bound::AtLeast << 32.1 << ItemVerdict::Missed;
 }
 
 void TestRubric::meetsALimitExactly()
 {
     QFETCH(const Bound, bound);
     QFETCH(const double, limit);
-    QFETCH(const Verdict, verdict);
+    QFETCH(const ItemVerdict, verdict);
     const Criterion criterion{.metric = Metric::TonguePeak,
                               .bound = bound,
                               .limit = limit,
@@ -130,7 +131,7 @@ void TestRubric::meetsALimitExactly()
                               .penalty = 2.0};
     const Score score = scoreOf(goodTry(), only(criterion));
     QCOMPARE(score.judgements.front().verdict, verdict);
-    QCOMPARE(score.points, verdict == Verdict::Met ? 3.0 : -2.0);
+    QCOMPARE(score.points, verdict == ItemVerdict::Met ? 3.0 : -2.0);
 }
 
 void TestRubric::linksALowSaturationToItsMoment()

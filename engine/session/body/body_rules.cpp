@@ -91,6 +91,13 @@ Result<void> checkBlood(const BloodGas& blood)
             return checkTension("carbon dioxide of tissues", blood.tissueCarbonDioxide_mmHg);
         })
         .and_then([&] {
+            return checkTension("carbon dioxide of the right lung",
+                                blood.lungCarbonDioxide_mmHg[0]);
+        })
+        .and_then([&] {
+            return checkTension("carbon dioxide of the left lung", blood.lungCarbonDioxide_mmHg[1]);
+        })
+        .and_then([&] {
             return checkShares({{"constriction, right", blood.constriction[0]},
                                 {"constriction, left", blood.constriction[1]}});
         });

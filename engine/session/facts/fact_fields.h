@@ -193,10 +193,13 @@ inline constexpr std::tuple kFields<LungGas>{&LungGas::oxygen_ml, &LungGas::carb
 template <>
 inline constexpr std::tuple kFields<GasShares>{&GasShares::oxygen, &GasShares::carbonDioxide};
 template <>
-inline constexpr std::tuple kFields<BloodGas>{
-    &BloodGas::arterialOxygen_mlPerL,    &BloodGas::venousOxygen_mlPerL,
-    &BloodGas::restingOxygen_mlPerL,     &BloodGas::arterialCarbonDioxide_mmHg,
-    &BloodGas::tissueCarbonDioxide_mmHg, &BloodGas::constriction};
+inline constexpr std::tuple kFields<BloodGas>{&BloodGas::arterialOxygen_mlPerL,
+                                              &BloodGas::venousOxygen_mlPerL,
+                                              &BloodGas::restingOxygen_mlPerL,
+                                              &BloodGas::arterialCarbonDioxide_mmHg,
+                                              &BloodGas::tissueCarbonDioxide_mmHg,
+                                              &BloodGas::lungCarbonDioxide_mmHg,
+                                              &BloodGas::constriction};
 template <>
 inline constexpr std::tuple kFields<OximeterState>{&OximeterState::way, &OximeterState::steps,
                                                    &OximeterState::shown};

@@ -123,6 +123,7 @@ void TestBodyRules::refusesAStateThatNoBodyComesTo_data()
     row("slow oxygen", [](BodyState& s) { s.blood.restingOxygen_mlPerL = -1.0; });
     row("arterial tension", [](BodyState& s) { s.blood.arterialCarbonDioxide_mmHg = -1.0; });
     row("tissue tension", [](BodyState& s) { s.blood.tissueCarbonDioxide_mmHg = 1e6; });
+    row("lung's tension", [](BodyState& s) { s.blood.lungCarbonDioxide_mmHg[1] = 1e6; });
     row("constriction", [](BodyState& s) { s.blood.constriction[1] = 1.1; });
     row("place in the line", [](BodyState& s) { s.capnograph.next = std::int64_t(kSampleLine); });
     row("place before the line", [](BodyState& s) { s.capnograph.next = -1; });

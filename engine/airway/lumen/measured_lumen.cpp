@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace carina
@@ -13,7 +14,10 @@ namespace
 {
 
 constexpr Length kSpacing = millimetres(4.0);
-constexpr double kFunnel = 0.03;         ///< metres in front of the teeth
+constexpr double kFunnel = 0.03;                ///< metres in front of the teeth
+constexpr Length kRightMain = millimetres(7.0); ///< radius in an adult, of textbooks
+constexpr Length kLeftMain = millimetres(6.0);
+constexpr double kAtCarina = 0.012;      ///< metres of an adult above it
 constexpr double kRoundOfFunnel = 0.015; ///< metres: radius of its edge at the teeth
 constexpr double kLeastBall = 5e-4;      ///< metres
 constexpr double kAboveCords = 0.012;    ///< metres of an adult, within which the cords yield
@@ -125,6 +129,15 @@ LumenSection round(const Vec3& p_A_centre, const AcrossWay& across, double lumen
     return section;
 }
 
+/// From the centre of a section to its nearest corner, metres.
+double leastWidth(const LumenSection& section)
+{
+    double least = std::numeric_limits<double>::infinity();
+    for (const LumenLimit& limit : section.limits)
+        least = std::min(least, (limit.p_A_wall + limit.fromWall - section.p_A_centre).norm());
+    return least;
+}
+
 AcrossWay acrossAt(std::span<const Vec3> line, std::size_t i)
 {
     return acrossWay(line[std::min(i + 1, line.size() - 1)] - line[i > 0 ? i - 1 : 0]);
@@ -162,6 +175,16 @@ void measureTrunk(AirwayLumen& lumen, const Patient& patient, const Centreline& 
         if (at.pastTeeth < 0.0) {
             sections.push_back(round(line[i], across, most, patient.radius, AirwayTissue::Teeth));
         } else {
+            // The ridge of the carina is in the way of balls, not of tubes, which go by its sides.
+            const bool isAtCarina =
+                (double(line.size()) - double(i)) * step < kAtCarina && !sections.empty();
+            if (isAtCarina) {
+                const LumenSection& above = sections.back();
+                sections.push_back(round(line[i], across, leastWidth(above) + patient.radius,
+                                         patient.radius, AirwayTissue::Windpipe));
+                sections.back().give = above.give;
+                continue;
+            }
             Vec3 p_A = takenOff(line[i], walls, across, patient.radius);
             p_A = toTheMiddle(p_A, walls, across, patient.radius, 0.5 * most);
             sections.push_back(measured(p_A, walls, across, patient.radius, most, usualTissue(at)));
@@ -212,19 +235,18 @@ Centreline bronchusLine(const Patient& patient, const Centreline& trunk, bool is
     return evenlySpaced(line, kSpacing);
 }
 
-void measureBronchus(AirwayLumen& lumen, const Patient& patient, const Centreline& trunk,
-                     AirwayWay which, const WallSurfaces& walls)
+void addBronchus(AirwayLumen& lumen, const Patient& patient, const Centreline& trunk,
+                 AirwayWay which)
 {
-    const Centreline line = bronchusLine(patient, trunk, which == AirwayWay::RightMain);
+    const bool isRight = which == AirwayWay::RightMain;
+    const Centreline line = bronchusLine(patient, trunk, isRight);
     std::vector<LumenSection>& sections = lumen.ways[std::size_t(which)];
-    const double most = patient.size * kLarynx.si;
+    const double radius = patient.size * (isRight ? kRightMain : kLeftMain).si;
     for (std::size_t i = 0; i < line.size(); ++i) {
-        const AcrossWay across = acrossAt(line, i);
-        // The first lie within the trunk.
-        const bool isWithin = i == 0;
-        const Vec3 p_A = isWithin ? line[i] : takenOff(line[i], walls, across, patient.radius);
+        // The first lies within the trunk, at its corners.
+        const double there = i == 0 ? patient.radius : radius;
         sections.push_back(
-            measured(p_A, walls, across, patient.radius, most, AirwayTissue::Windpipe));
+            round(line[i], acrossAt(line, i), there, patient.radius, AirwayTissue::Windpipe));
         sections.back().give = patient.size * kGiveOfWall;
     }
     lumen.begins[std::size_t(which)] = nearestOf(line, trunk.back());
@@ -302,7 +324,7 @@ Result<AirwayLumen> measuredLumen(std::span<const AnatomyPart> parts,
     lumen.isMeasured = !walls.isEmpty();
     measureTrunk(lumen, patient, trunk, walls);
     for (const AirwayWay which : {AirwayWay::RightMain, AirwayWay::LeftMain})
-        measureBronchus(lumen, patient, trunk, which, walls);
+        addBronchus(lumen, patient, trunk, which);
     addOesophagus(lumen, patient, trunk);
     return lumen;
 }

@@ -20,8 +20,8 @@ namespace carina
 /// - Beyond usual sizes (kMouth and the others), in proportion to the way from the teeth to the
 ///   carina, it is not moved: where sets lack mucosa, and where space goes on into the nose,
 ///   between the cheeks or beside the larynx.
-/// - Main bronchi: from the carina along the middles of the surfaces of this role; without them at
-///   the usual angles.
+/// - Main bronchi: from the carina along the middles of the surfaces of this role, without them at
+///   the usual angles; of usual width, as surfaces of bronchi are often closed at their ends.
 /// - Oesophagus: along the middle of its surface, or 8 mm behind the trachea's wall. At rest it is
 ///   shut, but it yields to a tube; so it has a usual width instead of a measured one.
 /// - In front of the teeth a funnel with a round edge, of ours.

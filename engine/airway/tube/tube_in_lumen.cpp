@@ -13,7 +13,7 @@ namespace carina
 namespace
 {
 
-constexpr Length kBeside = millimetres(35.0); ///< of ours
+constexpr Length kBeside = millimetres(30.0); ///< of ours
 constexpr double kJustBeyond = 1e-4;          ///< metres
 constexpr double kAtStop = 1e-3; ///< metres before a stop from which a tip is said to be there
 
@@ -106,13 +106,17 @@ std::size_t TubeInLumen::Walls::entered(std::span<const Vec3> nodes)
     const Node& there = m_nodes[tip];
     std::size_t segment = there.segment;
     const double depth = m_lumen->touchIn(there.way, stop(there.way), nodes[tip], segment).depth;
-    if (isInFront(nodes[tip], there) || (!wasInside && depth > kCaught.si))
+    const bool isInFunnel =
+        there.way == AirwayWay::Trunk
+        && m_lumen->way(there.way).alongAt(nodes[tip], segment) < m_lumen->teeth + kCaught.si;
+    if (isInFront(nodes[tip], there) || (!wasInside && !(isInFunnel && depth < kCaught.si)))
         return nodes.size();
     std::size_t first = tip;
     while (first > 0) {
         const std::size_t i = first - 1;
         segment = m_nodes[i].segment;
-        const bool isKnown = i >= m_firstInside && m_lumen->way(m_nodes[i].way).isThere();
+        const bool isKnown =
+            m_isKnown && i >= m_firstInside && m_lumen->way(m_nodes[i].way).isThere();
         if (!isKnown
             || m_lumen->touchIn(m_nodes[i].way, stop(m_nodes[i].way), nodes[i], segment).depth
                    > 0.0)
@@ -124,11 +128,16 @@ std::size_t TubeInLumen::Walls::entered(std::span<const Vec3> nodes)
     return first;
 }
 
-void TubeInLumen::Walls::letGo() { m_firstInside = m_nodes.size(); }
+void TubeInLumen::Walls::takeIn(std::size_t first)
+{
+    m_nodes.clear();
+    m_firstInside = first;
+}
 
 void TubeInLumen::Walls::choose(const MovedLumen& lumen, std::span<const Vec3> nodes)
 {
     m_lumen = &lumen;
+    m_isKnown = !m_nodes.empty();
     m_nodes.resize(nodes.size());
     const auto before = m_stops;
     for (std::size_t w = 0; w < kAirwayWays; ++w)
@@ -176,20 +185,51 @@ void TubeInLumen::step(const RigidTransform& X_AE, const MovedLumen& lumen)
         m_X_AE = X_AE;
     }
     const RigidTransform from = m_X_AE;
-    for (int i = 1; i <= int(std::min(parts, double(kMostParts))); ++i) {
-        m_walls.choose(lumen, m_rod.nodes());
-        m_rod.stiffenBefore(m_walls.firstInside(), kHeldByHand);
-        m_rod.step(interpolate(from, X_AE, i / parts), m_walls);
+    for (int i = 1; i <= int(std::min(parts, double(kMostParts))); ++i)
+        relax(interpolate(from, X_AE, i / parts), lumen);
+    if (isFoundInside(lumen)) {
+        layAnew(X_AE, lumen);
+        relax(X_AE, lumen);
     }
     m_X_AE = X_AE;
     m_hasBegun = true;
     judgeTip(lumen);
 }
 
+void TubeInLumen::relax(const RigidTransform& X_AE, const MovedLumen& lumen)
+{
+    m_walls.choose(lumen, m_rod.nodes());
+    m_rod.stiffenBefore(m_walls.firstInside(), kHeldByHand);
+    m_rod.step(X_AE, m_walls);
+}
+
+/// Whether a tube that came in beside the funnel lies in the airway, from the teeth to its tip.
+bool TubeInLumen::isFoundInside(const MovedLumen& lumen) const
+{
+    const std::span<const Vec3> nodes = m_rod.nodes();
+    if (m_walls.firstInside() < nodes.size())
+        return false;
+    const Walls::Node& tip = m_walls.node(nodes.size() - 1);
+    const MovedWay& way = lumen.way(tip.way);
+    std::size_t segment = tip.segment;
+    const bool isInside =
+        lumen.touchIn(tip.way, way.along.back(), nodes.back(), segment).depth < 0.0;
+    const bool isPastTeeth = tip.way != AirwayWay::Trunk
+                             || way.alongAt(nodes.back(), segment) > lumen.teeth + kCaught.si;
+    return isInside && isPastTeeth && passesTeeth(nodes, lumen);
+}
+
+bool TubeInLumen::passesTeeth(std::span<const Vec3> nodes, const MovedLumen& lumen)
+{
+    const Vec3 p_A_teeth = centreAt(lumen.way(AirwayWay::Trunk), lumen.teeth);
+    return std::ranges::any_of(
+        nodes, [&](const Vec3& p_A) { return (p_A - p_A_teeth).norm() < kBeside.si; });
+}
+
 void TubeInLumen::layAnew(const RigidTransform& X_AE, const MovedLumen& lumen)
 {
     m_rod.lay(X_AE);
-    m_walls.letGo();
+    m_walls.takeIn(m_rod.nodes().size());
     const std::vector<Vec3> rest = m_rod.nodesAtRest();
     // The way whose middle is nearest to the measured tip, of those that lead there.
     const AirwayWay which = *std::ranges::min_element(kAllAirwayWays, {}, [&](AirwayWay w) {
@@ -204,7 +244,8 @@ void TubeInLumen::layAnew(const RigidTransform& X_AE, const MovedLumen& lumen)
     std::size_t segment = path.nearestSegment(rest.back());
     const double place = path.alongAt(rest.back(), segment);
     // A tip that is far from the airway is beside the body.
-    if (place <= lumen.teeth || (centreAt(path, place) - rest.back()).norm() > kBeside.si)
+    if (place <= lumen.teeth || !passesTeeth(rest, lumen)
+        || (centreAt(path, place) - rest.back()).norm() > kBeside.si)
         return;
     const auto nearest = std::ranges::min_element(
         rest, {}, [&](const Vec3& p_A) { return (p_A - p_A_teeth).squaredNorm(); });
@@ -213,6 +254,7 @@ void TubeInLumen::layAnew(const RigidTransform& X_AE, const MovedLumen& lumen)
     for (std::size_t i = entry; i < nodes.size(); ++i)
         nodes[i] = centreAt(path, lumen.teeth + m_rod.along(i) - m_rod.along(entry - 1));
     m_rod.lay(X_AE, nodes);
+    m_walls.takeIn(entry);
 }
 
 Length TubeInLumen::depthAtTeeth(const MovedLumen& lumen) const

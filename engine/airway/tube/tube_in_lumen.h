@@ -43,7 +43,9 @@ struct TubeContact {
 ///
 /// What of the tube lies outside of the mouth is as measured and is held by a hand: it meets no
 /// wall, and is stiffer by kHeldByHand. A tip gets into the mouth through the funnel in front of
-/// the teeth; one that passes beside that stays outside.
+/// the teeth; one that passes beside that stays outside, until the tube as measured lies in the
+/// airway from the teeth to its tip, as one does that is simulated and goes straight through a
+/// chin.
 ///
 /// A connector that moved by more than kMostAtOnce or kMostTurn within a step is moved in several;
 /// where these would be more than kMostParts, as after it was lost, the tube is laid anew: in the
@@ -90,8 +92,8 @@ private:
         void choose(const MovedLumen& lumen, std::span<const Vec3> nodes);
         /// The first node from which on the tube is inside; as many as there are nodes outside.
         [[nodiscard]] std::size_t firstInside() const { return m_firstInside; }
-        /// Everything is outside until a tip comes in again.
-        void letGo();
+        /// The tube was laid anew, and is inside from this node on.
+        void takeIn(std::size_t first);
 
         struct Node {
             AirwayWay way = AirwayWay::Trunk;
@@ -111,8 +113,12 @@ private:
         mutable std::vector<Node> m_nodes;   ///< the search begins where the last one ended
         std::array<double, kAirwayWays> m_stops{};
         std::size_t m_firstInside = kPieces + 1;
+        bool m_isKnown = false; ///< whether the nodes have ways from the step before
     };
 
+    void relax(const RigidTransform& X_AE, const MovedLumen& lumen);
+    [[nodiscard]] bool isFoundInside(const MovedLumen& lumen) const;
+    [[nodiscard]] static bool passesTeeth(std::span<const Vec3> nodes, const MovedLumen& lumen);
     void layAnew(const RigidTransform& X_AE, const MovedLumen& lumen);
     void judgeTip(const MovedLumen& lumen);
     [[nodiscard]] Length depthAtTeeth(const MovedLumen& lumen) const;

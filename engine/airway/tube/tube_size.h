@@ -5,7 +5,6 @@
 #include "engine/geometry/vec.h"
 
 #include <cstdint>
-
 #include <vector>
 
 namespace carina

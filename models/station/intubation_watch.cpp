@@ -60,18 +60,20 @@ void IntubationWatch::forget()
     m_noted.clear();
 }
 
-bool IntubationWatch::watches(SessionTime now) const
+bool IntubationWatch::isAtWork() const
 {
-    const auto state = m_node.state();
     return m_patient != nullptr && m_node.self() != kNobody
-           && state->atWork(m_station) == m_node.self()
-           && state->phaseAt(now) == SessionPhase::Running;
+           && m_node.state()->atWork(m_station) == m_node.self();
 }
 
 void IntubationWatch::look()
 {
     const auto now = m_node.now();
-    if (!now || !watches(*now)) {
+    if (!now || !isAtWork()) {
+        forget(); // whoever works meanwhile has another tube
+        return;
+    }
+    if (m_node.state()->phaseAt(*now) != SessionPhase::Running) {
         m_taken.reset();
         return;
     }

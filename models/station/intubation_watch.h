@@ -44,7 +44,7 @@ public:
                     QObject* parent = nullptr);
 
     /// Follows another station, or the same with another patient, from now on; what was concluded
-    /// is forgotten.
+    /// is forgotten, as when somebody else takes up the work.
     void setStation(StationId station);
     /// @pre it outlives this, or lives until the next one lies there.
     void lieIn(const PatientModel& patient);
@@ -67,7 +67,7 @@ private:
     };
 
     void forget();
-    [[nodiscard]] bool watches(SessionTime now) const;
+    [[nodiscard]] bool isAtWork() const;
     [[nodiscard]] StationMoment momentAt(SessionTime t) const;
     [[nodiscard]] AirwayMoment airwayAt(SessionTime t);
     [[nodiscard]] BladeSeen bladeIn(const StationMoment& moment, const LaryngoscopeSight& sight);

@@ -97,14 +97,14 @@ void BedsideMonitorPanel::setModel(VitalsModel& model, const SoundOutput& output
     m_model = &model;
     m_output = &output;
     m_sounds->setModel(model);
-    connect(&model, &VitalsModel::sampled, this, &BedsideMonitorPanel::show);
+    connect(&model, &VitalsModel::sampled, this, &BedsideMonitorPanel::draw);
     connect(&model, &VitalsModel::startedAfresh, m_monitor, &BedsideMonitor::clear);
     connect(&model, &VitalsModel::changed, this, &BedsideMonitorPanel::refresh);
     connect(&output, &SoundOutput::changed, this, &BedsideMonitorPanel::refresh);
     refresh();
 }
 
-void BedsideMonitorPanel::show(const VitalsModel::Sample& sample)
+void BedsideMonitorPanel::draw(const VitalsModel::Sample& sample)
 {
     m_monitor->add(
         {sample.time_s, sample.electrocardiogram_mV, sample.pulse, sample.exhaledCO2_mmHg});

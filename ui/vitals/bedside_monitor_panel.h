@@ -29,7 +29,7 @@ public:
 
 private:
     void addControls();
-    void show(const VitalsModel::Sample& sample);
+    void draw(const VitalsModel::Sample& sample);
     void refresh();
     void showNumbers();
     void showAlarms();

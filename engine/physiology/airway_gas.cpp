@@ -53,7 +53,7 @@ GasShares leaving(const LungGas& lung, double slant, double exhaled)
 
 /// Follows where in a breath the patient is; it is a new one when gas comes in again after at least
 /// a fifth of the present one has left.
-void follow(AirwayGas& gas, double moved_ml)
+void followBreath(AirwayGas& gas, double moved_ml)
 {
     constexpr double kLeastExhaled = 0.2;
     if (moved_ml > 0.0) {
@@ -121,7 +121,7 @@ double move(AirwayGas& gas, const GasMove& how)
     for (std::size_t i = 0; i < 2; ++i)
         if (moved[i] > 0.0)
             add(gas.lungs[i], moved[i], atCarina);
-    follow(gas, net);
+    followBreath(gas, net);
     return net;
 }
 

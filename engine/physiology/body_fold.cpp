@@ -63,8 +63,20 @@ BodyFold::BodyFold(const BodySettings& settings, const BodyState& checkpoint)
 void BodyFold::set(const BodySettings& settings)
 {
     if (settings.build != m_settings.build || m_body == BodyFigures{})
-        m_body = bodyFiguresOf(settings.build);
+        become(bodyFiguresOf(settings.build));
     m_settings = settings;
+}
+
+/// Another patient's blood is as saturated as that of the one before.
+void BodyFold::become(const BodyFigures& body)
+{
+    if (m_body.haemoglobin_gPerL > 0.0) {
+        const double ratio = body.haemoglobin_gPerL / m_body.haemoglobin_gPerL;
+        m_state.blood.arterialOxygen_mlPerL *= ratio;
+        m_state.blood.venousOxygen_mlPerL *= ratio;
+        m_state.blood.restingOxygen_mlPerL *= ratio;
+    }
+    m_body = body;
 }
 
 void BodyFold::give(const DrugDose& dose) { inject(m_state.drugs, dose); }

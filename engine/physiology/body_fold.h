@@ -44,8 +44,11 @@ public:
     [[nodiscard]] const BodySettings& settings() const { return m_settings; }
     [[nodiscard]] const BodyState& state() const { return m_state; }
     [[nodiscard]] Vitals vitals() const;
-    /// Share of the patient's own breathing that drugs leave, 0 to 1.
-    [[nodiscard]] double breathingLeft() const { return m_effect.breathing; }
+    /// Share of the patient's own breathing that drugs leave, 0 to 1; 0 once the heart has stopped.
+    [[nodiscard]] double breathingLeft() const
+    {
+        return m_state.circulation.arrested ? 0.0 : m_effect.breathing;
+    }
     /// How far the cords are shut by spasm (stimulated in too light a sleep), 0 to 1.
     [[nodiscard]] double spasm() const { return m_state.spasm; }
     /// Whether the patient coughs against blade or tube.
@@ -54,6 +57,7 @@ public:
     [[nodiscard]] double tone() const { return m_effect.tone; }
 
 private:
+    void become(const BodyFigures& body);
     [[nodiscard]] double stimulus() const;
     [[nodiscard]] GasShares supplied(const RespiratoryFold& breathing) const;
     [[nodiscard]] bool samplesGas() const;

@@ -47,6 +47,7 @@ struct BloodGas {
     double restingOxygen_mlPerL = 0.0; ///< of blood that turns over slowly
     double arterialCarbonDioxide_mmHg = 40.0;
     double tissueCarbonDioxide_mmHg = 46.0;
+    std::array<double, 2> lungCarbonDioxide_mmHg{40.0, 40.0}; ///< in the tissue of each lung
     std::array<double, 2> constriction{}; ///< hypoxic, of the vessels of each lung, 0 to 1
 
     friend bool operator==(const BloodGas&, const BloodGas&) = default;

@@ -32,7 +32,7 @@ struct SampledGas {
 void sample(CapnographState& state, const SampledGas& gas, double seconds);
 
 inline constexpr double kSensorTime = 0.1;    ///< s; with a delay of 1.5 s, ours
-inline constexpr double kWashTime = 15.0;     ///< s, ours
+inline constexpr double kWashTime = 30.0;     ///< s, ours
 inline constexpr double kBreathAt_mmHg = 3.0; ///< ours
 inline constexpr double kNoBreathTime = 20.0; ///< s, as alarms of apnoea are set
 inline constexpr double kStomachBreaths = 1.5;

@@ -36,10 +36,10 @@ double venousReturn(double tension) { return 1.0 - 0.6 * std::min(1.4, tension);
 void takeHarm(CirculationState& state, const BodyFigures& body, double saturation, double seconds)
 {
     constexpr double kTime = 120.0;
-    constexpr double kRecovery = 300.0;
+    constexpr double kHealing = 300.0;
     const double rate =
         ramp(saturation, 0.6, 0.0) + ramp(state.mean_mmHg / body.mean_mmHg, 0.4, 0.0);
-    state.harm += rate > 0.0 ? seconds / kTime * rate : -seconds / kRecovery * state.harm;
+    state.harm += rate > 0.0 ? seconds / kTime * rate : -seconds / kHealing * state.harm;
     state.arrested = state.arrested || state.harm >= 1.0;
 }
 

@@ -57,6 +57,17 @@ double usedNow(double use_mlPerS, double venous_mlPerL)
     return use_mlPerS * std::clamp(venous_mlPerL / kScarce_mlPerL, 0.0, 1.0);
 }
 
+/// Tissue and blood within a lung give carbon dioxide to its gas, or take it.
+void buffer(LungGas& gas, double& tissue_mmHg, double alveolar_mmHg, double resting_ml,
+            double seconds)
+{
+    constexpr double kTime = 0.3;
+    const double flow_mmHg = seconds / kTime * (tissue_mmHg - alveolar_mmHg);
+    tissue_mmHg -= flow_mmHg;
+    gas.carbonDioxide_ml += std::max(kLungTissue * resting_ml * flow_mmHg / kDryPressure_mmHg,
+                                     -0.2 * gas.carbonDioxide_ml);
+}
+
 /// Arteries, veins and slow vessels after a step in which the lungs gave blood of this content.
 void circulate(BloodGas& blood, const BodyFigures& body, const ExchangeConditions& conditions,
                double fromLungs_mlPerL, double seconds)
@@ -98,8 +109,8 @@ void exchange(AirwayGas& gas, BloodGas& blood, const BodyFigures& body,
     double exhaledCO2_ml = 0.0;
     for (std::size_t i = 0; i < 2; ++i) {
         LungGas& lung = gas.lungs[i];
-        const AlveolarTension alveolar =
-            tensionOf(lung, conditions.wasted[i], kFlowShare[i] * body.restingVolume_ml);
+        const double resting_ml = kFlowShare[i] * body.restingVolume_ml;
+        const AlveolarTension alveolar = tensionOf(lung, conditions.wasted[i], resting_ml);
         const double exposed = share[i] * (1.0 - conditions.shunt[i]);
         const double capillary = oxygenContent_mlPerL(alveolar.oxygen_mmHg, body.haemoglobin_gPerL);
         const double flow_ml = exposed * conditions.cardiacOutput_mlPerS * seconds;
@@ -115,10 +126,13 @@ void exchange(AirwayGas& gas, BloodGas& blood, const BodyFigures& body,
         mixedO2 += (share[i] - exposed) * venousO2;
         mixedCO2 += exposed * alveolar.carbonDioxide_mmHg + (share[i] - exposed) * venousCO2;
         constrict(blood, i, alveolar.oxygen_mmHg, seconds);
+        buffer(lung, blood.lungCarbonDioxide_mmHg[i], alveolar.carbonDioxide_mmHg, resting_ml,
+               seconds);
     }
     circulate(blood, body, conditions, mixedO2, seconds);
+    constexpr double kWithoutLungs = 0.9; // of the store, whose lungs are counted above
     const double store_mlPerMmHg =
-        body.carbonDioxide_mlPerS * kStoreTime / kQuietCarbonDioxide_mmHg;
+        kWithoutLungs * body.carbonDioxide_mlPerS * kStoreTime / kQuietCarbonDioxide_mmHg;
     blood.arterialCarbonDioxide_mmHg = mixedCO2;
     blood.tissueCarbonDioxide_mmHg +=
         (conditions.use * body.carbonDioxide_mlPerS * seconds - exhaledCO2_ml) / store_mlPerMmHg;

@@ -23,7 +23,9 @@ struct ExchangeConditions {
 ///
 /// Carbon dioxide: tissues and venous blood are one store, at the tension of venous blood, with the
 /// time constant kStoreTime of ventilatory_drive.h. Its content is taken as proportional to the
-/// tension, so that a flow of quiet size needs kVenousExcess between vein and lung.
+/// tension, so that a flow of quiet size needs kVenousExcess between vein and lung. Tissue and
+/// blood within the lungs hold as much as kLungTissue times their resting gas does, and damp its
+/// swing from breath to breath.
 void exchange(AirwayGas& gas, BloodGas& blood, const BodyFigures& body,
               const ExchangeConditions& conditions, double seconds);
 
@@ -34,9 +36,13 @@ void exchange(AirwayGas& gas, BloodGas& blood, const BodyFigures& body,
 /// True saturation of arterial blood, 0 to 1.
 [[nodiscard]] double arterialSaturation(const BloodGas& blood, const BodyFigures& body);
 
-/// Tension in venous less that in arterial blood at rest. Textbooks have 6; the rest stands for the
-/// Haldane effect, which in apnoea raises the tension in the lungs above it (ours).
-inline constexpr double kVenousExcess_mmHg = 7.5;
+/// Tension in venous less that in arterial blood at rest: 52 ml/L over 4.7 ml/L for each mmHg.
+/// Textbooks have 6 mmHg, by the Haldane effect; in apnoea this effect vanishes, and the tension in
+/// the lungs rises by all of the difference.
+inline constexpr double kVenousExcess_mmHg = 11.0;
+/// Some 600 g of tissue and 450 ml of blood in an adult hold 4 ml/mmHg, the gas 2.7 (estimate of
+/// ours, with 3 and 5 ml/mmHg for a litre of tissue and blood).
+inline constexpr double kLungTissue = 1.5;
 /// Greatest loss of blood flow of a lung without oxygen, and its time constant (ours: textbooks
 /// have half of the flow, within some minutes).
 inline constexpr double kMostConstriction = 0.75;

@@ -15,7 +15,7 @@ OximeterState settledAt(double saturation)
 
 void watch(OximeterState& state, double saturation, double seconds)
 {
-    const auto perSample = std::llround(kSampleEvery / seconds);
+    const auto perSample = std::llround(kFingerSampleEvery / seconds);
     const auto place = static_cast<std::size_t>(state.steps / perSample) % kWayToFinger;
     state.shown += seconds / kAveraging * (state.way[place] - state.shown);
     ++state.steps;

@@ -170,9 +170,10 @@ inline constexpr std::tuple kFields<CapnographState>{
     &CapnographState::connector_mmHg, &CapnographState::line,
     &CapnographState::next,           &CapnographState::sensor_mmHg,
     &CapnographState::inBreath,       &CapnographState::hasBreath,
-    &CapnographState::highest_mmHg,   &CapnographState::endTidal_mmHg,
-    &CapnographState::rate_perS,      &CapnographState::sinceBreath_s,
-    &CapnographState::stomach_mmHg,   &CapnographState::stomachPhase};
+    &CapnographState::highest_mmHg,   &CapnographState::lowest_mmHg,
+    &CapnographState::endTidal_mmHg,  &CapnographState::rate_perS,
+    &CapnographState::sinceBreath_s,  &CapnographState::stomach_mmHg,
+    &CapnographState::stomachPhase};
 
 template <>
 inline constexpr std::tuple kFields<fact::BodyCheckpoint>{&fact::BodyCheckpoint::at,

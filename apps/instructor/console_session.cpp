@@ -52,21 +52,24 @@ ConsoleSession::ConsoleSession(HostedSession hosted, const program::ChosenPatien
       m_head{m_session, m_stations.shown()},
       m_trace{m_session, m_stations.shown()},
       m_attention{m_session},
+      m_intubation{m_session, m_stations.shown()},
       m_checkpoints{*m_hosted.node},
       m_shown{*m_hosted.node, m_stations.shown(), patient.model, m_lesson.poses(), m_tools},
+      m_watch{*m_hosted.node, m_stations.shown(), m_tools.posesOnScreen()},
       m_offer{[this] {
           return OfferGiver::Shown{m_shown.view(), m_shown.drawn()};
       }},
       m_kept{folder},
       m_window{{m_session, m_breathing, m_respiration, m_gas, m_airway, m_head, m_trace,
                 m_participants, m_conduct, m_people, m_network, m_actions, m_stations, m_lesson,
-                m_shown.patient(), m_attention},
+                m_shown.patient(), m_attention, m_intubation},
                m_kept,
                m_shown.view(),
                program::programTracker(m_tools, m_recording, m_offer, true, folder)}
 {
     m_attention.setPatient(m_shown.patient());
     m_window.setReach(m_hosted.reach);
+    m_watch.readView([this] { return m_window.glottisSeen(); });
     offerTracker();
     m_window.onClose([this] { return mayClose(); });
     QObject::connect(&m_stations, &StationsModel::shownChanged, &m_window,
@@ -88,6 +91,8 @@ void ConsoleSession::offerTracker()
 {
     const auto followTools = [this] {
         m_window.stationScene().showBlade(program::bladeOf(m_tools));
+        m_watch.lieIn(m_shown.drawn());
+        m_watch.takeOwnBlade(program::bladeOf(m_tools));
         m_tools.recordBy(m_recording);
         comeWithTools();
     };
@@ -171,6 +176,8 @@ void ConsoleSession::setStation(StationId station)
     m_airway.setStation(station);
     m_head.setStation(station);
     m_trace.setStation(station);
+    m_intubation.setStation(station);
+    m_watch.setStation(station);
     m_shown.setStation(station);
     if (m_journal)
         m_journal->setStation(station);

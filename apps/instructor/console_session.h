@@ -6,6 +6,7 @@
 #include "apps/program/tracker_change.h"
 #include "models/openigtlink/offer_switch.h"
 #include "models/respiration/checkpoint_keeper.h"
+#include "models/station/intubation_watch.h"
 #include "ui/instructor/instructor_window.h"
 
 #include <functional>
@@ -84,8 +85,10 @@ private:
     HeadPositionModel m_head;
     BreathTrace m_trace;
     AttentionModel m_attention;
+    IntubationTimeline m_intubation;
     CheckpointKeeper m_checkpoints;
     ShownStation m_shown;
+    IntubationWatch m_watch; ///< where who runs this console is at work with its tracker
     OfferSwitch m_offer;
     KeptConsole m_kept;
     InstructorWindow m_window;

@@ -14,6 +14,7 @@
 #include "apps/trainee/trainee_station.h"
 #include "engine/io/anatomy_set/anatomy_cache.h"
 #include "models/patient/shared_patient.h"
+#include "models/station/intubation_watch.h"
 #include "models/station/own_station.h"
 #include "ui/tracker/recording_end.h"
 #include "ui/trainee/trainee_window.h"
@@ -288,9 +289,13 @@ Result<Left> takePart(const QCommandLineParser& parser, Outfit& outfit, program:
                          program::programTracker(tools, recording, offer,
                                                  entered.role == Role::Trainee,
                                                  program::dataFolder(parser))};
+    IntubationWatch watch{station.node(), place.id(), tools.posesOnScreen()};
+    watch.readView([&window] { return window.glottisSeen(); });
     const auto show = [&] {
         window.show(station.patient(), station.view(), tools.chinProbe());
         window.stationScene().showBlade(program::bladeOf(tools));
+        watch.lieIn(station.patient());
+        watch.takeOwnBlade(program::bladeOf(tools));
     };
     show(); // with the tools of the site
     station.onShown(show);
@@ -322,6 +327,7 @@ Result<Left> takePart(const QCommandLineParser& parser, Outfit& outfit, program:
         station.setStation(now);
         object.setStation(now);
         people.setStation(now);
+        watch.setStation(now);
         sessionPatient.setStation(now);
         if (*journal)
             (*journal)->setStation(now);

@@ -73,7 +73,11 @@ QString SessionModel::textOf(SessionPhase phase)
 QString SessionModel::runningTimeText() const
 {
     const std::optional<SessionTime> now = m_node.now();
-    const auto running = now ? m_node.state()->runningTime(*now) : Duration{};
+    return timeText(now ? m_node.state()->runningTime(*now) : Duration{});
+}
+
+QString timeText(Duration running)
+{
     const auto seconds = std::chrono::floor<std::chrono::seconds>(running).count();
     return QStringLiteral("%1:%2")
         .arg(seconds / 60, 2, 10, QLatin1Char('0'))

@@ -56,4 +56,7 @@ private:
     std::shared_ptr<Wake> m_wake; ///< shared with the callback on the node's thread
 };
 
+/// A running time in minutes and seconds: "04:12".
+[[nodiscard]] QString timeText(Duration running);
+
 } // namespace carina

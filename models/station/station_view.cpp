@@ -12,6 +12,14 @@ bool isAway(const StationMoment& moment)
     return moment.patient && !isInItsPlace(moment.patient->acted);
 }
 
+FollowingThroat throatAt(const StationMoment& moment, const PatientModel& patient)
+{
+    const bool hasJaw = moment.jaw && moment.jaw->validity != Validity::Lost;
+    const RigidTransform X_UA = patient.neck(moment.headPosition).X_AU().inverse();
+    return patient.throat(hasJaw ? std::optional{X_UA * moment.jaw->X_FO} : std::nullopt,
+                          moment.headPosition, moment.airwayEvents);
+}
+
 StationView::StationView(const SessionNode& node, StationId station, const LungPair& lungs,
                          ObjectPoses own)
     : m_node{node}, m_station{station}, m_lungs{lungs}, m_own{std::move(own)}

@@ -4,6 +4,7 @@
 #include "engine/lungs/mechanics/lung_pair.h"
 #include "engine/net/node/session_node.h"
 #include "engine/session/respiration/respiration_follower.h"
+#include "models/patient/patient_model.h"
 #include "models/station/lifted_objects.h"
 #include "models/station/people_poses.h"
 
@@ -40,6 +41,11 @@ struct StationMoment {
 
 /// Whether the virtual patient is displaced from its original pose.
 [[nodiscard]] bool isAway(const StationMoment& moment);
+
+/// The deformation of a patient's throat by head, neck and jaw at a moment; while the chin probe is
+/// not seen, the mouth is drawn as in the surfaces. Either way it opens no farther than events let
+/// it. The probe is on a manikin whose head lies as that of the patient.
+[[nodiscard]] FollowingThroat throatAt(const StationMoment& moment, const PatientModel& patient);
 
 /// The state of a station as drawn by a viewer: a pure function of facts, poses, actions and time.
 /// Must be called from one thread only.

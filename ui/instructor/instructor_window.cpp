@@ -55,7 +55,7 @@ InstructorWindow::InstructorWindow(const ConsoleModels& models, KeptConsole& kep
     m_ui->parts->setHistory(m_history);
     m_ui->section->setHistory(m_history);
     m_savedViews.setHistory(m_history);
-    m_ui->pane->setModels(m_models.stations, m_models.attention);
+    m_ui->pane->setModels(m_models.stations, m_models.attention, m_models.intubation);
     m_ui->pane->show(*m_models.patient.patient(), view);
     fillPanels(tracker);
     layPanels();
@@ -84,6 +84,11 @@ InstructorWindow::InstructorWindow(const ConsoleModels& models, KeptConsole& kep
 InstructorWindow::~InstructorWindow() { keepPanels(); }
 
 StationScene& InstructorWindow::stationScene() { return m_ui->pane->stationScene(); }
+
+std::optional<GlotticView> InstructorWindow::glottisSeen() const
+{
+    return m_ui->laryngoscope->seen();
+}
 
 void InstructorWindow::fillPanels(const ProgramTracker& tracker)
 {

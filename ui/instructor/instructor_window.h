@@ -18,6 +18,7 @@
 #include "models/session/people_model.h"
 #include "models/session/session_model.h"
 #include "models/session/session_plan.h"
+#include "models/station/intubation_timeline.h"
 #include "models/station/stations_model.h"
 #include "ui/lesson/scene_teacher.h"
 #include "ui/scene/part_chooser.h"
@@ -61,6 +62,7 @@ struct ConsoleModels {
     LessonModel& lesson;
     SessionPatient& patient;
     AttentionModel& attention;
+    IntubationTimeline& intubation;
 };
 
 /// The instructor's console: session control, what needs attention, and a 3-D view of the patient
@@ -83,6 +85,8 @@ public:
     using QMainWindow::show;
 
     [[nodiscard]] StationScene& stationScene();
+    /// What was read of the glottis last, while the view of the laryngoscope is open.
+    [[nodiscard]] std::optional<GlotticView> glottisSeen() const;
 
     /// Who can come into the session, as the invitation tells it.
     void setReach(SessionReach reach);

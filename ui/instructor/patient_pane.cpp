@@ -25,10 +25,12 @@ PatientPane::PatientPane(QWidget* parent)
 
 PatientPane::~PatientPane() = default;
 
-void PatientPane::setModels(StationsModel& stations, AttentionModel& attention)
+void PatientPane::setModels(StationsModel& stations, AttentionModel& attention,
+                            IntubationTimeline& intubation)
 {
     m_ui->stations->setModel(stations);
     m_ui->attentionBar->setModel(attention);
+    m_ui->intubation->setTimeline(intubation);
 }
 
 void PatientPane::show(const PatientModel& patient, StationView& view)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "models/attention/attention_model.h"
+#include "models/station/intubation_timeline.h"
 #include "models/station/stations_model.h"
 #include "ui/scene/station_scene.h"
 
@@ -16,9 +17,10 @@ class PatientPane;
 namespace carina
 {
 
-/// The middle of the console: the patient of the station that is shown, above it the stations, and
-/// over the upper edge of the picture what needs attention, so that the picture has this room while
-/// nothing does and does not move when something does.
+/// The middle of the console: the patient of the station that is shown, above it the stations,
+/// beneath it the steps of an intubation, and over the upper edge of the picture what needs
+/// attention, so that the picture has this room while nothing does and does not move when something
+/// does.
 class PatientPane : public QWidget
 {
     Q_OBJECT
@@ -28,7 +30,8 @@ public:
     ~PatientPane() override;
 
     /// To be called once, before anything else. @pre all outlive the pane.
-    void setModels(StationsModel& stations, AttentionModel& attention);
+    void setModels(StationsModel& stations, AttentionModel& attention,
+                   IntubationTimeline& intubation);
     /// Draws a patient from now on. @pre both outlive the pane, or live until the next show.
     void show(const PatientModel& patient, StationView& view);
     using QWidget::show;

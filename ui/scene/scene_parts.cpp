@@ -120,14 +120,6 @@ void bendTube(SceneFrame& frame, const PatientModel& patient, const std::string&
         frame.bentInPlace[body] = patient.tube().X_AE;
 }
 
-FollowingThroat throatAt(const StationMoment& moment, const PatientModel& patient)
-{
-    const bool hasJaw = moment.jaw && moment.jaw->validity != Validity::Lost;
-    const RigidTransform X_UA = patient.neck(moment.headPosition).X_AU().inverse();
-    return patient.throat(hasJaw ? std::optional{X_UA * moment.jaw->X_FO} : std::nullopt,
-                          moment.headPosition, moment.airwayEvents);
-}
-
 SceneFrame sceneFrame(const StationMoment& moment, const ChestField& chest,
                       const FollowingThroat& throat)
 {

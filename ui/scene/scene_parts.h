@@ -24,11 +24,6 @@ inline constexpr const char* kTubeBody = "tube";
 [[nodiscard]] std::vector<ScenePart> tubeParts(const PatientModel& patient, const std::string& body,
                                                std::uint16_t firstId);
 
-/// The deformation of a patient's throat by head, neck and jaw at a moment; while the chin probe is
-/// not seen, the mouth is drawn as in the surfaces. Either way it opens no farther than events let
-/// it. The probe is on a manikin whose head lies as that of the patient.
-[[nodiscard]] FollowingThroat throatAt(const StationMoment& moment, const PatientModel& patient);
-
 /// Has a body of tubeParts, or that of the patient's tube, bent by head and neck as the airway is
 /// that the tube lies in; one that was touched keeps its form.
 void bendTube(SceneFrame& frame, const PatientModel& patient, const std::string& body = kTubeBody);

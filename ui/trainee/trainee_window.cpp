@@ -130,11 +130,13 @@ void TraineeWindow::makeTracker(const ProgramTracker& tracker)
 
 void TraineeWindow::makeLaryngoscope()
 {
-    auto* panel = new LaryngoscopePanel;
-    panel->setStation(m_stationScene);
-    addPanel(m_laryngoscope, panel, tr("&View of the laryngoscope"));
+    m_scope = new LaryngoscopePanel;
+    m_scope->setStation(m_stationScene);
+    addPanel(m_laryngoscope, m_scope, tr("&View of the laryngoscope"));
     tabifyDockWidget(m_tracker, m_laryngoscope);
 }
+
+std::optional<GlotticView> TraineeWindow::glottisSeen() const { return m_scope->seen(); }
 
 void TraineeWindow::addPanel(QDockWidget* dock, QWidget* panel, const QString& menuText)
 {

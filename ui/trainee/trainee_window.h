@@ -22,6 +22,7 @@ class QPushButton;
 namespace carina
 {
 
+class LaryngoscopePanel;
 class PartsPanel;
 class SectionPanel;
 
@@ -53,6 +54,8 @@ public:
     using QMainWindow::show;
 
     [[nodiscard]] StationScene& stationScene() { return m_stationScene; }
+    /// What was read of the glottis last, while the view of the laryngoscope is open.
+    [[nodiscard]] std::optional<GlotticView> glottisSeen() const;
     /// What is written over the lower edge; empty where nothing is.
     [[nodiscard]] QString notice() const;
 
@@ -103,6 +106,7 @@ private:
     QDockWidget* m_parts;
     QDockWidget* m_tracker;
     QDockWidget* m_laryngoscope;
+    LaryngoscopePanel* m_scope = nullptr;
     PartsPanel* m_partsPanel;
     SectionPanel* m_section;
     std::array<QLabel*, 2> m_notices; ///< for the whole window or its left half; for its right half

@@ -5,14 +5,14 @@ namespace carina
 namespace
 {
 
-Length between(Length a, Length b, double share) { return a + share * (b - a); }
+Length interpolated(Length a, Length b, double share) { return a + share * (b - a); }
 
-TipReading between(const TipReading& a, const TipReading& b, double share)
+TipReading interpolated(const TipReading& a, const TipReading& b, double share)
 {
     return {.at = a.at + fromSeconds(share * toSeconds(b.at - a.at)),
-            .depthAtTeeth = between(a.depthAtTeeth, b.depthAtTeeth, share),
-            .aboveCarina = between(a.aboveCarina, b.aboveCarina, share),
-            .besides = between(a.besides, b.besides, share)};
+            .depthAtTeeth = interpolated(a.depthAtTeeth, b.depthAtTeeth, share),
+            .aboveCarina = interpolated(a.aboveCarina, b.aboveCarina, share),
+            .besides = interpolated(a.besides, b.besides, share)};
 }
 
 } // namespace
@@ -27,8 +27,8 @@ std::optional<Passage> Crossing::take(double newest, const TipReading& reading,
         beyond.reset();
     } else if (!begun) {
         const double before = value ? sign * *value : 0.0;
-        begun = Passage{.reading =
-                            value ? between(latest, reading, -before / (past - before)) : reading,
+        begun = Passage{.reading = value ? interpolated(latest, reading, -before / (past - before))
+                                         : reading,
                         .isIn = !isIn,
                         .wasUnseen = !value || reading.at - latest.at > kUnseen};
     }

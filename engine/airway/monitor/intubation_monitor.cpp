@@ -177,12 +177,17 @@ void IntubationMonitor::takeShapes(const AirwayMoment& moment)
              passage->reading, m_course.seat, passage->wasUnseen ? kPassedUnseen : 1.0);
 }
 
+/// Whatever is told of a tube tells its seat, too: of one that is in, that which was concluded.
 void IntubationMonitor::takeTeeth(const AirwayMoment& moment)
 {
     const auto passage = m_course.teeth.take(moment.pastTeeth.si, m_course.tip, kTeethRule);
-    if (passage)
-        note(passage->isIn ? IntubationStep::TubePastTeeth : IntubationStep::TubeOut,
-             passage->reading, TubeSeat::None, confidenceOf(moment.tube, *passage));
+    if (!passage)
+        return;
+    const double confidence = confidenceOf(moment.tube, *passage);
+    if (passage->isIn)
+        note(IntubationStep::TubePastTeeth, passage->reading, m_course.seat, confidence);
+    else
+        note(IntubationStep::TubeOut, passage->reading, TubeSeat::None, confidence);
 }
 
 void IntubationMonitor::takeCords(const AirwayMoment& moment)

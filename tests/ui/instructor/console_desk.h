@@ -45,6 +45,7 @@ struct ConsoleDesk {
     ObjectActionModel actions{object};
     SessionPatient patient{node, FakeSessionNode::kStation, drawn, AnatomyCache::defaultFolder()};
     AttentionModel attention{session};
+    IntubationTimeline intubation{session, FakeSessionNode::kStation};
     StationView view{node, FakeSessionNode::kStation, drawn->lungs()};
     KeptConsole keeper;
     std::optional<TrackerSight> sight;
@@ -52,7 +53,7 @@ struct ConsoleDesk {
     OfferSwitch offer{[this] { return OfferGiver::Shown{view, *drawn}; }};
     InstructorWindow window{{session, breathing, respiration, gas, airway, head, trace,
                              participants, conduct, people, network, actions, stations, lesson,
-                             patient, attention},
+                             patient, attention, intubation},
                             keeper,
                             view,
                             {.sight = [this] { return sight; },

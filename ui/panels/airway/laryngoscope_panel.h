@@ -6,6 +6,7 @@
 #include <QWidget>
 
 #include <memory>
+#include <optional>
 
 class QLabel;
 
@@ -27,6 +28,11 @@ public:
     /// @pre it outlives the panel.
     void setStation(StationScene& station);
 
+    /// What was read in the picture last (LiveScope::seen); nothing while there is none.
+    [[nodiscard]] std::optional<GlotticView> seen() const
+    {
+        return m_scope ? m_scope->seen() : std::nullopt;
+    }
     /// As it is written beneath the picture.
     [[nodiscard]] QString text() const;
 

@@ -15,6 +15,7 @@ using test::monitored;
 using test::MonitoredRun;
 using test::Motion;
 using test::Route;
+using test::secondsOf;
 
 namespace
 {

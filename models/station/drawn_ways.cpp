@@ -1,0 +1,68 @@
+#include "models/station/drawn_ways.h"
+
+namespace carina
+{
+namespace
+{
+
+/// Below it, in an adult, what lies around the airway is trachea and no larynx: the cricoid. Of
+/// ours.
+constexpr Length kCordsToTrachea = millimetres(25.0);
+
+bool tellsWays(PartRole role)
+{
+    return role == PartRole::RightMainBronchus || role == PartRole::LeftMainBronchus
+           || role == PartRole::Oesophagus;
+}
+
+std::vector<AnatomyPart> partsOfWays(const PatientModel& patient)
+{
+    std::vector<AnatomyPart> parts;
+    for (const PatientSurface& surface : patient.surfaces()) {
+        if (!tellsWays(surface.description.role))
+            continue;
+        parts.push_back(surface.description);
+        parts.back().levels.push_back(*surface.levels.front());
+    }
+    return parts;
+}
+
+} // namespace
+
+PatientWays waysOf(const PatientModel& patient)
+{
+    const auto laryngoscopy = Laryngoscopy::of(patient, bladeOf(kUsualBlade));
+    const auto upper = laryngoscopy ? std::optional{laryngoscopy->script().airway} : std::nullopt;
+    return patientWays(patient.landmarks(), upper, partsOfWays(patient));
+}
+
+PatientWays drawnWays(const PatientWays& ways, const AirwayField& changes,
+                      const FollowingThroat& throat, const BladeField& tissue)
+{
+    const Vec3 up = ways.up_A();
+    const Vec3 p_A_glottis = ways.p_A_glottis();
+    const double larynx = ways.size * kCordsToTrachea.si;
+    return moved(ways, [&](const Vec3& place) {
+        const bool isTrachea = up.dot(p_A_glottis - place) > larynx;
+        Vec3 p_A = place;
+        p_A += airwayPull<double>(changes.frame(),
+                                  isTrachea ? AirwayTissue::Windpipe : AirwayTissue::Larynx, p_A)
+                   .d;
+        p_A = throat.neck.placed(p_A);
+        p_A += throatPull(throat, ThroatTissue::Airway, p_A).d;
+        return Vec3{p_A + larynxTilt<double>(tissue.frame(), p_A).d};
+    });
+}
+
+std::vector<Vec3> drawnTube(const PatientModel& patient, const NeckField& neck,
+                            const RigidTransform& X_AE)
+{
+    const TubeShape& tube = patient.tube();
+    std::vector<Vec3> line;
+    line.reserve(tube.p_E_centre.size());
+    for (const Vec3& p_E : tube.p_E_centre)
+        line.push_back(X_AE * (tube.fitsAirway ? bentInBody(neck, tube.X_AE, p_E) : p_E));
+    return line;
+}
+
+} // namespace carina

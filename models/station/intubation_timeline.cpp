@@ -1,0 +1,166 @@
+#include "models/station/intubation_timeline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace carina
+{
+namespace
+{
+
+/// "12.1 cm".
+QString centimetresText(Length length)
+{
+    return IntubationTimeline::tr("%1 cm").arg(inMillimetres(length) / 10.0, 0, 'f', 1);
+}
+
+QString bronchusText(TubeSeat seat)
+{
+    switch (seat) {
+    case TubeSeat::RightMain:
+        return IntubationTimeline::tr("In the right main bronchus");
+    case TubeSeat::LeftMain:
+        return IntubationTimeline::tr("In the left main bronchus");
+    case TubeSeat::None:
+    case TubeSeat::Trachea:
+    case TubeSeat::Oesophagus:
+        break;
+    }
+    return IntubationTimeline::tr("Past the carina");
+}
+
+QString happenedText(const IntubationEvent& event)
+{
+    switch (event.step) {
+    case IntubationStep::BladeIn:
+        return IntubationTimeline::tr("Blade in the mouth: an attempt begins");
+    case IntubationStep::BladeOut:
+        return IntubationTimeline::tr("Blade out");
+    case IntubationStep::GlottisSeen:
+        return IntubationTimeline::tr("Glottis seen, %1 % of it")
+            .arg(std::lround(100.0 * event.glotticOpening));
+    case IntubationStep::TubePastTeeth:
+        return IntubationTimeline::tr("Tube past the teeth");
+    case IntubationStep::TubeOut:
+        return IntubationTimeline::tr("Tube out of the mouth");
+    case IntubationStep::ThroughCords:
+        return IntubationTimeline::tr("Through the cords");
+    case IntubationStep::BackAboveCords:
+        return IntubationTimeline::tr("Back above the cords");
+    case IntubationStep::InOesophagus:
+        return IntubationTimeline::tr("▲ In the oesophagus");
+    case IntubationStep::OutOfOesophagus:
+        return IntubationTimeline::tr("Out of the oesophagus");
+    case IntubationStep::PastCarina:
+        return IntubationTimeline::tr("▲ %1").arg(bronchusText(event.seat));
+    case IntubationStep::BackAboveCarina:
+        return IntubationTimeline::tr("Back above the carina");
+    case IntubationStep::CuffInflated:
+        return IntubationTimeline::tr("Cuff inflated");
+    case IntubationStep::CuffDeflated:
+        return IntubationTimeline::tr("Cuff emptied");
+    case IntubationStep::StyletOut:
+        return IntubationTimeline::tr("Stylet drawn");
+    case IntubationStep::FirstBreath:
+        return IntubationTimeline::tr("First breath through the tube");
+    case IntubationStep::ShapesApart:
+        return IntubationTimeline::tr("▲ Real and virtual tube part by %1 mm: no depth from here")
+            .arg(inMillimetres(event.besides), 0, 'f', 0);
+    case IntubationStep::ShapesTogether:
+        return IntubationTimeline::tr("Real and virtual tube together again");
+    case IntubationStep::PassedShut:
+        return IntubationTimeline::tr("▲ The real tube passed cords that are shut");
+    }
+    return {};
+}
+
+/// Of a tip that came to a place in the airway or left it.
+bool hasDepth(IntubationStep step)
+{
+    switch (step) {
+    case IntubationStep::ThroughCords:
+    case IntubationStep::BackAboveCords:
+    case IntubationStep::InOesophagus:
+    case IntubationStep::OutOfOesophagus:
+    case IntubationStep::PastCarina:
+    case IntubationStep::BackAboveCarina:
+    case IntubationStep::CuffInflated:
+    case IntubationStep::StyletOut:
+    case IntubationStep::FirstBreath:
+        return true;
+    case IntubationStep::BladeIn:
+    case IntubationStep::BladeOut:
+    case IntubationStep::GlottisSeen:
+    case IntubationStep::TubePastTeeth:
+    case IntubationStep::TubeOut:
+    case IntubationStep::CuffDeflated:
+    case IntubationStep::ShapesApart:
+    case IntubationStep::ShapesTogether:
+    case IntubationStep::PassedShut:
+        break;
+    }
+    return false;
+}
+
+} // namespace
+
+QString intubationText(const IntubationEvent& event)
+{
+    QString text = happenedText(event);
+    if (hasDepth(event.step) && event.depthAtTeeth > Length{})
+        text = IntubationTimeline::tr("%1, %2 at the teeth", "what happened; a length")
+                   .arg(text, centimetresText(event.depthAtTeeth));
+    if (event.confidence < IntubationTimeline::kUncertain)
+        text = IntubationTimeline::tr("%1 (uncertain: %2 %)", "what happened; a confidence")
+                   .arg(text)
+                   .arg(std::lround(100.0 * event.confidence));
+    return text;
+}
+
+IntubationTimeline::IntubationTimeline(SessionModel& session, StationId station, QObject* parent)
+    : QAbstractListModel{parent}, m_session{session}, m_station{station}
+{
+    connect(&session, &SessionModel::changed, this, &IntubationTimeline::refresh);
+    refresh();
+}
+
+void IntubationTimeline::setStation(StationId station)
+{
+    m_station = station;
+    refresh();
+}
+
+int IntubationTimeline::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : int(m_lines.size());
+}
+
+QVariant IntubationTimeline::data(const QModelIndex& index, int role) const
+{
+    const bool isThere = index.isValid() && index.row() < rowCount();
+    return isThere && role == Qt::DisplayRole ? QVariant{m_lines[std::size_t(index.row())]}
+                                              : QVariant{};
+}
+
+void IntubationTimeline::refresh()
+{
+    const auto state = m_session.node().state();
+    const auto station = state->stations().find(m_station);
+    std::vector<IntubationEvent> events;
+    if (station != state->stations().end())
+        for (const NotedStep& note : station->second.respiration.tube().notes())
+            events.push_back(note.event);
+    std::ranges::stable_sort(events, {}, &IntubationEvent::at);
+    std::vector<QString> lines;
+    for (const IntubationEvent& event : events)
+        lines.push_back(tr("%1  %2", "running time; what happened")
+                            .arg(timeText(state->runningTime(event.at)), intubationText(event)));
+    if (lines == m_lines)
+        return;
+    beginResetModel();
+    m_lines = std::move(lines);
+    endResetModel();
+}
+
+} // namespace carina

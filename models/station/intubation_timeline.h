@@ -1,0 +1,44 @@
+#pragma once
+
+#include "engine/airway/monitor/intubation_event.h"
+#include "models/session/session_model.h"
+
+#include <QAbstractListModel>
+
+#include <vector>
+
+namespace carina
+{
+
+/// The steps of the intubations at one station, as its monitor noted them, in the order in which
+/// they happened, one in a line: "00:42  Through the cords, 12.1 cm at the teeth". The time is the
+/// session's running time. Lives on the GUI thread.
+class IntubationTimeline : public QAbstractListModel
+{
+    Q_OBJECT
+
+public:
+    /// @pre session outlives this.
+    IntubationTimeline(SessionModel& session, StationId station, QObject* parent = nullptr);
+
+    /// Tells of another station from now on.
+    void setStation(StationId station);
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+
+    /// A step with less confidence is told as uncertain. Of ours.
+    static constexpr double kUncertain = 0.8;
+
+private:
+    void refresh();
+
+    SessionModel& m_session;
+    StationId m_station;
+    std::vector<QString> m_lines;
+};
+
+/// What happened, and what was measured of it: "In the right main bronchus, 26.3 cm at the teeth".
+[[nodiscard]] QString intubationText(const IntubationEvent& event);
+
+} // namespace carina

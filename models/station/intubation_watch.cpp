@@ -1,0 +1,193 @@
+#include "models/station/intubation_watch.h"
+
+#include "engine/session/news_rules.h"
+#include "engine/session/respiration/respiration_timeline.h"
+#include "models/patient/shared_patient.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace carina
+{
+namespace
+{
+
+/// After a longer pause of this program the moments between are left out.
+constexpr Duration kLongestSkip = std::chrono::milliseconds{500};
+/// A step can be concluded long after it happened; the session takes it as long as it is news.
+constexpr Duration kStillNews = kLongestNews - std::chrono::seconds{1};
+constexpr double kShutSpasm = 0.95; ///< severity from which no tube passes the cords; of ours
+
+SessionTime wholeMultiple(SessionTime t)
+{
+    return SessionTime{t.time_since_epoch() / IntubationWatch::kEach * IntubationWatch::kEach};
+}
+
+} // namespace
+
+IntubationWatch::IntubationWatch(SessionNode& node, StationId station, ObjectPoses own,
+                                 QObject* parent)
+    : QObject{parent}, m_node{node}, m_station{station}, m_own{std::move(own)}
+{
+    m_timer.callOnTimeout(this, &IntubationWatch::look);
+    m_timer.start(std::chrono::duration_cast<std::chrono::milliseconds>(kEach));
+}
+
+void IntubationWatch::setStation(StationId station)
+{
+    if (std::exchange(m_station, station) != station)
+        forget();
+}
+
+void IntubationWatch::lieIn(const PatientModel& patient)
+{
+    m_patient = &patient;
+    m_ways.reset();
+    if (m_laryngoscope)
+        m_laryngoscope->lieIn(patient);
+    else
+        m_laryngoscope.emplace(patient);
+    forget();
+}
+
+void IntubationWatch::forget()
+{
+    m_monitor = IntubationMonitor{};
+    m_taken.reset();
+    m_controls.reset();
+    m_wasVentilated = false;
+    m_queued.clear();
+    m_noted.clear();
+}
+
+bool IntubationWatch::watches(SessionTime now) const
+{
+    const auto state = m_node.state();
+    return m_patient != nullptr && m_node.self() != kNobody
+           && state->atWork(m_station) == m_node.self()
+           && state->phaseAt(now) == SessionPhase::Running;
+}
+
+void IntubationWatch::look()
+{
+    const auto now = m_node.now();
+    if (!now || !watches(*now)) {
+        m_taken.reset();
+        return;
+    }
+    if (!m_ways)
+        m_ways = waysOf(*m_patient);
+    const SessionTime until = wholeMultiple(*now - kBehind);
+    if (!m_taken || until - *m_taken > kLongestSkip)
+        m_taken = until - kEach;
+    while (*m_taken < until) {
+        *m_taken += kEach;
+        for (const IntubationEvent& event : m_monitor.take(airwayAt(*m_taken)))
+            queue(event, *now);
+    }
+    takeControls(*now);
+    propose(*now);
+}
+
+/// What moves tube, blade and tissue; the chest does not.
+StationMoment IntubationWatch::momentAt(SessionTime t) const
+{
+    StationMoment moment;
+    moment.time = t;
+    const auto state = m_node.state();
+    const auto station = state->stations().find(m_station);
+    if (station != state->stations().end()) {
+        moment.airwayEvents = station->second.airwayEvents.at(t);
+        moment.headPosition = headPositionAt(station->second, t);
+    }
+    moment.worker = state->atWork(m_station);
+    moment.people = peoplePoses(m_node, m_station, m_own, t);
+    moment.tube = m_own.at(ObjectKind::Tube, t);
+    moment.jaw = m_own.at(ObjectKind::Jaw, t);
+    if (const SharedObject* patient = sharedPatient(*state, m_station))
+        moment.patient = m_node.shown(patient->id, t);
+    return moment;
+}
+
+AirwayMoment IntubationWatch::airwayAt(SessionTime t)
+{
+    const StationMoment moment = momentAt(t);
+    const FollowingThroat throat = throatAt(moment, *m_patient);
+    const AirwayField changes = m_laryngoscope->changesAt(moment);
+    const LaryngoscopeSight sight = m_laryngoscope->at(moment, throat);
+    const PatientWays ways = drawnWays(*m_ways, changes, throat, sight.tissue);
+    TubeCurves tube;
+    std::vector<Vec3> drawn;
+    if (moment.tube && !isAway(moment)) {
+        tube.validity = moment.tube->validity;
+        drawn = drawnTube(*m_patient, throat.neck, moment.tube->X_FO);
+        tube.p_A_shown = drawn;
+    }
+    const bool areShut =
+        severityOf(moment.airwayEvents, AirwayEventKind::Laryngospasm) >= kShutSpasm;
+    return airwayMoment(t, ways, tube, bladeIn(moment, sight), areShut);
+}
+
+BladeSeen IntubationWatch::bladeIn(const StationMoment& moment, const LaryngoscopeSight& sight)
+{
+    const bool isSeen =
+        sight.state == LaryngoscopeState::Outside || sight.state == LaryngoscopeState::Live;
+    if (!isSeen || !sight.isOfWorker)
+        return {};
+    const auto view = m_view();
+    return {.validity = laryngoscopeOf(moment)->pose.validity,
+            .p_A_tip = sight.X_AL * middleOfBlade(sight.blade.form, 1.0),
+            .isOnTeeth = sight.effort.isOnTeeth,
+            .glottis = view ? std::optional{view->opening} : std::nullopt};
+}
+
+IntubationWatch::Controls IntubationWatch::controlsAt(SessionTime t) const
+{
+    const auto state = m_node.state();
+    const auto station = state->stations().find(m_station);
+    if (station == state->stations().end())
+        return {};
+    const RespirationTimeline& respiration = station->second.respiration;
+    const RespiratorySettings settings = respiration.settingsAt(t);
+    return {.isCuffInflated = respiration.tube().cuffInflatedAt(t),
+            .isStyletIn = respiration.tube().styletInAt(t),
+            .isVentilated = settings.bag.rate > Frequency{}
+                            || settings.ventilator.mode != VentilationMode::Spontaneous};
+}
+
+void IntubationWatch::takeControls(SessionTime now)
+{
+    const Controls present = controlsAt(now);
+    const Controls before = std::exchange(m_controls, present).value_or(present);
+    const auto tell = [&](IntubationStep step) { queue(m_monitor.told(step, now), now); };
+    if (present.isCuffInflated != before.isCuffInflated)
+        tell(present.isCuffInflated ? IntubationStep::CuffInflated : IntubationStep::CuffDeflated);
+    if (before.isStyletIn && !present.isStyletIn)
+        tell(IntubationStep::StyletOut);
+    if (course().seat == TubeSeat::None)
+        m_wasVentilated = false;
+    else if (present.isVentilated && !std::exchange(m_wasVentilated, true))
+        tell(IntubationStep::FirstBreath);
+}
+
+/// As the session takes it: no older than news are, and at a distance from the last of its kind.
+void IntubationWatch::queue(IntubationEvent event, SessionTime now)
+{
+    event.at = std::max(event.at, now - kStillNews);
+    const auto last = m_noted.find(event.step);
+    if (last != m_noted.end())
+        event.at = std::max(event.at, last->second + kShortestStep);
+    m_noted[event.step] = event.at;
+    m_queued.push_back(event);
+}
+
+/// In the order in which they were concluded, also where one has to wait.
+void IntubationWatch::propose(SessionTime now)
+{
+    while (!m_queued.empty() && m_queued.front().at <= now) {
+        m_node.propose(m_station, fact::IntubationNoted{.event = m_queued.front()});
+        m_queued.pop_front();
+    }
+}
+
+} // namespace carina

@@ -1,0 +1,95 @@
+#pragma once
+
+#include "engine/airway/monitor/intubation_monitor.h"
+#include "engine/anatomy/laryngoscopy/glottic_view.h"
+#include "models/station/drawn_ways.h"
+#include "models/station/laryngoscope_sight.h"
+#include "models/station/station_view.h"
+
+#include <QObject>
+#include <QTimer>
+
+#include <deque>
+#include <functional>
+#include <map>
+#include <optional>
+
+namespace carina
+{
+
+/// Follows the intubation at a station from the poses of tube and laryngoscope, while this
+/// program's participant is at work there and the session runs, and notes its steps in the session
+/// (fact::IntubationNoted).
+///
+/// Moments are kEach apart, at whole multiples of it in session time, and kBehind in the past,
+/// where poses are interpolated between samples and not predicted. Patient, neck, jaw and tissue
+/// are as they are drawn then.
+///
+/// What no sensor feels follows from what people set: cuff and stylet, and that bag or ventilator
+/// breathe for the first time with the tip past the cords, in the trachea or the oesophagus.
+class IntubationWatch : public QObject
+{
+    Q_OBJECT
+
+public:
+    static constexpr Duration kEach = std::chrono::milliseconds{20};
+    static constexpr Duration kBehind = std::chrono::milliseconds{80}; ///< of ours
+
+    /// What was read of the glottis in the laryngoscope's picture last; nothing where none was.
+    using ReadView = std::function<std::optional<GlotticView>()>;
+
+    /// @param own poses of this program's objects
+    /// @pre node and what `own` reads outlive this.
+    IntubationWatch(SessionNode& node, StationId station, ObjectPoses own,
+                    QObject* parent = nullptr);
+
+    /// Follows another station, or the same with another patient, from now on; what was concluded
+    /// is forgotten.
+    void setStation(StationId station);
+    /// @pre it outlives this, or lives until the next one lies there.
+    void lieIn(const PatientModel& patient);
+    /// The blade of this program's laryngoscope, as it was touched; std::nullopt: as its name says.
+    /// @pre a patient lies there
+    void takeOwnBlade(const std::optional<Blade>& blade) { m_laryngoscope->takeOwnBlade(blade); }
+    void readView(ReadView view) { m_view = std::move(view); }
+
+    /// Takes the moments that are due; a timer calls it every kEach.
+    void look();
+
+    [[nodiscard]] const IntubationCourse& course() const { return m_monitor.course(); }
+
+private:
+    /// As people have set them.
+    struct Controls {
+        bool isCuffInflated = false;
+        bool isStyletIn = true;
+        bool isVentilated = false;
+    };
+
+    void forget();
+    [[nodiscard]] bool watches(SessionTime now) const;
+    [[nodiscard]] StationMoment momentAt(SessionTime t) const;
+    [[nodiscard]] AirwayMoment airwayAt(SessionTime t);
+    [[nodiscard]] BladeSeen bladeIn(const StationMoment& moment, const LaryngoscopeSight& sight);
+    [[nodiscard]] Controls controlsAt(SessionTime t) const;
+    void takeControls(SessionTime now);
+    void queue(IntubationEvent event, SessionTime now);
+    void propose(SessionTime now);
+
+    SessionNode& m_node;
+    StationId m_station;
+    ObjectPoses m_own;
+    ReadView m_view = [] { return std::nullopt; };
+    std::optional<PatientWays> m_ways; ///< of the patient, once they are needed
+    const PatientModel* m_patient = nullptr;
+    std::optional<StationLaryngoscope> m_laryngoscope;
+    IntubationMonitor m_monitor;
+    std::optional<SessionTime> m_taken; ///< the latest moment
+    std::optional<Controls> m_controls; ///< at the latest look
+    bool m_wasVentilated = false;       ///< through the tube as it lies
+    std::deque<IntubationEvent> m_queued;
+    std::map<IntubationStep, SessionTime> m_noted; ///< when each step was noted last
+    QTimer m_timer;
+};
+
+} // namespace carina

@@ -1,0 +1,130 @@
+#include "models/station/intubation_timeline.h"
+#include "tests/models/fake_session_node.h"
+#include "tests/support/test_class.h"
+
+#include <QAbstractItemModelTester>
+#include <QSignalSpy>
+
+#include <set>
+
+namespace carina::intubation_timeline_test
+{
+namespace
+{
+
+using test::FakeSessionNode;
+using namespace std::chrono_literals;
+
+constexpr Duration kLead = 100ms; ///< until a change takes effect
+
+struct Story {
+    FakeSessionNode node;
+    SessionModel session{node};
+    IntubationTimeline timeline{session, FakeSessionNode::kStation};
+    QAbstractItemModelTester tester{&timeline};
+    SessionTime begun = *node.now() + kLead;
+
+    Story() { node.decide(fact::PhaseChanged{SessionPhase::Running}); }
+    void notes(IntubationEvent event, Duration after)
+    {
+        node.advance(begun + after - *node.now());
+        event.at = *node.now();
+        node.decide(fact::IntubationNoted{.event = event});
+        QCoreApplication::sendPostedEvents();
+    }
+    [[nodiscard]] QString line(int row) const { return timeline.index(row, 0).data().toString(); }
+};
+
+} // namespace
+
+class TestIntubationTimeline : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void tellsEachStepWithItsTime()
+    {
+        Story story;
+        QCOMPARE(story.timeline.rowCount(), 0);
+        story.notes({.step = IntubationStep::BladeIn}, 12s);
+        story.notes({.step = IntubationStep::ThroughCords,
+                     .seat = TubeSeat::Trachea,
+                     .depthAtTeeth = millimetres(121.0)},
+                    102s);
+        QCOMPARE(story.timeline.rowCount(), 2);
+        QCOMPARE(story.line(0), QStringLiteral("00:12  Blade in the mouth: an attempt begins"));
+        QCOMPARE(story.line(1), QStringLiteral("01:42  Through the cords, 12.1 cm at the teeth"));
+    }
+
+    void tellsTheSide()
+    {
+        IntubationEvent event{.step = IntubationStep::PastCarina,
+                              .seat = TubeSeat::RightMain,
+                              .depthAtTeeth = millimetres(263.0)};
+        QCOMPARE(intubationText(event),
+                 QStringLiteral("▲ In the right main bronchus, 26.3 cm at the teeth"));
+        event.seat = TubeSeat::LeftMain;
+        QVERIFY(intubationText(event).contains(QLatin1String{"left"}));
+    }
+
+    void saysWhatIsUncertain()
+    {
+        IntubationEvent event{.step = IntubationStep::InOesophagus, .confidence = 0.64};
+        QCOMPARE(intubationText(event), QStringLiteral("▲ In the oesophagus (uncertain: 64 %)"));
+        event.confidence = 0.9;
+        QCOMPARE(intubationText(event), QStringLiteral("▲ In the oesophagus"));
+    }
+
+    /// A kind of event that is added needs words.
+    void hasWordsForEveryStep()
+    {
+        std::set<QString> texts;
+        for (int step = 0; step <= int(kLastIntubationStep); ++step)
+            texts.insert(intubationText({.step = IntubationStep(step)}));
+        QVERIFY(!texts.contains(QString{}));
+        QCOMPARE(int(texts.size()), int(kLastIntubationStep) + 1);
+    }
+
+    void tellsTheStepsOfItsStationOnly()
+    {
+        Story story;
+        story.node.addStation("Station 2");
+        story.notes({.step = IntubationStep::BladeIn}, 3s);
+        story.timeline.setStation(StationId{1});
+        QCOMPARE(story.timeline.rowCount(), 0);
+        story.timeline.setStation(FakeSessionNode::kStation);
+        QCOMPARE(story.timeline.rowCount(), 1);
+    }
+
+    /// What is noted later can have happened earlier.
+    void ordersTheStepsByTheirTime()
+    {
+        Story story;
+        story.notes({.step = IntubationStep::TubePastTeeth}, 10s);
+        IntubationEvent late{.step = IntubationStep::GlottisSeen,
+                             .at = *story.node.now() - 2s,
+                             .glotticOpening = 0.43};
+        story.node.advance(1s);
+        story.node.decide(fact::IntubationNoted{.event = late});
+        QCoreApplication::sendPostedEvents();
+        QCOMPARE(story.line(0), QStringLiteral("00:08  Glottis seen, 43 % of it"));
+        QCOMPARE(story.line(1), QStringLiteral("00:10  Tube past the teeth"));
+    }
+
+    void changesOnlyWithItsLines()
+    {
+        Story story;
+        story.notes({.step = IntubationStep::BladeIn}, 3s);
+        const QSignalSpy reset{&story.timeline, &QAbstractItemModel::modelReset};
+        story.node.advance(1s);
+        story.node.announce();
+        QCoreApplication::sendPostedEvents();
+        QCOMPARE(reset.count(), 0);
+    }
+};
+
+CARINA_TEST(TestIntubationTimeline)
+
+} // namespace carina::intubation_timeline_test
+
+#include "tst_intubation_timeline.moc"

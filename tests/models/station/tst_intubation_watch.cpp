@@ -1,0 +1,244 @@
+#include "models/station/intubation_watch.h"
+
+#include "engine/anatomy/airway/airway_measure.h"
+#include "engine/anatomy/patient/builtin_patient.h"
+#include "models/patient/patient_source.h"
+#include "tests/models/fake_session_node.h"
+#include "tests/support/test_class.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+namespace carina::intubation_watch_test
+{
+namespace
+{
+
+using test::FakeSessionNode;
+using namespace std::chrono_literals;
+
+constexpr double kDepth = 6e-3; // m: the tube's line is not the airway's middle
+constexpr double kTime = 0.1;   // s
+
+const PatientModel& patient()
+{
+    static const SharedPatientModel made =
+        patientOf(builtinPatient(BuiltinPatient::TwelveYears).value()).value();
+    return *made;
+}
+
+/// The trainee is at work with tube and laryngoscope, where a test says they are.
+struct Work {
+    explicit Work(ParticipantId self = FakeSessionNode::kTrainee) : node{self}
+    {
+        node.decide(fact::ObjectShared{
+            {}, FakeSessionNode::kTrainee, ObjectKind::Laryngoscope, "Laryngoscope"});
+        watch.lieIn(patient());
+    }
+    FakeSessionNode node;
+    std::function<std::optional<RigidTransform>(SessionTime)> tube = [](SessionTime) {
+        return std::nullopt;
+    };
+    std::function<std::optional<RigidTransform>(SessionTime)> blade = tube;
+    IntubationWatch watch{
+        node, FakeSessionNode::kStation, {.at = [this](ObjectKind kind, SessionTime t) {
+            return poseOf(kind, t);
+        }}};
+
+    [[nodiscard]] std::optional<PoseSample> poseOf(ObjectKind kind, SessionTime t) const
+    {
+        std::optional<RigidTransform> pose;
+        if (kind == ObjectKind::Tube)
+            pose = tube(t);
+        if (kind == ObjectKind::Laryngoscope)
+            pose = blade(t);
+        return pose ? std::optional{PoseSample{.time = t, .X_FO = *pose}} : std::nullopt;
+    }
+    void runs() { node.decide(fact::PhaseChanged{SessionPhase::Running}); }
+    void goOn(Duration time)
+    {
+        const SessionTime until = *node.now() + time;
+        while (*node.now() < until) {
+            node.advance(20ms);
+            watch.look();
+        }
+    }
+    [[nodiscard]] std::vector<IntubationEvent> noted(IntubationStep step) const
+    {
+        std::vector<IntubationEvent> found;
+        const auto state = node.state();
+        const auto& timeline = state->stations().at(FakeSessionNode::kStation).respiration;
+        for (const NotedStep& note : timeline.tube().notes())
+            if (note.event.step == step)
+                found.push_back(note.event);
+        return found;
+    }
+};
+
+/// The tube of the patient at its final depth, pushed deeper along the trachea.
+RigidTransform pushed(double deeper)
+{
+    const Vec3 down = -waysOf(patient()).up_A();
+    return RigidTransform::translation(deeper * down) * patient().tube().X_AE;
+}
+
+double secondsFrom(SessionTime begin, SessionTime t) { return toSeconds(t - begin); }
+
+} // namespace
+
+class TestIntubationWatch : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void notesATubeThatIsInItsPlace()
+    {
+        Work work;
+        work.runs();
+        work.tube = [](SessionTime) { return pushed(0.0); };
+        work.goOn(2s);
+        const auto through = work.noted(IntubationStep::ThroughCords);
+        QCOMPARE(through.size(), 1U);
+        QCOMPARE(through.front().seat, TubeSeat::Trachea);
+        const double above = patient().tube().tipAboveCarina.si;
+        QVERIFY(std::abs(through.front().tipAboveCarina.si - above) < kDepth);
+        QVERIFY(std::abs(through.front().depthAtTeeth.si
+                         - (teethToCarina(patient().landmarks()).si - above))
+                < kDepth);
+        QVERIFY(through.front().confidence < 0.75); // nobody saw it pass
+        QVERIFY(work.noted(IntubationStep::InOesophagus).empty());
+    }
+
+    void notesATubeThatIsPushedPastTheCarina()
+    {
+        Work work;
+        work.runs();
+        const SessionTime begin = *work.node.now();
+        constexpr double kSpeed = 0.02; // m/s, from 2 s on, by 55 mm
+        work.tube = [begin](SessionTime t) {
+            return pushed(std::clamp(kSpeed * (secondsFrom(begin, t) - 2.0), 0.0, 0.055));
+        };
+        work.goOn(6s);
+        const auto past = work.noted(IntubationStep::PastCarina);
+        QCOMPARE(past.size(), 1U);
+        const double at = 2.0 + patient().tube().tipAboveCarina.si / kSpeed;
+        QVERIFY(std::abs(secondsFrom(begin, past.front().at) - at) < kTime + kDepth / kSpeed);
+        QVERIFY(work.watch.course().tip.aboveCarina < Length{});
+    }
+
+    void notesTheBlade()
+    {
+        Work work;
+        work.runs();
+        const SessionTime begin = *work.node.now();
+        const RigidTransform inMouth = Laryngoscopy::of(patient(), bladeOf(BladeKind::Macintosh3))
+                                           ->pose(LaryngoscopyStep::Uvula, kUsualLift)
+                                           .X_AL;
+        work.blade = [begin, inMouth](SessionTime t) {
+            const bool isIn = secondsFrom(begin, t) > 1.0 && secondsFrom(begin, t) < 4.0;
+            return isIn ? inMouth : RigidTransform::translation({0.0, -0.4, 0.3});
+        };
+        work.watch.readView([] {
+            GlotticView view;
+            view.opening = 0.5;
+            return std::optional{view};
+        });
+        work.goOn(8s);
+        const auto in = work.noted(IntubationStep::BladeIn);
+        const auto out = work.noted(IntubationStep::BladeOut);
+        QVERIFY(in.size() == 1 && out.size() == 1);
+        QVERIFY(std::abs(secondsFrom(begin, in.front().at) - 1.0) < kTime);
+        QVERIFY(std::abs(secondsFrom(begin, out.front().at) - 4.0) < kTime);
+        QCOMPARE(work.noted(IntubationStep::GlottisSeen).size(), 1U);
+    }
+
+    void notesWhatPeopleSet()
+    {
+        Work work;
+        work.runs();
+        work.tube = [](SessionTime) { return pushed(0.0); };
+        work.goOn(2s);
+        work.node.decide(fact::StyletDrawn{});
+        work.node.decide(fact::CuffSet{true});
+        work.goOn(2s);
+        work.node.decide(fact::CuffSet{false});
+        work.goOn(1s);
+        const auto inflated = work.noted(IntubationStep::CuffInflated);
+        QVERIFY(inflated.size() == 1 && inflated.front().seat == TubeSeat::Trachea);
+        QVERIFY(inflated.front().depthAtTeeth > millimetres(100.0));
+        QCOMPARE(work.noted(IntubationStep::CuffDeflated).size(), 1U);
+        QCOMPARE(work.noted(IntubationStep::StyletOut).size(), 1U);
+        QVERIFY(work.noted(IntubationStep::FirstBreath).empty());
+    }
+
+    /// A mask's breaths before are not through the tube.
+    void notesTheFirstBreathThroughTheTube()
+    {
+        Work work;
+        work.runs();
+        const SessionTime begin = *work.node.now();
+        work.node.decide(fact::BagSqueezed{{.rate = perMinute(12.0)}});
+        work.tube = [begin](SessionTime t) -> std::optional<RigidTransform> {
+            if (secondsFrom(begin, t) < 2.0)
+                return std::nullopt;
+            return pushed(0.0);
+        };
+        work.goOn(5s);
+        const auto first = work.noted(IntubationStep::FirstBreath);
+        QCOMPARE(first.size(), 1U);
+        QVERIFY(secondsFrom(begin, first.front().at) > 2.0);
+        QCOMPARE(first.front().seat, TubeSeat::Trachea);
+    }
+
+    void notesNothingWhileTheSessionDoesNotRun()
+    {
+        Work work;
+        work.tube = [](SessionTime) { return pushed(0.0); };
+        work.goOn(2s);
+        QCOMPARE(work.node.proposed, 0);
+    }
+
+    void notesNothingOfTheWorkOfOthers()
+    {
+        Work work{FakeSessionNode::kInstructor};
+        work.runs();
+        work.tube = [](SessionTime) { return pushed(0.0); };
+        work.goOn(2s);
+        QCOMPARE(work.node.proposed, 0);
+    }
+
+    void notesNothingWithoutAPatient()
+    {
+        FakeSessionNode node{FakeSessionNode::kTrainee};
+        node.decide(fact::PhaseChanged{SessionPhase::Running});
+        IntubationWatch watch{node, FakeSessionNode::kStation, {}};
+        node.advance(1s);
+        watch.look();
+        QCOMPARE(node.proposed, 0);
+    }
+
+    /// The same step again is noted a while later, as the session takes it.
+    void allThatIsProposedIsTaken()
+    {
+        Work work;
+        work.runs();
+        const SessionTime begin = *work.node.now();
+        work.tube = [begin](SessionTime t) {
+            return pushed(0.030 + 0.022 * std::sin(3.0 * secondsFrom(begin, t)));
+        };
+        work.goOn(10s);
+        QVERIFY(work.noted(IntubationStep::PastCarina).size() > 2);
+        std::size_t steps = 0;
+        for (int step = 0; step <= int(kLastIntubationStep); ++step)
+            steps += work.noted(IntubationStep(step)).size();
+        QCOMPARE(int(steps), work.node.proposed);
+    }
+};
+
+CARINA_TEST(TestIntubationWatch)
+
+} // namespace carina::intubation_watch_test
+
+#include "tst_intubation_watch.moc"

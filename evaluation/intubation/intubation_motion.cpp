@@ -15,7 +15,7 @@ namespace
 
 constexpr double kTubeChord = 0.04;   ///< metres of way, before the tip is through the teeth
 constexpr double kLeastAcross = 1e-3; ///< of a direction, to x
-constexpr Length kBladeReady = millimetres(30.0); ///< in front of the teeth, in an adult
+constexpr Length kReadyBeforeTeeth = millimetres(30.0); ///< in front of the teeth, in an adult
 const Vec3 kBladeAside_A{0.0, -0.12, 0.12};
 constexpr double kLookedAt_s = 0.05;
 
@@ -92,7 +92,7 @@ Result<IntubationMotion> IntubationMotion::make(std::shared_ptr<const MotionPati
         laryngoscopyPose(upper, motion.m_patient->throat, blade, LaryngoscopyStep::Teeth, grip.lift,
                          motion.m_patient->held);
     motion.m_X_AL_ready =
-        RigidTransform::translation(-upper.size() * kBladeReady.si * motion.inward_A())
+        RigidTransform::translation(-upper.size() * kReadyBeforeTeeth.si * motion.inward_A())
         * atTeeth.X_AL;
     motion.m_X_AL_aside = RigidTransform::translation(kBladeAside_A) * motion.m_X_AL_ready;
     for (double t = 0.0; t <= toSeconds(length); t += kLookedAt_s)

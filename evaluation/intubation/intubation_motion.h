@@ -62,8 +62,8 @@ struct MotionTracks {
 
 /// How tube and blade are held through a whole motion.
 struct MotionGrip {
-    HandTremor tubeHand;
-    HandTremor bladeHand;
+    HandTremor tubeHand{};
+    HandTremor bladeHand{};
     Angle roll{};                 ///< of the tube about the line from teeth to tip
     Vec3 corner_A = Vec3::Zero(); ///< of the tube from the midline, where it passes the teeth
     Length lift = kUsualLift;

@@ -13,8 +13,8 @@ namespace
 
 constexpr double kSmallestTube_mm = 2.5;
 constexpr double kLargestTube_mm = 9.0;
-constexpr std::int64_t kUsualSeeds = 20;
-constexpr std::int64_t kMostSeeds = 10000;
+constexpr std::int64_t kUsualMotionSeeds = 20;
+constexpr std::int64_t kMostMotionSeeds = 10000;
 constexpr std::int64_t kGreatestSeed = 4294967295;
 
 Result<IntubationSubject> subjectOf(const Words& words)
@@ -57,7 +57,7 @@ Result<QJsonObject> oneMotion(const Words& words)
 
 Result<QJsonObject> allMotions(const Words& words)
 {
-    const auto seeds = words.whole(intubate_option::kSeeds, 1, kMostSeeds, kUsualSeeds);
+    const auto seeds = words.whole(intubate_option::kSeeds, 1, kMostMotionSeeds, kUsualMotionSeeds);
     if (!seeds)
         return tl::unexpected(seeds.error());
     const auto subject = subjectOf(words);
@@ -87,7 +87,6 @@ Result<QJsonObject> intubate(const Words& words)
 
 Use intubateOnce()
 {
-    using namespace intubate_key;
     return {.lines = {"SCRIPT [--patient WHO] [--anatomy DIR] [--tube MM] [--seed N]"},
             .text = "Lets simulated hands intubate a patient, observes tube, laryngoscope and jaw "
                     "with the errors of a tracker and a registration, and prints what the monitor "
@@ -97,106 +96,88 @@ Use intubateOnce()
                        "good, slow, oesophageal, right_mainstem, left_mainstem, three_attempts, "
                        "dental_lever, too_shallow, neck_flexed, stuck_at_arytenoid, "
                        "cuff_above_cords or late_recognition"}},
-            .options = {lab::kPatient, kAnatomy, intubate_option::kTube, intubate_option::kSeed},
-            .schema = kSchema,
+            .options = {kPatient, kAnatomy, intubate_option::kTube, intubate_option::kSeed},
+            .schema = intubate_key::kSchema,
             .keys = {intubate_key::kPatient,
-                     kTube,
-                     kScript,
-                     kSeed,
-                     kOutside,
-                     kOutcome,
-                     kConfidence,
-                     kIsRight,
-                     kAttempts,
-                     kDepth,
-                     kAboveCarina,
-                     kRegistration,
-                     kTruth,
-                     kTrueOutcome,
-                     kTrueAttempts,
-                     kTrueDepth,
-                     kTrueAboveCarina,
-                     kTrueTimeline,
-                     kTrueStep,
-                     kTrueAt,
-                     kTimeline,
-                     kStep,
-                     kAt,
-                     kNotedAt,
-                     kSeat,
-                     kStepConfidence,
-                     kStepDepth,
-                     kStepAboveCarina,
-                     kVitals,
-                     kVitalsAt,
-                     kSaturation,
-                     kShown,
-                     kEndTidal,
-                     kHeartRate,
-                     kMean,
-                     kMetrics,
-                     kMeasuredMetric,
-                     kMeasuredValue,
-                     kNotMeasured,
-                     kScore,
-                     kRubric,
-                     kSource,
-                     kPoints,
-                     kPossible,
-                     kOfAll,
-                     kJudgements,
-                     kCriterion,
-                     kMetric,
-                     kVerdict,
-                     kValue,
-                     kGot,
-                     kMoment}};
+                     intubate_key::kTube,
+                     intubate_key::kScript,
+                     intubate_key::kSeed,
+                     intubate_key::kOutside,
+                     intubate_key::kOutcome,
+                     intubate_key::kConfidence,
+                     intubate_key::kIsRight,
+                     intubate_key::kAttempts,
+                     intubate_key::kDepth,
+                     intubate_key::kAboveCarina,
+                     intubate_key::kRegistration,
+                     intubate_key::kTruth,
+                     intubate_key::kTrueOutcome,
+                     intubate_key::kTrueAttempts,
+                     intubate_key::kTrueDepth,
+                     intubate_key::kTrueAboveCarina,
+                     intubate_key::kTrueTimeline,
+                     intubate_key::kTrueStep,
+                     intubate_key::kTrueAt,
+                     intubate_key::kTimeline,
+                     intubate_key::kStep,
+                     intubate_key::kAt,
+                     intubate_key::kNotedAt,
+                     intubate_key::kSeat,
+                     intubate_key::kStepConfidence,
+                     intubate_key::kStepDepth,
+                     intubate_key::kStepAboveCarina,
+                     intubate_key::kVitals,
+                     intubate_key::kVitalsAt,
+                     intubate_key::kSaturation,
+                     intubate_key::kShown,
+                     intubate_key::kEndTidal,
+                     intubate_key::kHeartRate,
+                     intubate_key::kMean,
+                     intubate_key::kMetrics,
+                     intubate_key::kMeasuredMetric,
+                     intubate_key::kMeasuredValue,
+                     intubate_key::kNotMeasured,
+                     intubate_key::kScore,
+                     intubate_key::kRubric,
+                     intubate_key::kSource,
+                     intubate_key::kPoints,
+                     intubate_key::kPossible,
+                     intubate_key::kOfAll,
+                     intubate_key::kJudgements,
+                     intubate_key::kCriterion,
+                     intubate_key::kMetric,
+                     intubate_key::kVerdict,
+                     intubate_key::kValue,
+                     intubate_key::kGot,
+                     intubate_key::kMoment}};
 }
 
 Use intubateOften()
 {
-    using namespace intubate_all_key;
     return {.lines = {"--all-scripts [--seeds N] [--patient WHO] [--anatomy DIR] [--tube MM]"},
             .text = "Runs each motion with the seeds 1 to N, without the patient's vital signs, "
                     "and prints how often and how far the monitor was wrong.",
-            .options = {intubate_option::kAll, intubate_option::kSeeds, lab::kPatient, kAnatomy,
+            .options = {intubate_option::kAll, intubate_option::kSeeds, kPatient, kAnatomy,
                         intubate_option::kTube},
-            .schema = kSchema,
-            .keys = {intubate_all_key::kPatient,
-                     kTube,
-                     kRuns,
-                     kOutside,
-                     kWrong,
-                     kUnsure,
-                     kSurelyRight,
-                     kConfusion,
-                     kTruth,
-                     kNone,
-                     kTrachea,
-                     kRightMain,
-                     kLeftMain,
-                     kOesophagus,
-                     kDepth,
-                     kMedian,
-                     k95,
-                     kGreatest,
-                     kWithin,
-                     kCarina,
-                     kTimes,
-                     kMedianTime,
-                     k95Time,
-                     kGreatestTime,
-                     kWithinTime,
-                     kMissed,
-                     kInvented,
-                     kAttempts,
-                     kWrongRuns,
-                     kWrongScript,
-                     kWrongSeed,
-                     kWrongTruth,
-                     kWrongOutcome,
-                     kWrongConfidence,
-                     kWrongOutside}};
+            .schema = intubate_all_key::kSchema,
+            .keys = {intubate_all_key::kPatient,      intubate_all_key::kTube,
+                     intubate_all_key::kRuns,         intubate_all_key::kOutside,
+                     intubate_all_key::kWrong,        intubate_all_key::kUnsure,
+                     intubate_all_key::kSurelyRight,  intubate_all_key::kConfusion,
+                     intubate_all_key::kTruth,        intubate_all_key::kNone,
+                     intubate_all_key::kTrachea,      intubate_all_key::kRightMain,
+                     intubate_all_key::kLeftMain,     intubate_all_key::kOesophagus,
+                     intubate_all_key::kDepth,        intubate_all_key::kMedian,
+                     intubate_all_key::k95,           intubate_all_key::kGreatest,
+                     intubate_all_key::kWithin,       intubate_all_key::kCarina,
+                     intubate_all_key::kTimes,        intubate_all_key::kMedianTime,
+                     intubate_all_key::k95Time,       intubate_all_key::kGreatestTime,
+                     intubate_all_key::kWithinTime,   intubate_all_key::kMissed,
+                     intubate_all_key::kInvented,     intubate_all_key::kAttempts,
+                     intubate_all_key::kWrongRuns,    intubate_all_key::kWrongScript,
+                     intubate_all_key::kWrongSeed,    intubate_all_key::kWrongTruth,
+                     intubate_all_key::kWrongOutcome, intubate_all_key::kWrongConfidence,
+                     intubate_all_key::kWrongOutside}};
 }
 
 } // namespace

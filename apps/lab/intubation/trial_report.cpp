@@ -16,6 +16,8 @@ namespace carina::lab
 namespace
 {
 
+namespace key = intubate_key;
+
 constexpr Duration kAfterwards = std::chrono::seconds{60};
 constexpr int kPrintEvery = 10; ///< of the readings
 
@@ -23,49 +25,46 @@ double sinceStart(SessionTime t) { return toSeconds(t - kTrialStart); }
 
 QJsonObject truthObject(const IntubationTrial& trial)
 {
-    using namespace intubate_key;
     QJsonArray timeline;
     for (const TrueEvent& event : trial.truth.events)
-        timeline +=
-            QJsonObject{{kTrueStep, stepWord(stepOf(event.step))}, {kTrueAt, toSeconds(event.at)}};
+        timeline += QJsonObject{{key::kTrueStep, stepWord(stepOf(event.step))},
+                                {key::kTrueAt, toSeconds(event.at)}};
     const auto above = trial.truth.tipAboveCarina;
-    return {{kTrueOutcome, seatWord(seatOf(trial.truth.outcome))},
-            {kTrueAttempts, trial.truth.attempts},
-            {kTrueDepth, inMillimetres(trial.truth.depthAtTeeth)},
-            {kTrueAboveCarina, above ? QJsonValue{inMillimetres(*above)} : QJsonValue{}},
-            {kTrueTimeline, timeline}};
+    return {{key::kTrueOutcome, seatWord(seatOf(trial.truth.outcome))},
+            {key::kTrueAttempts, trial.truth.attempts},
+            {key::kTrueDepth, inMillimetres(trial.truth.depthAtTeeth)},
+            {key::kTrueAboveCarina, above ? QJsonValue{inMillimetres(*above)} : QJsonValue{}},
+            {key::kTrueTimeline, timeline}};
 }
 
 QJsonArray timelineOf(const IntubationTrial& trial)
 {
-    using namespace intubate_key;
     std::vector<NotedStep> steps = trial.noted;
     std::ranges::stable_sort(steps, {}, [](const NotedStep& step) { return step.event.at; });
     QJsonArray timeline;
     for (const NotedStep& step : steps)
-        timeline += QJsonObject{{kStep, stepWord(step.event.step)},
-                                {kAt, sinceStart(step.event.at)},
-                                {kNotedAt, sinceStart(step.effect)},
-                                {kSeat, seatWord(step.event.seat)},
-                                {kStepConfidence, step.event.confidence},
-                                {kStepDepth, inMillimetres(step.event.depthAtTeeth)},
-                                {kStepAboveCarina, inMillimetres(step.event.tipAboveCarina)}};
+        timeline += QJsonObject{{key::kStep, stepWord(step.event.step)},
+                                {key::kAt, sinceStart(step.event.at)},
+                                {key::kNotedAt, sinceStart(step.effect)},
+                                {key::kSeat, seatWord(step.event.seat)},
+                                {key::kStepConfidence, step.event.confidence},
+                                {key::kStepDepth, inMillimetres(step.event.depthAtTeeth)},
+                                {key::kStepAboveCarina, inMillimetres(step.event.tipAboveCarina)}};
     return timeline;
 }
 
 QJsonArray vitalsOf(const std::vector<VitalsReading>& readings)
 {
-    using namespace intubate_key;
     QJsonArray rows;
     for (std::size_t i = 0; i < readings.size(); i += kPrintEvery) {
         const Vitals& now = readings[i].vitals;
         rows += QJsonObject{
-            {kVitalsAt, sinceStart(readings[i].at)},
-            {kSaturation, 100.0 * now.arterialSaturation},
-            {kShown, now.saturation ? QJsonValue{100.0 * *now.saturation} : QJsonValue{}},
-            {kEndTidal, now.endTidalCO2 ? QJsonValue{inMmHg(*now.endTidalCO2)} : QJsonValue{}},
-            {kHeartRate, inPerMinute(now.heartRate)},
-            {kMean, inMmHg(now.mean)}};
+            {key::kVitalsAt, sinceStart(readings[i].at)},
+            {key::kSaturation, 100.0 * now.arterialSaturation},
+            {key::kShown, now.saturation ? QJsonValue{100.0 * *now.saturation} : QJsonValue{}},
+            {key::kEndTidal, now.endTidalCO2 ? QJsonValue{inMmHg(*now.endTidalCO2)} : QJsonValue{}},
+            {key::kHeartRate, inPerMinute(now.heartRate)},
+            {key::kMean, inMmHg(now.mean)}};
     }
     return rows;
 }
@@ -93,7 +92,7 @@ TryMetrics metricsOf(const IntubationSubject& subject, const IntubationTrial& tr
     return course.metrics(ended, depthBy(usualDepthRule(patient), patient));
 }
 
-QString wordOf(ItemVerdict verdict)
+QString verdictWord(ItemVerdict verdict)
 {
     constexpr std::array kVerdicts{"met", "missed", "never", "not_measured"};
     return QString::fromLatin1(kVerdicts[static_cast<std::size_t>(verdict)]);
@@ -101,24 +100,23 @@ QString wordOf(ItemVerdict verdict)
 
 QJsonObject scoreObject(const TryMetrics& metrics)
 {
-    using namespace intubate_key;
     const Rubric rubric = publishedRubric();
     const Score score = scoreOf(metrics, rubric);
     QJsonArray judgements;
     for (const Judgement& judged : score.judgements)
         judgements += QJsonObject{
-            {kCriterion, QString::fromStdString(judged.criterion.name)},
-            {kMetric, QString::fromLatin1(entryOf(judged.criterion.metric).word)},
-            {kVerdict, wordOf(judged.verdict)},
-            {kValue, judged.value ? QJsonValue{*judged.value} : QJsonValue{}},
-            {kGot, judged.points},
-            {kMoment, judged.moment ? QJsonValue{sinceStart(*judged.moment)} : QJsonValue{}}};
-    return {{kRubric, QString::fromStdString(rubric.name)},
-            {kSource, QString::fromStdString(rubric.source)},
-            {kPoints, score.points},
-            {kPossible, score.possible},
-            {kOfAll, score.ofAll},
-            {kJudgements, judgements}};
+            {key::kCriterion, QString::fromStdString(judged.criterion.name)},
+            {key::kMetric, QString::fromLatin1(entryOf(judged.criterion.metric).word)},
+            {key::kVerdict, verdictWord(judged.verdict)},
+            {key::kValue, judged.value ? QJsonValue{*judged.value} : QJsonValue{}},
+            {key::kGot, judged.points},
+            {key::kMoment, judged.moment ? QJsonValue{sinceStart(*judged.moment)} : QJsonValue{}}};
+    return {{key::kRubric, QString::fromStdString(rubric.name)},
+            {key::kSource, QString::fromStdString(rubric.source)},
+            {key::kPoints, score.points},
+            {key::kPossible, score.possible},
+            {key::kOfAll, score.ofAll},
+            {key::kJudgements, judgements}};
 }
 
 void addScore(QJsonObject& report, const TryMetrics& metrics)
@@ -127,16 +125,15 @@ void addScore(QJsonObject& report, const TryMetrics& metrics)
     for (std::size_t i = 0; i < kMetricCount; ++i) {
         const auto metric = static_cast<Metric>(i);
         if (const auto value = valueOf(metrics, metric))
-            values += QJsonObject{
-                {intubate_key::kMeasuredMetric, QString::fromLatin1(entryOf(metric).word)},
-                {intubate_key::kMeasuredValue, *value}};
+            values += QJsonObject{{key::kMeasuredMetric, QString::fromLatin1(entryOf(metric).word)},
+                                  {key::kMeasuredValue, *value}};
     }
     QJsonArray missing;
     for (const Metric metric : notMeasured(metrics))
         missing += QString::fromLatin1(entryOf(metric).word);
-    report[intubate_key::kMetrics] = values;
-    report[intubate_key::kNotMeasured] = missing;
-    report[intubate_key::kScore] = scoreObject(metrics);
+    report[key::kMetrics] = values;
+    report[key::kNotMeasured] = missing;
+    report[key::kScore] = scoreObject(metrics);
 }
 
 } // namespace
@@ -151,26 +148,25 @@ QJsonValue outsideWord(const MotionParameters& parameters)
 
 QJsonObject trialReport(const IntubationSubject& subject, const IntubationTrial& trial)
 {
-    using namespace intubate_key;
     const std::vector<VitalsReading> readings =
         patientOf(subject, trial, trial.end() + kAfterwards);
-    QJsonObject report{{kSchema, QLatin1StringView{kSchema.help}},
-                       {intubate_key::kPatient, QString::fromStdString(subject.name)},
-                       {kTube, inMillimetres(subject.innerDiameter)},
-                       {kScript, motionWord(trial.kind)},
-                       {kSeed, qint64(trial.seed)},
-                       {kOutside, outsideWord(trial.parameters)},
-                       {kOutcome, seatWord(trial.course.seat)},
-                       {kConfidence, trial.course.confidence},
-                       {kIsRight, !trial.isWrong()},
-                       {kAttempts, trial.course.attempts},
-                       {kDepth, inMillimetres(trial.course.tip.depthAtTeeth)},
-                       {kAboveCarina, inMillimetres(trial.course.tip.aboveCarina)},
-                       {kRegistration, inMillimetres(trial.registrationShare)},
-                       {kTruth, truthObject(trial)},
-                       {kTimeline, timelineOf(trial)},
-                       {kVitals, vitalsOf(readings)},
-                       {kScore, QJsonValue{}}};
+    QJsonObject report{{key::kSchema, QLatin1StringView{key::kSchema.help}},
+                       {key::kPatient, QString::fromStdString(subject.name)},
+                       {key::kTube, inMillimetres(subject.innerDiameter)},
+                       {key::kScript, motionWord(trial.kind)},
+                       {key::kSeed, qint64(trial.seed)},
+                       {key::kOutside, outsideWord(trial.parameters)},
+                       {key::kOutcome, seatWord(trial.course.seat)},
+                       {key::kConfidence, trial.course.confidence},
+                       {key::kIsRight, !trial.isWrong()},
+                       {key::kAttempts, trial.course.attempts},
+                       {key::kDepth, inMillimetres(trial.course.tip.depthAtTeeth)},
+                       {key::kAboveCarina, inMillimetres(trial.course.tip.aboveCarina)},
+                       {key::kRegistration, inMillimetres(trial.registrationShare)},
+                       {key::kTruth, truthObject(trial)},
+                       {key::kTimeline, timelineOf(trial)},
+                       {key::kVitals, vitalsOf(readings)},
+                       {key::kScore, QJsonValue{}}};
     if (trial.measured.hasBegun())
         addScore(report, metricsOf(subject, trial, readings));
     return report;

@@ -12,6 +12,8 @@ namespace carina::lab
 namespace
 {
 
+namespace all_key = intubate_all_key;
+
 /// Of sorted numbers, the one that a share of them does not exceed; 0 of none.
 double quantile(std::vector<double> numbers, double share)
 {
@@ -34,7 +36,6 @@ void TrialStatistics::Errors::add(double size, double bound)
 
 void TrialStatistics::add(const IntubationTrial& trial)
 {
-    using namespace intubate_all_key;
     ++m_runs;
     m_outside += trial.parameters.outside ? 1 : 0;
     const TubeSeat truth = seatOf(trial.truth.outcome);
@@ -49,12 +50,12 @@ void TrialStatistics::add(const IntubationTrial& trial)
     }
     ++m_wrong;
     m_wrongUnsure += isSure ? 0 : 1;
-    m_wrongRuns += QJsonObject{{kWrongScript, motionWord(trial.kind)},
-                               {kWrongSeed, qint64(trial.seed)},
-                               {kWrongTruth, seatWord(truth)},
-                               {kWrongOutcome, seatWord(trial.course.seat)},
-                               {kWrongConfidence, trial.course.confidence},
-                               {kWrongOutside, outsideWord(trial.parameters)}};
+    m_wrongRuns += QJsonObject{{all_key::kWrongScript, motionWord(trial.kind)},
+                               {all_key::kWrongSeed, qint64(trial.seed)},
+                               {all_key::kWrongTruth, seatWord(truth)},
+                               {all_key::kWrongOutcome, seatWord(trial.course.seat)},
+                               {all_key::kWrongConfidence, trial.course.confidence},
+                               {all_key::kWrongOutside, outsideWord(trial.parameters)}};
 }
 
 void TrialStatistics::addDepth(const IntubationTrial& trial)
@@ -77,56 +78,54 @@ void TrialStatistics::addTimes(const IntubationTrial& trial)
 
 QJsonArray TrialStatistics::confusion() const
 {
-    using namespace intubate_all_key;
     QJsonArray rows;
     for (const TubeSeat truth : kTubeSeats) {
         const auto& seen = m_seen[static_cast<std::size_t>(truth)];
         const auto as = [&seen](TubeSeat seat) { return seen[static_cast<std::size_t>(seat)]; };
-        rows += QJsonObject{
-            {kTruth, seatWord(truth)},           {kNone, as(TubeSeat::None)},
-            {kTrachea, as(TubeSeat::Trachea)},   {kRightMain, as(TubeSeat::RightMain)},
-            {kLeftMain, as(TubeSeat::LeftMain)}, {kOesophagus, as(TubeSeat::Oesophagus)}};
+        rows += QJsonObject{{all_key::kTruth, seatWord(truth)},
+                            {all_key::kNone, as(TubeSeat::None)},
+                            {all_key::kTrachea, as(TubeSeat::Trachea)},
+                            {all_key::kRightMain, as(TubeSeat::RightMain)},
+                            {all_key::kLeftMain, as(TubeSeat::LeftMain)},
+                            {all_key::kOesophagus, as(TubeSeat::Oesophagus)}};
     }
     return rows;
 }
 
 QJsonObject TrialStatistics::lengthsOf(const Errors& errors)
 {
-    using namespace intubate_all_key;
-    return {{kMedian, 1e3 * quantile(errors.sizes, 0.5)},
-            {k95, 1e3 * quantile(errors.sizes, 0.95)},
-            {kGreatest, 1e3 * quantile(errors.sizes, 1.0)},
-            {kWithin, shareOf(errors.within, errors.sizes.size())}};
+    return {{all_key::kMedian, 1e3 * quantile(errors.sizes, 0.5)},
+            {all_key::k95, 1e3 * quantile(errors.sizes, 0.95)},
+            {all_key::kGreatest, 1e3 * quantile(errors.sizes, 1.0)},
+            {all_key::kWithin, shareOf(errors.within, errors.sizes.size())}};
 }
 
 QJsonObject TrialStatistics::times() const
 {
-    using namespace intubate_all_key;
-    return {{kMedianTime, 1e3 * quantile(m_times.sizes, 0.5)},
-            {k95Time, 1e3 * quantile(m_times.sizes, 0.95)},
-            {kGreatestTime, 1e3 * quantile(m_times.sizes, 1.0)},
-            {kWithinTime, shareOf(m_times.within, m_times.sizes.size())},
-            {kMissed, m_missed},
-            {kInvented, m_invented}};
+    return {{all_key::kMedianTime, 1e3 * quantile(m_times.sizes, 0.5)},
+            {all_key::k95Time, 1e3 * quantile(m_times.sizes, 0.95)},
+            {all_key::kGreatestTime, 1e3 * quantile(m_times.sizes, 1.0)},
+            {all_key::kWithinTime, shareOf(m_times.within, m_times.sizes.size())},
+            {all_key::kMissed, m_missed},
+            {all_key::kInvented, m_invented}};
 }
 
 QJsonObject TrialStatistics::report(const IntubationSubject& subject) const
 {
-    using namespace intubate_all_key;
-    return {{kSchema, QLatin1StringView{kSchema.help}},
-            {intubate_all_key::kPatient, QString::fromStdString(subject.name)},
-            {kTube, inMillimetres(subject.innerDiameter)},
-            {kRuns, m_runs},
-            {kOutside, m_outside},
-            {kWrong, m_wrong},
-            {kUnsure, m_wrongUnsure},
-            {kSurelyRight, m_rightSure},
-            {kConfusion, confusion()},
-            {kDepth, lengthsOf(m_depth)},
-            {kCarina, lengthsOf(m_carina)},
-            {kTimes, times()},
-            {kAttempts, m_wrongAttempts},
-            {kWrongRuns, m_wrongRuns}};
+    return {{all_key::kSchema, QLatin1StringView{all_key::kSchema.help}},
+            {all_key::kPatient, QString::fromStdString(subject.name)},
+            {all_key::kTube, inMillimetres(subject.innerDiameter)},
+            {all_key::kRuns, m_runs},
+            {all_key::kOutside, m_outside},
+            {all_key::kWrong, m_wrong},
+            {all_key::kUnsure, m_wrongUnsure},
+            {all_key::kSurelyRight, m_rightSure},
+            {all_key::kConfusion, confusion()},
+            {all_key::kDepth, lengthsOf(m_depth)},
+            {all_key::kCarina, lengthsOf(m_carina)},
+            {all_key::kTimes, times()},
+            {all_key::kAttempts, m_wrongAttempts},
+            {all_key::kWrongRuns, m_wrongRuns}};
 }
 
 } // namespace carina::lab

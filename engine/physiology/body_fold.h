@@ -2,8 +2,10 @@
 
 #include "engine/lungs/mechanics/respiratory_fold.h"
 #include "engine/lungs/mechanics/tube_place.h"
+#include "engine/physiology/body_figures.h"
 #include "engine/physiology/body_state.h"
 #include "engine/physiology/drug.h"
+#include "engine/physiology/drug_effect.h"
 #include "engine/physiology/gas_supply.h"
 #include "engine/physiology/vitals.h"
 
@@ -39,17 +41,35 @@ public:
     /// @param breathing as it is at the end of this step
     void step(const RespiratoryFold& breathing);
 
-    [[nodiscard]] const BodySettings& settings() const;
-    [[nodiscard]] const BodyState& state() const;
+    [[nodiscard]] const BodySettings& settings() const { return m_settings; }
+    [[nodiscard]] const BodyState& state() const { return m_state; }
     [[nodiscard]] Vitals vitals() const;
-    /// Share of the patient's own breathing that drugs leave, 0 to 1.
-    [[nodiscard]] double breathingLeft() const;
+    /// Share of the patient's own breathing that drugs leave, 0 to 1; 0 once the heart has stopped.
+    [[nodiscard]] double breathingLeft() const
+    {
+        return m_state.circulation.arrested ? 0.0 : m_effect.breathing;
+    }
     /// How far the cords are shut by spasm (stimulated in too light a sleep), 0 to 1.
-    [[nodiscard]] double spasm() const;
+    [[nodiscard]] double spasm() const { return m_state.spasm; }
     /// Whether the patient coughs against blade or tube.
     [[nodiscard]] bool coughs() const;
     /// Share of the muscles' tone that is left: 0 with full relaxation, 1 awake.
-    [[nodiscard]] double tone() const;
+    [[nodiscard]] double tone() const { return m_effect.tone; }
+
+private:
+    void become(const BodyFigures& body);
+    [[nodiscard]] double stimulus() const;
+    [[nodiscard]] GasShares supplied(const RespiratoryFold& breathing) const;
+    [[nodiscard]] bool samplesGas() const;
+    double moveGas(const RespiratoryFold& breathing);
+    void exchangeGas(const RespiratoryFold& breathing);
+    void sampleGas(double moved_ml);
+    void circulate(const RespiratoryFold& breathing);
+
+    BodySettings m_settings;
+    BodyState m_state;
+    BodyFigures m_body;
+    DrugEffect m_effect; ///< of the drugs in m_state
 };
 
 inline constexpr int kRespiratoryStepsPerBodyStep = 10;

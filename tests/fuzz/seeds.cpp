@@ -8,6 +8,7 @@
 #include "engine/net/entry/role_proof.h"
 #include "engine/net/entry/token_message.h"
 #include "engine/net/secure/dtls_record.h"
+#include "engine/physiology/body_fold.h"
 #include "engine/session/facts/fact_codec.h"
 #include "engine/sync/strategies/relayed_message.h"
 #include "engine/tracking/ndi/tool_definition.h"

@@ -10,12 +10,15 @@ namespace
 
 // What no patient reaches, with any setting or dose that people may choose; all of ours.
 constexpr double kMostGas_ml = 50'000.0;
+constexpr double kMostShare = 2.0;             ///< of a gas, where nitrogen lacks
 constexpr double kMostContent_mlPerL = 1000.0; ///< of oxygen in blood
-constexpr double kMostTension_mmHg = 2000.0;
+constexpr double kMostTension_mmHg = 1e5;
 constexpr double kMostPressure_mmHg = 1000.0;
 constexpr double kMostRate_perS = 50.0;
 constexpr double kMostDrug_mg = 1e9;
 constexpr double kMostTime_s = 1e12;
+constexpr double kMostBreathed_ml = 1e12; ///< in a breath that does not end
+constexpr double kMostHarm = 1e9;         ///< it goes on after the heart has stopped
 /// A step of an integrator may end a little beyond a bound.
 constexpr double kBeyond = 1e-6;
 
@@ -49,19 +52,22 @@ Result<void> checkGas(const AirwayGas& gas)
         const Result<void> verdict = checkNumbers({
             {"oxygen in a lung", lung.oxygen_ml, -kBeyond, kMostGas_ml, " ml"},
             {"carbon dioxide in a lung", lung.carbonDioxide_ml, -kBeyond, kMostGas_ml, " ml"},
-            {"nitrogen in a lung", lung.nitrogen_ml, -kBeyond, kMostGas_ml, " ml"},
+            // A lung that empties unevenly loses more of it than its share.
+            {"nitrogen in a lung", lung.nitrogen_ml, -kMostGas_ml, kMostGas_ml, " ml"},
         });
         if (!verdict)
             return verdict;
     }
     for (const GasShares& cell : gas.airway)
-        if (const auto verdict = checkShares({{"oxygen in an airway", cell.oxygen},
-                                              {"carbon dioxide in one", cell.carbonDioxide}});
+        if (const auto verdict = checkNumbers({
+                {"oxygen in an airway", cell.oxygen, -kBeyond, kMostShare, ""},
+                {"carbon dioxide in an airway", cell.carbonDioxide, -kBeyond, kMostShare, ""},
+            });
             !verdict)
             return verdict;
     return checkNumbers({
-                            {"inhaled gas", gas.inhaled_ml, -kBeyond, kMostTime_s, " ml"},
-                            {"exhaled gas", gas.exhaled_ml, -kBeyond, kMostTime_s, " ml"},
+                            {"inhaled gas", gas.inhaled_ml, -kBeyond, kMostBreathed_ml, " ml"},
+                            {"exhaled gas", gas.exhaled_ml, -kBeyond, kMostBreathed_ml, " ml"},
                         })
         .and_then([&] {
             return checkShares({{"open share of the gas", gas.openShare}});
@@ -83,6 +89,13 @@ Result<void> checkBlood(const BloodGas& blood)
         })
         .and_then([&] {
             return checkTension("carbon dioxide of tissues", blood.tissueCarbonDioxide_mmHg);
+        })
+        .and_then([&] {
+            return checkTension("carbon dioxide of the right lung",
+                                blood.lungCarbonDioxide_mmHg[0]);
+        })
+        .and_then([&] {
+            return checkTension("carbon dioxide of the left lung", blood.lungCarbonDioxide_mmHg[1]);
         })
         .and_then([&] {
             return checkShares({{"constriction, right", blood.constriction[0]},
@@ -107,11 +120,11 @@ Result<void> checkCirculation(const CirculationState& state)
                    {"heart rate", state.heartRate_perS, -kBeyond, kMostRate_perS, " /s"},
                    {"blood pressure", state.mean_mmHg, -kBeyond, kMostPressure_mmHg, " mmHg"},
                    {"pulse pressure", state.pulse_mmHg, -kBeyond, kMostPressure_mmHg, " mmHg"},
+                   {"harm of the heart", state.harm, -kBeyond, kMostHarm, ""},
                })
         .and_then([&] {
             return checkShares({{"response to a stimulus", state.alarm},
                                 {"habituation", state.accustomed},
-                                {"harm of the heart", state.harm},
                                 {"phase of a beat", state.beat}});
         });
 }
@@ -194,7 +207,7 @@ Result<void> checkPatientBody(const fact::CapnographCheckpoint& fact)
         if (const auto verdict = checkTension("carbon dioxide in a line", tension); !verdict)
             return verdict;
     for (const double tension : {state.connector_mmHg, state.sensor_mmHg, state.highest_mmHg,
-                                 state.endTidal_mmHg, state.stomach_mmHg})
+                                 state.lowest_mmHg, state.endTidal_mmHg, state.stomach_mmHg})
         if (const auto verdict = checkTension("carbon dioxide", tension); !verdict)
             return verdict;
     return checkNumbers({

@@ -5,7 +5,6 @@
 #include "engine/lungs/mechanics/tube_place.h"
 #include "engine/session/parameter_timeline.h"
 
-#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>

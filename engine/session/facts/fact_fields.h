@@ -170,9 +170,10 @@ inline constexpr std::tuple kFields<CapnographState>{
     &CapnographState::connector_mmHg, &CapnographState::line,
     &CapnographState::next,           &CapnographState::sensor_mmHg,
     &CapnographState::inBreath,       &CapnographState::hasBreath,
-    &CapnographState::highest_mmHg,   &CapnographState::endTidal_mmHg,
-    &CapnographState::rate_perS,      &CapnographState::sinceBreath_s,
-    &CapnographState::stomach_mmHg,   &CapnographState::stomachPhase};
+    &CapnographState::highest_mmHg,   &CapnographState::lowest_mmHg,
+    &CapnographState::endTidal_mmHg,  &CapnographState::rate_perS,
+    &CapnographState::sinceBreath_s,  &CapnographState::stomach_mmHg,
+    &CapnographState::stomachPhase};
 
 template <>
 inline constexpr std::tuple kFields<fact::BodyCheckpoint>{&fact::BodyCheckpoint::at,
@@ -192,10 +193,13 @@ inline constexpr std::tuple kFields<LungGas>{&LungGas::oxygen_ml, &LungGas::carb
 template <>
 inline constexpr std::tuple kFields<GasShares>{&GasShares::oxygen, &GasShares::carbonDioxide};
 template <>
-inline constexpr std::tuple kFields<BloodGas>{
-    &BloodGas::arterialOxygen_mlPerL,    &BloodGas::venousOxygen_mlPerL,
-    &BloodGas::restingOxygen_mlPerL,     &BloodGas::arterialCarbonDioxide_mmHg,
-    &BloodGas::tissueCarbonDioxide_mmHg, &BloodGas::constriction};
+inline constexpr std::tuple kFields<BloodGas>{&BloodGas::arterialOxygen_mlPerL,
+                                              &BloodGas::venousOxygen_mlPerL,
+                                              &BloodGas::restingOxygen_mlPerL,
+                                              &BloodGas::arterialCarbonDioxide_mmHg,
+                                              &BloodGas::tissueCarbonDioxide_mmHg,
+                                              &BloodGas::lungCarbonDioxide_mmHg,
+                                              &BloodGas::constriction};
 template <>
 inline constexpr std::tuple kFields<OximeterState>{&OximeterState::way, &OximeterState::steps,
                                                    &OximeterState::shown};

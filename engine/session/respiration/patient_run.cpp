@@ -89,14 +89,14 @@ void PatientRun::forgetBreaths(const RespirationTimeline& timeline)
 void PatientRun::advanceTo(const RespirationTimeline& timeline, SessionTime t)
 {
     while (m_at < t) {
+        take(timeline);
         const SessionTime change = timeline.changeAfter(m_at);
         if (!timeline.runsAt(m_at)) {
             if (change > t)
-                return take(timeline, t);
+                return;
             passTo(timeline, change);
             continue;
         }
-        take(timeline, m_at);
         if (const SessionTime end = std::min(change, t); end - m_at > kLongestCatchUp)
             skipTo(timeline, end - kLongestCatchUp);
         while (m_at < change) {
@@ -105,6 +105,7 @@ void PatientRun::advanceTo(const RespirationTimeline& timeline, SessionTime t)
             step(timeline);
         }
     }
+    take(timeline); // a checkpoint has all that was decided for then
 }
 
 void PatientRun::step(const RespirationTimeline& timeline)
@@ -118,9 +119,9 @@ void PatientRun::step(const RespirationTimeline& timeline)
 }
 
 /// A patient who has not breathed yet is met as the settings have it; later a change comes in.
-void PatientRun::take(const RespirationTimeline& timeline, SessionTime t)
+void PatientRun::take(const RespirationTimeline& timeline)
 {
-    m_settings = settingsAt(timeline, t);
+    m_settings = settingsAt(timeline, m_at);
     if (!m_fold.hasBegun())
         return meetAnew(timeline);
     m_body.set(m_settings.body);

@@ -69,7 +69,7 @@ private:
     [[nodiscard]] RespiratorySettings influenced() const;
     void passTo(const RespirationTimeline& timeline, SessionTime t);
     void skipTo(const RespirationTimeline& timeline, SessionTime t);
-    void take(const RespirationTimeline& timeline, SessionTime t);
+    void take(const RespirationTimeline& timeline);
     void meetAnew(const RespirationTimeline& timeline);
     void give(const RespirationTimeline& timeline, SessionTime from);
     void followBody();

@@ -1,3 +1,4 @@
+#include "engine/session/respiration/respiration_rules.h"
 #include "models/physiology/drug_words.h"
 #include "models/physiology/gas_model.h"
 #include "tests/models/fake_session_node.h"

@@ -113,8 +113,8 @@ void TestBodyRules::refusesAStateThatNoBodyComesTo_data()
     row("steps", [](BodyState& s) { s.steps = -1; });
     row("oxygen", [](BodyState& s) { s.gas.lungs[1].oxygen_ml = -1.0; });
     row("carbon dioxide", [](BodyState& s) { s.gas.lungs[0].carbonDioxide_ml = 1e5; });
-    row("nitrogen", [](BodyState& s) { s.gas.lungs[0].nitrogen_ml = -1.0; });
-    row("airway", [](BodyState& s) { s.gas.airway[kAirwayCells - 1].oxygen = 1.1; });
+    row("nitrogen", [](BodyState& s) { s.gas.lungs[0].nitrogen_ml = 1e5; });
+    row("airway", [](BodyState& s) { s.gas.airway[kAirwayCells - 1].oxygen = 2.1; });
     row("exhaled airway", [](BodyState& s) { s.gas.airway[0].carbonDioxide = -0.1; });
     row("inhaled", [](BodyState& s) { s.gas.inhaled_ml = -1.0; });
     row("open share", [](BodyState& s) { s.gas.openShare = 1.1; });
@@ -122,12 +122,13 @@ void TestBodyRules::refusesAStateThatNoBodyComesTo_data()
     row("venous oxygen", [](BodyState& s) { s.blood.venousOxygen_mlPerL = 1e4; });
     row("slow oxygen", [](BodyState& s) { s.blood.restingOxygen_mlPerL = -1.0; });
     row("arterial tension", [](BodyState& s) { s.blood.arterialCarbonDioxide_mmHg = -1.0; });
-    row("tissue tension", [](BodyState& s) { s.blood.tissueCarbonDioxide_mmHg = 1e4; });
+    row("tissue tension", [](BodyState& s) { s.blood.tissueCarbonDioxide_mmHg = 1e6; });
+    row("lung's tension", [](BodyState& s) { s.blood.lungCarbonDioxide_mmHg[1] = 1e6; });
     row("constriction", [](BodyState& s) { s.blood.constriction[1] = 1.1; });
     row("place in the line", [](BodyState& s) { s.capnograph.next = std::int64_t(kSampleLine); });
     row("place before the line", [](BodyState& s) { s.capnograph.next = -1; });
     row("line", [](BodyState& s) { s.capnograph.line[kSampleLine - 1] = -1.0; });
-    row("end-tidal", [](BodyState& s) { s.capnograph.endTidal_mmHg = 1e4; });
+    row("end-tidal", [](BodyState& s) { s.capnograph.endTidal_mmHg = 1e6; });
     row("capnograph's rate", [](BodyState& s) { s.capnograph.rate_perS = -0.1; });
     row("since a breath", [](BodyState& s) { s.capnograph.sinceBreath_s = -1.0; });
     row("stomach", [](BodyState& s) { s.capnograph.stomachPhase = 1.1; });
@@ -137,6 +138,8 @@ void TestBodyRules::refusesAStateThatNoBodyComesTo_data()
     row("heart rate", [](BodyState& s) { s.circulation.heartRate_perS = -1.0; });
     row("pressure", [](BodyState& s) { s.circulation.mean_mmHg = 1e4; });
     row("pulse", [](BodyState& s) { s.circulation.pulse_mmHg = -1.0; });
+    row("harm", [](BodyState& s) { s.circulation.harm = -1.0; });
+    row("lowest", [](BodyState& s) { s.capnograph.lowest_mmHg = -1.0; });
     row("beat", [](BodyState& s) { s.circulation.beat = 1.1; });
     row("drug", [](BodyState& s) { s.drugs[3].effect_mgPerL = -1.0; });
     row("drug in a vein", [](BodyState& s) { s.drugs[6].vein_mg = -1.0; });

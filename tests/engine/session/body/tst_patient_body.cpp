@@ -77,6 +77,7 @@ private Q_SLOTS:
     void standsStillInAPause();
     void givesEachDoseAtItsTime();
     void givesWhatWasDecidedBeforeTheStart();
+    void isAnotherPatientAtOneTimeHoweverOftenItIsAsked();
     void takesGasTubeAndBladeAtTheirTimes();
     void breathesAloneWhileTheTubeIsInTheOesophagus();
     void letsTheConsoleOverrideTheMonitor();
@@ -134,6 +135,31 @@ void TestPatientBody::givesWhatWasDecidedBeforeTheStart()
     const double given = amountOf(run, DrugKind::Propofol);
     QVERIFY2(given > 149.0 && given < 150.01, qPrintable(QString::number(given))); // once
     QVERIFY(run.body().state() == ranTo(state, 1.1).body().state());
+}
+
+/// In a pause, and back again: the blood of another patient holds other amounts.
+void TestPatientBody::isAnotherPatientAtOneTimeHoweverOftenItIsAsked()
+{
+    LogWriter writer = runningAdult();
+    const PatientBuild infant{metres(0.75), 10.0, 1.0, Sex::Female};
+    writer.add(atSeconds(5.0), fact::PhaseChanged{SessionPhase::Paused});
+    writer.add(atSeconds(6.0), fact::PatientBuildSet{infant});
+    writer.add(atSeconds(7.0), fact::PatientBuildSet{{metres(1.75), 77.0, 40.0, Sex::Male}});
+    writer.add(atSeconds(8.0), fact::PhaseChanged{SessionPhase::Running});
+    writer.add(atSeconds(9.0), fact::PatientBuildSet{infant});
+    const SessionState state = stateOf(writer);
+    PatientRun often{timelineOf(state), atSeconds(0.0)};
+    for (double seconds = 0.5; seconds <= 12.0; seconds += 0.5)
+        often.advanceTo(timelineOf(state), atSeconds(seconds));
+    QVERIFY(often.body().state() == ranTo(state, 12.0).body().state());
+    LogWriter later = writer;
+    for (const FactBody& part : ranTo(state, 9.0).checkpoint())
+        later.add(atSeconds(10.0), part);
+    const SessionState kept = stateOf(later);
+    PatientRun late{timelineOf(kept), atSeconds(12.0)};
+    QVERIFY(late.at() == atSeconds(9.0));
+    late.advanceTo(timelineOf(kept), atSeconds(12.0));
+    QVERIFY(late.body().state() == often.body().state());
 }
 
 void TestPatientBody::takesGasTubeAndBladeAtTheirTimes()

@@ -190,6 +190,7 @@ private Q_SLOTS:
         bed.flows.right = litresPerSecond(0.5);
         bed.pass(1.0);
         QCOMPARE(heardText(bed.model.heard()), QString{});
+        (void)bed.sounds(0.2); // the tone fades
         QVERIFY(!bed.sounds());
         bed.stethoscope = AuscultationGains{.right = 1.0, .left = 0.06};
         bed.pass(0.1);

@@ -12,7 +12,7 @@ namespace
 
 const PatientBuild kAdult{metres(1.75), 77.0, 40.0, Sex::Male};
 
-IntubationEvent event(IntubationStep step, TubeSeat seat) { return {.step = step, .seat = seat}; }
+IntubationEvent noted(IntubationStep step, TubeSeat seat) { return {.step = step, .seat = seat}; }
 
 TubePlace placeAt(const TubeTimeline& tube, double seconds)
 {
@@ -50,18 +50,18 @@ private Q_SLOTS:
     {
         TubeTimeline tube;
         const Length size = millimetres(7.5);
-        tube.note(atSeconds(1.0), event(IntubationStep::BladeIn, TubeSeat::None), size);
+        tube.note(atSeconds(1.0), noted(IntubationStep::BladeIn, TubeSeat::None), size);
         QVERIFY(!tube.isWatchedAt(atSeconds(1.5)));
-        tube.note(atSeconds(2.0), event(IntubationStep::TubePastTeeth, TubeSeat::None), size);
+        tube.note(atSeconds(2.0), noted(IntubationStep::TubePastTeeth, TubeSeat::None), size);
         QVERIFY(tube.isWatchedAt(atSeconds(2.0)));
         QCOMPARE(placeAt(tube, 2.0).seat, TubeSeat::None);
         QCOMPARE(placeAt(tube, 2.0).innerDiameter, size);
-        tube.note(atSeconds(3.0), event(IntubationStep::ThroughCords, TubeSeat::Trachea), size);
+        tube.note(atSeconds(3.0), noted(IntubationStep::ThroughCords, TubeSeat::Trachea), size);
         QCOMPARE(placeAt(tube, 2.9).seat, TubeSeat::None);
         QCOMPARE(placeAt(tube, 3.0).seat, TubeSeat::Trachea);
-        tube.note(atSeconds(4.0), event(IntubationStep::PastCarina, TubeSeat::RightMain), size);
+        tube.note(atSeconds(4.0), noted(IntubationStep::PastCarina, TubeSeat::RightMain), size);
         QCOMPARE(placeAt(tube, 4.0).seat, TubeSeat::RightMain);
-        tube.note(atSeconds(5.0), event(IntubationStep::TubeOut, TubeSeat::None), size);
+        tube.note(atSeconds(5.0), noted(IntubationStep::TubeOut, TubeSeat::None), size);
         QCOMPARE(placeAt(tube, 5.0).seat, TubeSeat::None);
         QCOMPARE(tube.notes().size(), std::size_t{5});
     }
@@ -69,7 +69,7 @@ private Q_SLOTS:
     void takesAUsualTubeWhereItsDiameterIsNotKnown()
     {
         TubeTimeline tube;
-        tube.note(atSeconds(1.0), event(IntubationStep::ThroughCords, TubeSeat::Trachea), {});
+        tube.note(atSeconds(1.0), noted(IntubationStep::ThroughCords, TubeSeat::Trachea), {});
         QCOMPARE(placeAt(tube, 1.0).innerDiameter, usualTube(40.0, Sex::Male));
         QVERIFY(placeAt(tube, 1.0).innerDiameter.si > 0.0);
     }
@@ -78,7 +78,7 @@ private Q_SLOTS:
     {
         TubeTimeline tube;
         const Length size = millimetres(7.5);
-        tube.note(atSeconds(1.0), event(IntubationStep::InOesophagus, TubeSeat::Oesophagus), size);
+        tube.note(atSeconds(1.0), noted(IntubationStep::InOesophagus, TubeSeat::Oesophagus), size);
         tube.setOverride(atSeconds(2.0), millimetres(6.0));
         tube.setOverride(atSeconds(3.0), {});
         QCOMPARE(placeAt(tube, 1.9).seat, TubeSeat::Oesophagus);
@@ -92,7 +92,7 @@ private Q_SLOTS:
     void leaksUntilTheCuffIsInflated()
     {
         TubeTimeline tube;
-        tube.note(atSeconds(1.0), event(IntubationStep::ThroughCords, TubeSeat::Trachea), {});
+        tube.note(atSeconds(1.0), noted(IntubationStep::ThroughCords, TubeSeat::Trachea), {});
         tube.setCuff(atSeconds(2.0), true);
         tube.setCuff(atSeconds(3.0), false);
         QCOMPARE(placeAt(tube, 1.9).leak, kEmptyCuffLeak);
@@ -105,23 +105,23 @@ private Q_SLOTS:
     void knowsBladeAndStylet()
     {
         TubeTimeline tube;
-        tube.note(atSeconds(1.0), event(IntubationStep::BladeIn, TubeSeat::None), {});
-        tube.note(atSeconds(4.0), event(IntubationStep::BladeOut, TubeSeat::None), {});
+        tube.note(atSeconds(1.0), noted(IntubationStep::BladeIn, TubeSeat::None), {});
+        tube.note(atSeconds(4.0), noted(IntubationStep::BladeOut, TubeSeat::None), {});
         QVERIFY(!tube.bladeInMouthAt(atSeconds(0.9)));
         QVERIFY(tube.bladeInMouthAt(atSeconds(1.0)));
         QVERIFY(!tube.bladeInMouthAt(atSeconds(4.0)));
         tube.drawStylet(atSeconds(2.0));
         QVERIFY(!tube.styletInAt(atSeconds(2.0)));
-        tube.note(atSeconds(5.0), event(IntubationStep::TubeOut, TubeSeat::None), {});
+        tube.note(atSeconds(5.0), noted(IntubationStep::TubeOut, TubeSeat::None), {});
         QVERIFY(tube.styletInAt(atSeconds(5.0)));
     }
 
     void namesTheNextChange()
     {
         TubeTimeline tube;
-        tube.note(atSeconds(1.0), event(IntubationStep::BladeIn, TubeSeat::None), {});
-        tube.note(atSeconds(2.0), event(IntubationStep::GlottisSeen, TubeSeat::None), {});
-        tube.note(atSeconds(3.0), event(IntubationStep::ThroughCords, TubeSeat::Trachea), {});
+        tube.note(atSeconds(1.0), noted(IntubationStep::BladeIn, TubeSeat::None), {});
+        tube.note(atSeconds(2.0), noted(IntubationStep::GlottisSeen, TubeSeat::None), {});
+        tube.note(atSeconds(3.0), noted(IntubationStep::ThroughCords, TubeSeat::Trachea), {});
         tube.setCuff(atSeconds(4.0), true);
         tube.setOverride(atSeconds(5.0), millimetres(6.0));
         const auto after = [&](double seconds) { return tube.changeAfter(atSeconds(seconds)); };
@@ -137,7 +137,7 @@ private Q_SLOTS:
         TubeTimeline tube;
         constexpr int kMore = 10;
         for (int i = 0; i < int(TubeTimeline::kMostNotes) + kMore; ++i)
-            tube.note(atSeconds(i), event(IntubationStep::ThroughCords, TubeSeat::Trachea), {});
+            tube.note(atSeconds(i), noted(IntubationStep::ThroughCords, TubeSeat::Trachea), {});
         QCOMPARE(tube.notes().size(), TubeTimeline::kMostNotes);
         QVERIFY(tube.notes().front().effect == atSeconds(kMore));
     }

@@ -51,7 +51,7 @@ PolygonDepth polygonDepth(double u, double v, const std::array<double, kLumenDir
     constexpr double kRounding = 1.04;
     const double r = std::sqrt(u * u + v * v);
     if (!(r > 0.0))
-        return {-*std::ranges::min_element(reach), 0.0, 0.0, 0.0};
+        return {-*std::ranges::min_element(reach) / kRounding, 0.0, 0.0, 0.0};
     const std::size_t k = wedgeOf(u, v);
     const auto& [uk, vk] = kAcross[k];
     const auto& [un, vn] = kAcross[(k + 1) % kLumenDirections];

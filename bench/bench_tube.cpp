@@ -1,0 +1,119 @@
+// How long a step of the deformable tube takes: 64 segments that are pushed through a bent airway,
+// and the same at rest in it; and how long it takes to move the lumen with the tissue around it.
+// Prints one JSON object.
+
+#include "bench/interleaved.h"
+#include "engine/airway/tube/tube_in_lumen.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+namespace
+{
+
+using carina::Vec3;
+
+constexpr const char* kPushed = "pushed";
+constexpr const char* kResting = "resting";
+constexpr const char* kMoved = "moved";
+constexpr double kQuarter = 0.5 * std::numbers::pi;
+
+const carina::TubeSize& size()
+{
+    static const auto it = carina::tubeOfSize(carina::millimetres(7.0)).value();
+    return it;
+}
+
+/// 7 cm straight, a quarter of a circle of 5 cm, and 14 cm down.
+carina::AirwayLumen airway()
+{
+    constexpr double kMouth = 0.07;
+    constexpr double kBend = 0.05;
+    std::array<std::vector<Vec3>, carina::kAirwayWays> lines;
+    std::array<std::vector<double>, carina::kAirwayWays> radii;
+    for (int i = -7; i <= 72; ++i) {
+        const double along = 0.004 * i;
+        const double angle = std::clamp((along - kMouth) / kBend, 0.0, kQuarter);
+        const double below = std::max(along - kMouth - kQuarter * kBend, 0.0);
+        lines.front().emplace_back(0.0, std::min(along, kMouth) + kBend * std::sin(angle),
+                                   -kBend * (1.0 - std::cos(angle)) - below);
+        radii.front().push_back(0.009 + 0.5 * std::pow(std::min(along, 0.0), 2) / 0.015);
+    }
+    carina::AirwayLumen lumen = carina::roundLumen(lines, radii, size().outerRadius());
+    lumen.teeth = 7;
+    lumen.glottis = 50;
+    return lumen;
+}
+
+/// A hand that feeds the tube along its own curve.
+carina::RigidTransform fed(double inside)
+{
+    const double radius = size().restRadius.si;
+    const double outside = size().length.si - inside;
+    const double angle = (outside - carina::kStraightOfTube.si) / radius;
+    const Vec3 p_E_teeth{0.0, -radius * (1.0 - std::cos(angle)),
+                         -carina::kStraightOfTube.si - radius * std::sin(angle)};
+    carina::Mat3 R;
+    R << 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0;
+    const double rise = std::clamp(0.5 * inside / radius, 0.0, 0.35);
+    const carina::Quat q =
+        carina::Quat{R} * carina::Quat{Eigen::AngleAxisd{angle + rise, Vec3::UnitX()}};
+    return {q, -(q * p_E_teeth)};
+}
+
+/// In and out again and again, 15 cm a second.
+void pushed(benchmark::State& state)
+{
+    constexpr int kSteps = 140;
+    const carina::MovedLumen lumen = carina::unmoved(airway());
+    carina::TubeInLumen tube{size(), carina::restCurve(size(), 200)};
+    int step = 0;
+    for (auto _ : state) {
+        const int there = step < kSteps ? step : 2 * kSteps - step;
+        tube.step(fed(-0.01 + 0.0015 * there), lumen);
+        step = (step + 1) % (2 * kSteps);
+        benchmark::DoNotOptimize(tube.tip());
+    }
+}
+
+void resting(benchmark::State& state)
+{
+    const carina::MovedLumen lumen = carina::unmoved(airway());
+    carina::TubeInLumen tube{size(), carina::restCurve(size(), 200)};
+    for (double inside = -0.01; inside < 0.2; inside += 0.0015)
+        tube.step(fed(inside), lumen);
+    for (auto _ : state) {
+        tube.step(fed(0.2), lumen);
+        benchmark::DoNotOptimize(tube.tip());
+    }
+}
+
+void lumenMoved(benchmark::State& state)
+{
+    const carina::AirwayLumen still = airway();
+    const carina::AirwayField changes;
+    const carina::BladeField blade;
+    const carina::FollowingThroat throat{
+        {Vec3{0.0, 0.12, -0.2}, Vec3{0.0, 0.12, -0.07}, Vec3::Zero()},
+        carina::RigidTransform::translation({0.0, -0.005, -0.01})};
+    for (auto _ : state)
+        benchmark::DoNotOptimize(
+            carina::moved(still, carina::tissueMotion(changes, throat, blade)).teeth);
+}
+
+} // namespace
+
+int main()
+{
+    const auto times =
+        carina::repeatedTimes({{kPushed, pushed}, {kResting, resting}, {kMoved, lumenMoved}});
+    std::printf("{\n  \"schema\": \"carina.bench.tube/1\",\n  \"repetitions\": %d,\n"
+                "  \"segments\": %d,\n  \"pushed_mean_us\": %.1f,\n  \"pushed_median_us\": %.1f,\n"
+                "  \"resting_median_us\": %.1f,\n  \"lumen_moved_median_us\": %.1f\n}\n",
+                carina::kRepetitions, carina::TubeInLumen::kPieces,
+                1e-3 * times.at(kPushed).mean_ns, 1e-3 * times.at(kPushed).median_ns,
+                1e-3 * times.at(kResting).median_ns, 1e-3 * times.at(kMoved).median_ns);
+    return 0;
+}

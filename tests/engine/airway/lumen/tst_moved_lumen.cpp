@@ -1,0 +1,149 @@
+#include "engine/airway/lumen/moved_lumen.h"
+#include "tests/support/test_class.h"
+
+#include <cmath>
+
+namespace carina::moved_lumen_test
+{
+namespace
+{
+
+constexpr double kSame = 1e-9;   // metres
+constexpr double kTube = 0.004;  // metres
+constexpr double kRadius = 0.01; // of the lumen, metres
+
+/// Straight down, 10 cm.
+AirwayLumen pipe()
+{
+    std::array<std::vector<Vec3>, kAirwayWays> lines;
+    std::array<std::vector<double>, kAirwayWays> radii;
+    for (int i = 0; i <= 25; ++i) {
+        lines.front().emplace_back(0.0, 0.0, -0.004 * i);
+        radii.front().push_back(kRadius);
+    }
+    return roundLumen(lines, radii, metres(kTube));
+}
+
+double depthAt(const MovedLumen& lumen, const Vec3& p_A)
+{
+    std::size_t segment = lumen.way(AirwayWay::Trunk).nearestSegment(p_A);
+    return lumen.touchIn(AirwayWay::Trunk, 1.0, p_A, segment).depth;
+}
+
+} // namespace
+
+class TestMovedLumen : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void hasItsWallWhereATubeTouchesIt();
+    void hasTheGradientOfItsDepth();
+    void followsAShift();
+    void narrowsAsWallsComeTogether();
+    void isStoppedWhereItIsTooNarrow();
+    void endsAtItsEnd();
+    void isFreeInFrontOfTheMouth();
+};
+
+void TestMovedLumen::hasItsWallWhereATubeTouchesIt()
+{
+    constexpr double kOfRadius = 0.05; // the section is round to so much
+    const MovedLumen lumen = unmoved(pipe());
+    for (int i = 0; i < 32; ++i) {
+        const double angle = 0.2 * i;
+        const Vec3 out{std::cos(angle), std::sin(angle), 0.0};
+        const double room = kRadius - kTube;
+        const Vec3 middle{0.0, 0.0, -0.05};
+        QVERIFY(depthAt(lumen, middle + (1.0 - kOfRadius) * room * out) < 0.0);
+        QVERIFY(depthAt(lumen, middle + (1.0 + kOfRadius) * room * out) > 0.0);
+    }
+}
+
+void TestMovedLumen::hasTheGradientOfItsDepth()
+{
+    constexpr double kStep = 1e-7;
+    constexpr double kSlope = 1e-4;
+    AirwayLumen lumen = pipe();
+    // A section that is neither round nor like its neighbours, but as wide to both sides.
+    for (std::size_t k = 0; k < kLumenDirections; ++k)
+        lumen.ways.front()[10].limits[k].fromWall *= 0.7 + 0.1 * double(k % 4);
+    const MovedLumen moved = unmoved(lumen);
+    for (int i = 0; i < 30; ++i) {
+        const Vec3 p{0.008 * std::cos(0.37 * i), 0.008 * std::sin(0.37 * i), -0.0385};
+        std::size_t segment = 9;
+        const WallTouch touch = moved.touchIn(AirwayWay::Trunk, 1.0, p, segment);
+        for (int axis = 0; axis < 3; ++axis) {
+            Vec3 step = Vec3::Zero();
+            step[axis] = kStep;
+            const double slope =
+                (depthAt(moved, p + step) - depthAt(moved, p - step)) / (2 * kStep);
+            QVERIFY(std::abs(slope - touch.out[axis]) < kSlope);
+        }
+    }
+}
+
+void TestMovedLumen::followsAShift()
+{
+    const AirwayLumen still = pipe();
+    const Vec3 shift{0.003, -0.002, 0.001};
+    const MovedLumen before = unmoved(still);
+    const MovedLumen after =
+        moved(still, [&](const Vec3& p_A, AirwayTissue /*tissue*/) -> Vec3 { return p_A + shift; });
+    for (int i = 0; i < 20; ++i) {
+        const Vec3 p{0.001 * i, 0.0005 * i, -0.003 * i - 0.01};
+        QVERIFY(std::abs(depthAt(before, p) - depthAt(after, p + shift)) < kSame);
+    }
+}
+
+void TestMovedLumen::narrowsAsWallsComeTogether()
+{
+    // Each side by 4 mm towards the midplane: 2 mm are left on each for the middle of the tube.
+    const MovedLumen narrow = moved(pipe(), [](const Vec3& p_A, AirwayTissue /*tissue*/) {
+        return Vec3{p_A.x() - std::copysign(std::min(std::abs(p_A.x()), 0.004), p_A.x()), p_A.y(),
+                    p_A.z()};
+    });
+    QVERIFY(std::abs(narrow.way(AirwayWay::Trunk).sections[5].spare - 0.002) < kSame);
+    QVERIFY(depthAt(narrow, {0.0025, 0.0, -0.05}) > 0.0);
+    QVERIFY(depthAt(narrow, {0.0, 0.005, -0.05}) < 0.0);
+}
+
+void TestMovedLumen::isStoppedWhereItIsTooNarrow()
+{
+    AirwayLumen lumen = pipe();
+    for (LumenLimit& limit : lumen.ways.front()[12].limits)
+        limit.p_A_wall =
+            lumen.ways.front()[12].p_A_centre
+            + (0.0035 / kRadius) * (limit.p_A_wall - lumen.ways.front()[12].p_A_centre);
+    const MovedLumen narrow = unmoved(lumen);
+    const double stop = narrow.way(AirwayWay::Trunk).stopBehind(0.0);
+    QVERIFY(stop > 0.044 && stop < 0.048);
+    QVERIFY(std::abs(narrow.way(AirwayWay::Trunk).stopBehind(0.05) - 0.1) < kSame);
+    // Tissue that gives way lets it pass.
+    lumen.ways.front()[12].give = millimetres(1.0);
+    QVERIFY(std::abs(unmoved(lumen).way(AirwayWay::Trunk).stopBehind(0.0) - 0.1) < kSame);
+}
+
+void TestMovedLumen::endsAtItsEnd()
+{
+    const MovedLumen lumen = unmoved(pipe());
+    std::size_t segment = 20;
+    const WallTouch touch = lumen.touchIn(AirwayWay::Trunk, 0.1, {0.0, 0.0, -0.103}, segment);
+    QVERIFY(std::abs(touch.depth - 0.003) < kSame);
+    QVERIFY((touch.out + Vec3::UnitZ()).norm() < kSame);
+    segment = 20;
+    QVERIFY(
+        std::abs(lumen.touchIn(AirwayWay::Trunk, 0.05, {0.0, 0.0, -0.052}, segment).depth - 0.002)
+        < kSame);
+}
+
+void TestMovedLumen::isFreeInFrontOfTheMouth()
+{
+    QVERIFY(depthAt(unmoved(pipe()), {0.2, 0.0, 0.001}) < 0.0);
+}
+
+CARINA_TEST(TestMovedLumen)
+
+} // namespace carina::moved_lumen_test
+
+#include "tst_moved_lumen.moc"

@@ -1,0 +1,191 @@
+#include "engine/airway/tube/tube_in_lumen.h"
+#include "tests/engine/airway/tube/bent_lumen.h"
+#include "tests/support/test_class.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace carina::tube_in_lumen_test
+{
+namespace
+{
+
+using test::BentLumen;
+using test::fed;
+
+constexpr Length kOutside = millimetres(0.5);
+constexpr double kFeed = 0.0015; ///< metres each step: 15 cm a second
+
+TubeSize sizeOf(double inner_mm) { return *tubeOfSize(millimetres(inner_mm)); }
+TubeInLumen tubeOf(const TubeSize& size) { return {size, restCurve(size, 200)}; }
+
+/// Feeds a tube until so much of it should be inside, and lets it come to rest.
+/// @returns by how much it was outside of the lumen at most
+Length feed(TubeInLumen& tube, const MovedLumen& lumen, double inside)
+{
+    Length most{};
+    const auto step = [&](double now) {
+        tube.step(fed(tube.size(), now), lumen);
+        most = std::max(most, tube.outside());
+    };
+    for (double now = -0.02; now < inside; now += kFeed)
+        step(now);
+    for (int i = 0; i < 60; ++i)
+        step(inside);
+    return most;
+}
+
+void sizes()
+{
+    QTest::addColumn<double>("inner_mm");
+    for (const double inner_mm : {6.0, 7.0, 8.0})
+        QTest::newRow(qPrintable(QString::number(inner_mm))) << inner_mm;
+}
+
+} // namespace
+
+class TestTubeInLumen : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void reachesTheDepthToWhichItIsPushed_data() { sizes(); }
+    void reachesTheDepthToWhichItIsPushed();
+    void staysInABentLumen_data() { sizes(); }
+    void staysInABentLumen();
+    void isStoppedByARing_data() { sizes(); }
+    void isStoppedByARing();
+    void isAsMeasuredOutside();
+    void isApartFromWhatIsMeasured();
+    void isLaidAnewWhereItWasLost();
+    void givesTheSameBits();
+};
+
+void TestTubeInLumen::reachesTheDepthToWhichItIsPushed()
+{
+    QFETCH(double, inner_mm);
+    constexpr Length kDepth = millimetres(2.0);
+    const BentLumen airway{.bend = 0.0};
+    const TubeSize size = sizeOf(inner_mm);
+    // As with a stylet that keeps it straight: its curve at rest is a line.
+    const std::vector<Vec3> line{Vec3::Zero(), -size.length.si * Vec3::UnitZ()};
+    TubeInLumen tube{size, line};
+    const MovedLumen lumen = unmoved(airway.lumenFor(size.outerRadius()));
+    Mat3 R;
+    R << 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0;
+    const double inside = 0.18;
+    for (double now = -0.02; now < inside; now += kFeed)
+        tube.step({Quat{R}, {0.0, now - size.length.si, 0.003}}, lumen);
+    for (int i = 0; i < 20; ++i)
+        tube.step({Quat{R}, {0.0, inside - size.length.si, 0.003}}, lumen);
+    QVERIFY(std::abs(tube.tip().p_A.y() - inside) < kDepth.si);
+    QVERIFY(std::abs(tube.tip().depth.si - inside) < kDepth.si);
+    QCOMPARE(tube.tip().seat, TubeSeat::Trachea);
+}
+
+void TestTubeInLumen::staysInABentLumen()
+{
+    QFETCH(double, inner_mm);
+    const BentLumen airway;
+    const TubeSize size = sizeOf(inner_mm);
+    TubeInLumen tube = tubeOf(size);
+    feed(tube, unmoved(airway.lumenFor(size.outerRadius())), 0.2);
+    // The walls are those of the formula, not of the sections.
+    const double room = airway.radius - size.outerRadius().si;
+    for (const Vec3& p_A : tube.constrained())
+        if (p_A.y() > 0.0)
+            QVERIFY(airway.fromMiddle(p_A) < room + kOutside.si);
+    constexpr Length kDepth = millimetres(2.0);
+    QVERIFY(std::abs(tube.tip().depth.si - 0.2) < kDepth.si);
+    // It is at the least as far as along the shortest way, at the inner side of the bend.
+    const double shortest = airway.mouth + 0.5 * std::numbers::pi * (airway.bend - room);
+    const double tip = -airway.bend - tube.tip().p_A.z();
+    QVERIFY(tip > 0.2 - airway.mouth - 0.5 * std::numbers::pi * airway.bend - kDepth.si);
+    QVERIFY(tip < 0.2 - shortest + kDepth.si);
+}
+
+void TestTubeInLumen::isStoppedByARing()
+{
+    QFETCH(double, inner_mm);
+    const BentLumen airway;
+    const TubeSize size = sizeOf(inner_mm);
+    AirwayLumen lumen = airway.lumenFor(size.outerRadius());
+    const std::size_t ring = lumen.glottis + 5;
+    LumenSection& narrow = lumen.ways.front()[ring];
+    for (LumenLimit& limit : narrow.limits) {
+        const Vec3 out = (limit.p_A_wall - narrow.p_A_centre).normalized();
+        limit.p_A_wall = narrow.p_A_centre + (size.outerRadius().si - 0.0006) * out;
+    }
+    TubeInLumen tube = tubeOf(size);
+    feed(tube, unmoved(lumen), 0.22);
+    QVERIFY(tube.tip().p_A.z() > narrow.p_A_centre.z());
+    QVERIFY(tube.tip().p_A.z() < narrow.p_A_centre.z() + 0.006);
+    QVERIFY(tube.tip().isStopped);
+}
+
+void TestTubeInLumen::isAsMeasuredOutside()
+{
+    constexpr double kSame = 1e-9; // metres
+    const BentLumen airway;
+    const TubeSize size = sizeOf(7.0);
+    TubeInLumen tube = tubeOf(size);
+    tube.step(fed(size, -0.05), unmoved(airway.lumenFor(size.outerRadius())));
+    QVERIFY(tube.farthestApart().si < kSame);
+    QVERIFY(!tube.tip().isPastTeeth);
+    QCOMPARE(tube.tip().seat, TubeSeat::None);
+    QVERIFY(tube.contacts().empty());
+}
+
+void TestTubeInLumen::isApartFromWhatIsMeasured()
+{
+    const BentLumen airway;
+    const TubeSize size = sizeOf(7.0);
+    TubeInLumen tube = tubeOf(size);
+    feed(tube, unmoved(airway.lumenFor(size.outerRadius())), 0.2);
+    const double apart = (tube.measured().back() - tube.constrained().back()).norm();
+    QVERIFY(std::abs(tube.apart().si - apart) < 1e-12);
+    QVERIFY(tube.farthestApart() >= tube.apart());
+    QVERIFY(tube.apart() > millimetres(5.0));
+    QVERIFY(!tube.contacts().empty());
+}
+
+void TestTubeInLumen::isLaidAnewWhereItWasLost()
+{
+    // A tube in the shape of its airway that is first seen at its place.
+    constexpr Length kNear = millimetres(3.0);
+    const BentLumen airway;
+    const TubeSize size = sizeOf(7.0);
+    const AirwayLumen lumen = airway.lumenFor(size.outerRadius());
+    std::vector<Vec3> p_E;
+    const RigidTransform X_AE = RigidTransform::translation({0.0, -0.05, 0.0});
+    p_E.push_back(Vec3::Zero());
+    for (const LumenSection& section : lumen.ways.front())
+        if (const Vec3 p = X_AE.inverse() * section.p_A_centre; p.y() > 0.02)
+            p_E.push_back(p);
+    TubeInLumen tube{size, p_E};
+    for (int i = 0; i < 50; ++i)
+        tube.step(X_AE, unmoved(lumen));
+    QVERIFY(tube.apart() < kNear);
+    QVERIFY(tube.outside() < kOutside);
+    QCOMPARE(tube.tip().seat, TubeSeat::Trachea);
+}
+
+void TestTubeInLumen::givesTheSameBits()
+{
+    const BentLumen airway;
+    const TubeSize size = sizeOf(7.0);
+    const MovedLumen lumen = unmoved(airway.lumenFor(size.outerRadius()));
+    TubeInLumen one = tubeOf(size);
+    TubeInLumen other = tubeOf(size);
+    feed(one, lumen, 0.15);
+    feed(other, lumen, 0.15);
+    for (std::size_t i = 0; i < one.constrained().size(); ++i)
+        QVERIFY(one.constrained()[i] == other.constrained()[i]);
+}
+
+CARINA_TEST(TestTubeInLumen)
+
+} // namespace carina::tube_in_lumen_test
+
+#include "tst_tube_in_lumen.moc"

@@ -1,0 +1,87 @@
+#include "engine/airway/tube/tube_size.h"
+#include "engine/anatomy/shapes/tube.h"
+#include "tests/support/test_class.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace carina::tube_size_test
+{
+
+class TestTubeSize : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void hasFourteenSizes();
+    void isStiffAsAnEmptyCylinder();
+    void isStifferWithWhatIsInIt();
+    void isSofterInTheWarmth();
+    void curvesAsTheStandardSays();
+    void refusesOtherSizes();
+};
+
+void TestTubeSize::hasFourteenSizes()
+{
+    QCOMPARE(tubeSizes().size(), std::size_t{14});
+    for (const Length inner : tubeSizes()) {
+        const Result<TubeSize> size = tubeOfSize(inner);
+        QVERIFY(size.has_value());
+        QCOMPARE(size->outer.si, outerDiameterOf(inner).si);
+        QVERIFY(size->wall() > Length{});
+        QVERIFY(size->cuffFromTip + size->cuffLength < size->length);
+    }
+}
+
+void TestTubeSize::isStiffAsAnEmptyCylinder()
+{
+    // 1 MPa, 5 mm outside and 4 mm inside: pi / 4 (625 - 256) mm^4 = 289.81 mm^4.
+    const double found = bendingStiffness(1e6, millimetres(5.0), millimetres(4.0));
+    QVERIFY(std::abs(found - 2.8981e-4) < 1e-8);
+}
+
+void TestTubeSize::isStifferWithWhatIsInIt()
+{
+    const double empty = tubeOfSize(millimetres(7.0))->stiffness;
+    const double bougie = tubeOfSize(millimetres(7.0), TubeCore::Bougie)->stiffness;
+    const double stylet = tubeOfSize(millimetres(7.0), TubeCore::Stylet)->stiffness;
+    QVERIFY(bougie > 2.0 * empty);
+    QVERIFY(stylet > 10.0 * empty && stylet > bougie);
+}
+
+void TestTubeSize::isSofterInTheWarmth()
+{
+    const double warm = tubeOfSize(millimetres(7.0), TubeCore::Nothing, true)->stiffness;
+    const double cold = tubeOfSize(millimetres(7.0), TubeCore::Nothing, false)->stiffness;
+    QVERIFY(std::abs(cold / warm - 2.0) < 1e-9);
+}
+
+void TestTubeSize::curvesAsTheStandardSays()
+{
+    constexpr double kSame = 1e-9; // metres
+    const TubeSize size = *tubeOfSize(millimetres(7.0));
+    const std::vector<Vec3> curve = restCurve(size, 100);
+    QCOMPARE(curve.size(), std::size_t{101});
+    double length = 0.0;
+    for (std::size_t i = 1; i < curve.size(); ++i)
+        length += (curve[i] - curve[i - 1]).norm();
+    QVERIFY(std::abs(length - size.length.si) < 1e-4);
+    // ISO 5361: 140 mm, plus or minus 20.
+    const Vec3 middle{0.0, -0.14, -kStraightOfTube.si};
+    for (const Vec3& p : curve)
+        if (p.z() < -kStraightOfTube.si - kSame)
+            QVERIFY(std::abs((p - middle).norm() - 0.14) < kSame);
+}
+
+void TestTubeSize::refusesOtherSizes()
+{
+    QVERIFY(!tubeOfSize(millimetres(2.0)));
+    QVERIFY(!tubeOfSize(millimetres(9.5)));
+    QVERIFY(!tubeOfSize(millimetres(std::nan(""))));
+}
+
+CARINA_TEST(TestTubeSize)
+
+} // namespace carina::tube_size_test
+
+#include "tst_tube_size.moc"

@@ -1,6 +1,7 @@
 #include "engine/anatomy/mouth/mouth_shapes.h"
 
 #include "engine/anatomy/airway/jaw_hinge.h"
+#include "engine/anatomy/mouth/fauces_shape.h"
 #include "engine/anatomy/mouth/throat_lining.h"
 #include "engine/anatomy/mouth/tongue_shape.h"
 #include "engine/anatomy/shapes/strand.h"
@@ -20,7 +21,6 @@ namespace
 /// the closed mouth.
 
 constexpr Length kMouthVoxel = millimetres(1.6);
-constexpr Length kFineVoxel = millimetres(1.3);
 
 /// Below the vault of the palate and between the teeth: negative there.
 double belowVault(const Vec3& p)
@@ -36,79 +36,6 @@ double hardPalate(const Vec3& p)
     const double shell = std::abs(belowVault(p) - 2.2) - 1.8;
     return roundedMax(shell, std::max(7.0 - p.z(), p.y() - 47.0), 2.0);
 }
-
-/// A point of a band in the midline or on the left side.
-struct BandPoint {
-    Vec3 p;
-    double wide, thin;
-};
-
-/// A strand whose thickness lies in the plane of `across`.
-Strand bandAcross(std::span<const BandPoint> points, const Vec3& across)
-{
-    std::vector<StrandPoint> strand;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const Vec3 along =
-            points[std::min(i + 1, points.size() - 1)].p - points[i > 0 ? i - 1 : 0].p;
-        strand.push_back(
-            {points[i].p, points[i].wide, points[i].thin, along.cross(across).normalized()});
-    }
-    return Strand{std::move(strand)};
-}
-
-/// The velum with the uvula, which hangs free in the midline.
-struct SoftPalate {
-    Strand velum = bandAcross(
-        std::array{BandPoint{{0, 44, 19.5}, 16.5, 2.4}, BandPoint{{0, 52, 21}, 17.0, 2.8},
-                   BandPoint{{0, 59, 19}, 17.5, 3.0}, BandPoint{{0, 65, 14.5}, 17.0, 2.8},
-                   BandPoint{{0, 69, 9}, 15.5, 2.2}},
-        Vec3::UnitX());
-
-    [[nodiscard]] double distance(const Vec3& p) const
-    {
-        // Its free edge is an arch: higher beside the uvula than at its feet.
-        const double x = std::abs(p.x());
-        const Vec3 lifted{p.x(), p.y() + 0.006 * x * x, p.z() - 0.012 * x * x};
-        return 0.85 * velum.distance(lifted);
-    }
-};
-
-/// Where it hangs from the velum. A throat that is drawn out takes that place along but does not
-/// draw out the uvula: in an infant it would be a leaf three times as deep as it is wide.
-const Vec3 kUvulaRoot{0.0, 67.5, 11.0};
-
-/// A cone with a round point (Gray 1918), 12 mm long below the velum: 10 to 15 in grown people.
-double uvula(const Vec3& p)
-{
-    return std::min(rodDistance(p, kUvulaRoot, {0, 71.2, 3.5}, 3.6, 2.9),
-                    rodDistance(p, {0, 71.2, 3.5}, {0, 72.6, -2.8}, 2.9, 1.8));
-}
-
-/// Metres in one of its millimetres. In children it is as small as their windpipe for their face:
-/// of ours, no figure was found. In proportion to the face it hid what lies behind it.
-double unitOfUvula(const BodyPlan& plan) { return std::min(plan.face, plan.airway); }
-
-/// The middle of a fold of mucosa on the left side.
-using Fold = std::vector<Vec3>;
-constexpr double kPillar = 2.2; ///< half the thickness of a pillar of the fauces
-
-Fold palatoglossalArch(Posture posture)
-{
-    const double foot = posture == Posture::Rest ? -4.0 : -17.0;
-    return smoothThrough(std::array{Vec3{7, 58, 17}, Vec3{13.5, 56, 14.5}, Vec3{17.8, 53, 7},
-                                    Vec3{18.6, 50, -3}, Vec3{17.5, 47, foot}},
-                         4);
-}
-
-Fold palatopharyngealArch()
-{
-    return smoothThrough(std::array{Vec3{3, 69, 9.5}, Vec3{9.5, 68.5, 9}, Vec3{14.5, 68, 3},
-                                    Vec3{16.6, 68, -8}, Vec3{19.5, 69, -22}},
-                         4);
-}
-
-/// The palatine tonsil between both arches, with its crypts left out.
-double tonsil(const Vec3& p) { return ellipsoidDistance(p - Vec3{18.6, 60, -4}, {4.2, 6.0, 10.0}); }
 
 /// A ridge along the necks of the teeth of one jaw, of the left half: their arch, half its height
 /// and half its thickness.
@@ -171,47 +98,10 @@ PartPlan planOf(std::string name, PartRole role, const char* concept_, const Bod
 
 Vec3 mirrored(const Vec3& p) { return {std::abs(p.x()), p.y(), p.z()}; }
 
-void addPalate(std::vector<PartPlan>& parts, const BodyPlan& plan)
+void addTo(std::vector<PartPlan>& parts, std::vector<PartPlan> more)
 {
-    parts.push_back(planOf("Hard palate", PartRole::Pharynx, "FMA55023", plan,
-                           {Vec3{-26, -2, 5}, Vec3{26, 52, 26}}, kMouthVoxel, hardPalate));
-    parts.push_back(planOf("Soft palate", PartRole::Pharynx, "FMA55021", plan,
-                           {Vec3{-22, 36, 2}, Vec3{22, 80, 30}}, kMouthVoxel,
-                           [soft = SoftPalate{}](const Vec3& p) { return soft.distance(p); }));
-    const Vec3 p_A_root = plan.inThroat(kUvulaRoot);
-    const double unit = unitOfUvula(plan);
-    const auto inAnatomy = [&](const Vec3& p) { return Vec3{p_A_root + unit * (p - kUvulaRoot)}; };
-    const Implicit hanging = [p_A_root, unit](const Vec3& p_A) {
-        return unit * uvula((p_A - p_A_root) / unit + kUvulaRoot);
-    };
-    parts.push_back({"Uvula",
-                     PartRole::Pharynx,
-                     "",
-                     {{inAnatomy({-5, 62, -6}), inAnatomy({5, 78, 16})}, hanging},
-                     1e3 * unit * kFineVoxel});
-}
-
-/// The pillars of the fauces with the tonsils: parts of the pharynx' wall, with which they move.
-void addFauces(std::vector<PartPlan>& parts, const BodyPlan& plan)
-{
-    const Fold front = palatoglossalArch(plan.posture);
-    const Fold back = palatopharyngealArch();
-    for (const double sign : {1.0, -1.0}) {
-        const std::string side = sign > 0.0 ? "Left " : "Right ";
-        const Box box = sign > 0.0 ? Box{Vec3{0, 40, -30}, Vec3{26, 78, 24}}
-                                   : Box{Vec3{-26, 40, -30}, Vec3{0, 78, 24}};
-        const auto add = [&](const char* name, Implicit half) {
-            parts.push_back(planOf(side + name, PartRole::Pharynx, "", plan, box, kFineVoxel,
-                                   [sign, half = std::move(half)](const Vec3& p) {
-                                       return half({sign * p.x(), p.y(), p.z()});
-                                   }));
-        };
-        for (const auto& [name, fold] :
-             {std::pair{"palatoglossal arch", front}, std::pair{"palatopharyngeal arch", back}})
-            add(name, [line = fold, radii = std::vector<double>(fold.size(), kPillar)](
-                          const Vec3& p) { return tubeDistance(p, line, radii); });
-        add("palatine tonsil", tonsil);
-    }
+    parts.insert(parts.end(), std::make_move_iterator(more.begin()),
+                 std::make_move_iterator(more.end()));
 }
 
 void addGumsAndLips(std::vector<PartPlan>& parts, const BodyPlan& plan)
@@ -250,12 +140,11 @@ std::vector<PartPlan> mouth(const BodyPlan& plan)
                      1e3 * plan.face * kMouthVoxel});
     parts.push_back({"Median glosso-epiglottic fold", PartRole::Mucosa, "", tongue.medianFold(),
                      1e3 * plan.face * millimetres(0.8)});
-    addPalate(parts, plan);
-    addFauces(parts, plan);
+    parts.push_back(planOf("Hard palate", PartRole::Pharynx, "FMA55023", plan,
+                           {Vec3{-26, -2, 5}, Vec3{26, 52, 26}}, kMouthVoxel, hardPalate));
+    addTo(parts, Fauces{plan, larynx, tongue}.parts());
     addGumsAndLips(parts, plan);
-    std::vector<PartPlan> lining = throatLining(plan, larynx, epiglottis);
-    parts.insert(parts.end(), std::make_move_iterator(lining.begin()),
-                 std::make_move_iterator(lining.end()));
+    addTo(parts, throatLining(plan, larynx, epiglottis));
     return parts;
 }
 

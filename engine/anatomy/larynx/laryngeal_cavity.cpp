@@ -23,9 +23,9 @@ struct Level {
 /// vestibule up to the entrance.
 constexpr std::array kLevels{Level{-8.0, -11.0, 6.4, 4.0, 7.2, 5.4},
                              Level{-4.5, -12.4, 7.0, 2.2, 6.0, 4.6},
-                             Level{-1.8, -13.3, 9.0, 0.7, 4.9, 3.9},
-                             Level{-0.8, kCommissure_mm, kBackOfGlottis_mm, 0.5, 4.5, 3.6},
-                             Level{0.8, kCommissure_mm, kBackOfGlottis_mm, 0.5, 4.5, 3.6},
+                             Level{-1.8, -12.9, 9.0, 0.97, 4.9, 3.9},
+                             Level{-0.8, kCommissure_mm, kBackOfGlottis_mm, 0.77, 4.5, 3.6},
+                             Level{0.8, kCommissure_mm, kBackOfGlottis_mm, 0.77, 4.5, 3.6},
                              Level{2.0, -12.9, 9.6, 2.6, 6.2, 4.2, 3.0},
                              Level{3.0, -12.7, 9.7, 3.0, 7.0, 4.6, 2.8},
                              Level{4.4, -12.7, 9.8, 2.6, 7.5, 4.8},
@@ -63,13 +63,22 @@ double halfWidth(const Level& level, double y)
     return mix(level.inFront, level.atProcess, t) + level.pocket * beside;
 }
 
+/// In front a level section is round, by a circle of this radius or, where it is narrower, of half
+/// its width: cords, which stand out of it, meet in an arc of 0.6 mm.
+constexpr double kRoundInFront = 1.1;
+
 /// Above the cricoid.
 double slit(const Vec3& p)
 {
     const Level level = levelAt(p.z());
-    const double sides = std::abs(p.x()) - halfWidth(level, std::clamp(p.y(), -18.0, 14.0));
-    const double ends = std::max(level.front - p.y(), p.y() - level.back);
-    return roundedMax(0.75 * sides, ends, 1.6);
+    const double round = std::min(kRoundInFront, halfWidth(level, level.front + kRoundInFront));
+    const double centre = level.front + round;
+    const double half = halfWidth(level, std::clamp(p.y(), centre, 14.0));
+    const double aside = std::abs(p.x()) - (half - round);
+    const double before = centre - p.y();
+    const double corner = std::hypot(std::max(aside, 0.0), std::max(before, 0.0));
+    const double sides = corner + std::min(std::max(aside, before), 0.0) - round;
+    return roundedMax(0.75 * sides, p.y() - level.back, 1.6);
 }
 
 } // namespace

@@ -9,9 +9,10 @@ namespace carina
 /// and between the vestibular folds to the entrance: below zero in the air. Frame of LarynxFrame,
 /// millimetres; near its wall about the distance to it.
 ///
-/// The glottis is open as in a quiet breath: a V with its point in front, the anterior commissure,
-/// and 23 mm long in a man (Miller, 6th edition), of which the 60 % in front of the vocal processes
-/// are membranous (Friedrich 1993: 37 % cartilaginous in men); 9 mm wide (6 to 9, up to 12).
+/// The glottis is open as in a quiet breath: a V that is round in front, at the anterior
+/// commissure, and 23 mm long in a man (Miller, 6th edition), of which the 60 % in front of the
+/// vocal processes are membranous (Friedrich 1993: 37 % cartilaginous in men); 9 mm wide (6 to 9,
+/// up to 12).
 class LaryngealCavity
 {
 public:
@@ -26,7 +27,7 @@ private:
 };
 
 /// The anterior commissure, the vocal processes and the back of the glottis: y in LarynxFrame.
-inline constexpr double kCommissure_mm = -13.5;
+inline constexpr double kCommissure_mm = -13.1;
 inline constexpr double kVocalProcess_mm = 0.3;
 inline constexpr double kBackOfGlottis_mm = 9.5;
 

@@ -120,10 +120,16 @@ struct Mucosa {
         return roundedMax(within, roundedMax(band, ends, 1.0), 0.8);
     }
 
-    /// White, from the commissure over the vocal process.
+    /// White, from the commissure over the vocal process: a band along the cords' edge that is as
+    /// wide everywhere. In front it goes on a little beyond the midline, into that of the other
+    /// side, and around the commissure.
     [[nodiscard]] double vocalFold(const Vec3& p) const
     {
-        return roundedMax(fold(p, -2.2, 2.5, kCommissure_mm - 0.2, 5.0, 2.8), 0.1 - p.x(), 0.6);
+        constexpr double kBand = 1.65; // of the cavity's distance; with the edge 2.7 mm wide
+        constexpr double kBeyondMidline = 0.8;
+        const double along = fold(p, -2.2, 2.5, kCommissure_mm - 1.7, 4.0, 2.8);
+        const double aside = cavity.distance({p.x(), p.y(), 0.0}) - kBand;
+        return roundedMax(roundedMax(along, aside, 0.8), -kBeyondMidline - p.x(), 0.6);
     }
     [[nodiscard]] double vestibularFold(const Vec3& p) const
     {
@@ -197,7 +203,7 @@ std::vector<PartPlan> laryngealMucosa(const BodyPlan& plan_, const LarynxFrame& 
                          {Vec3{-14, -19, -27}, Vec3{14, 17, 30}}, kMucosaVoxel,
                          [mucosa](const Vec3& p) { return mucosa.wall(p); }));
     for (const double sign : {1.0, -1.0}) {
-        const Box box{Vec3{0, -16, -8}, Vec3{14, 16, 30}};
+        const Box box{Vec3{-1, -16, -8}, Vec3{14, 16, 30}};
         parts.push_back(onSide("vocal fold", "", PartRole::VocalFold, frame, sign, box, kFoldVoxel,
                                [mucosa](const Vec3& p) { return mucosa.vocalFold(p); }));
         parts.push_back(onSide("vestibular fold", "", PartRole::LaryngealMucosa, frame, sign, box,

@@ -12,7 +12,7 @@ namespace
 /// the epiglottis stands for y.
 constexpr Length kValleculaVoxel = millimetres(0.9);
 constexpr double kFloor = 14.8; ///< the tongue's is 0.8 above it (Tongue)
-constexpr double kFloorThick = 2.2;
+constexpr double kFloorThick = 2.8;
 constexpr double kFloorFrom = -0.5;
 constexpr double kFloorEnd = 12.0;
 constexpr double kHalfFloor = 12.5;
@@ -22,8 +22,11 @@ double heightOfFloor(double x, double inFront)
     constexpr double kRise = 0.35; // towards the tongue, flatter than a blade lies
     constexpr double kRiseFrom = 4.0;
     constexpr double kBeside = 1.6; // over the laminae of the thyroid cartilage
+    constexpr double kHollow = 1.7; // on each side of the median fold, below that of the tongue
+    const double across = easedStep(1.5, 4.5, x) * easedStep(9.5, 6.5, x);
+    const double along = easedStep(0.5, 3.0, inFront) * easedStep(9.0, 6.0, inFront);
     return kFloor + kRise * roundedMax(inFront - kRiseFrom, 0.0, 2.0)
-           + kBeside * easedStep(4.0, 9.5, x);
+           + kBeside * easedStep(4.0, 9.5, x) - kHollow * across * along;
 }
 
 /// It runs down the front of the epiglottis, below the tongue's part of that fold.

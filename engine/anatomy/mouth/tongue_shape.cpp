@@ -12,7 +12,8 @@ namespace
 constexpr double kHalfWidth = 19.0;
 constexpr double kFatInTongue = 2.0; ///< on each side, in an obese patient
 constexpr double kRound = 11.0;
-constexpr double kHalfFold = 0.9;
+constexpr double kHalfFold = 0.9;      ///< at its edge
+constexpr double kFoldThickens = 0.35; ///< for each millimetre below that
 
 /// The section in front of the base, in reference millimetres (BodyPlan) from the edge of the upper
 /// incisors: from the base over the dorsum to the tip.
@@ -30,7 +31,10 @@ Vec2 sagittal(const Vec3& p) { return {p.y(), p.z()}; }
 } // namespace
 
 Tongue::Tongue(const BodyPlan& plan, const LarynxFrame& larynx, const Epiglottis& epiglottis)
-    : m_unit(plan.face), m_halfWidth(kHalfWidth + kFatInTongue * plan.dimensions.fatness)
+    : m_larynx(larynx),
+      m_epiglottis(epiglottis),
+      m_unit(plan.face),
+      m_halfWidth(kHalfWidth + kFatInTongue * plan.dimensions.fatness)
 {
     const auto behind = [&](double inFront, double z) {
         return sagittal(larynx.inAnatomy(Vec3{0.0, epiglottis.middleAt(z) - inFront, z}));
@@ -62,6 +66,17 @@ Tongue::Tongue(const BodyPlan& plan, const LarynxFrame& larynx, const Epiglottis
     m_bounds.max += Vec3::Constant(2.0 * m_unit);
 }
 
+/// Of ours: as wide as the valleculae are between their folds, and as deep as the floor that goes
+/// with the epiglottis (vallecula) lets them be. In front of the epiglottis, millimetres of
+/// LarynxFrame.
+double Tongue::hollow(const Vec3& p_A) const
+{
+    const Vec3 p = m_larynx.local(p_A);
+    const double inFront = m_epiglottis.middleAt(p.z()) - p.y();
+    const Vec3 from{std::abs(p.x()) - 5.5, inFront - 4.2, p.z() - 18.5};
+    return 0.9 * m_larynx.unit() * ellipsoidDistance(from, {4.2, 3.6, 5.2});
+}
+
 double Tongue::distance(const Vec3& p_A) const
 {
     const double x = std::abs(p_A.x()) / m_unit;
@@ -73,19 +88,21 @@ double Tongue::distance(const Vec3& p_A) const
     const double half = m_halfWidth - 4.0 * tip - 2.0 * base;
     const double groove =
         0.9 * std::exp(-0.16 * x * x) * easedStep(0.0, 8.0, (m_sulcus - p_A.y()) / m_unit);
-    return m_unit * 0.9 * roundedMax(section + groove, x - half, kRound);
+    const double whole = m_unit * 0.9 * roundedMax(section + groove, x - half, kRound);
+    return roundedMax(whole, -hollow(p_A), 1.5 * m_larynx.unit());
 }
 
 ImplicitShape Tongue::medianFold() const
 {
     Box bounds;
     for (const Vec2& p : m_fold) {
-        bounds.include(Vec3{-2.0 * m_unit, p.x() - 2.0 * m_unit, p.y() - 2.0 * m_unit});
-        bounds.include(Vec3{2.0 * m_unit, p.x() + 2.0 * m_unit, p.y() + 2.0 * m_unit});
+        bounds.include(Vec3{-3.0 * m_unit, p.x() - 2.0 * m_unit, p.y() - 2.0 * m_unit});
+        bounds.include(Vec3{3.0 * m_unit, p.x() + 2.0 * m_unit, p.y() + 2.0 * m_unit});
     }
     return {bounds, [fold = m_fold, unit = m_unit](const Vec3& p_A) {
                 const double section = polygonDistance(sagittal(p_A), fold);
-                return roundedMax(section, std::abs(p_A.x()) - kHalfFold * unit, 1.2 * unit);
+                const double half = kHalfFold * unit + kFoldThickens * std::max(-section, 0.0);
+                return roundedMax(section, std::abs(p_A.x()) - half, 1.2 * unit);
             }};
 }
 

@@ -7,8 +7,10 @@ namespace carina
 {
 
 /// The tongue with tip, dorsum and base, down to the vallecula: the hollow between it and the
-/// epiglottis; and the median fold that crosses the vallecula. At rest it fills the mouth, held by
-/// a laryngoscope it lies on the mouth's floor behind the lower teeth. Frame A, metres.
+/// epiglottis; and the median fold that crosses the vallecula. On each side of that fold its base
+/// has a hollow (Gray 1918: the depressions on either side of the median fold are the valleculae).
+/// At rest it fills the mouth, held by a laryngoscope it lies on the mouth's floor behind the lower
+/// teeth. Frame A, metres.
 class Tongue
 {
 public:
@@ -22,6 +24,10 @@ public:
     [[nodiscard]] ImplicitShape medianFold() const;
 
 private:
+    [[nodiscard]] double hollow(const Vec3& p_A) const;
+
+    LarynxFrame m_larynx;
+    Epiglottis m_epiglottis;
     std::vector<Vec2> m_outline; ///< y and z of its midsagittal section, closed
     std::vector<Vec2> m_fold;    ///< the same of the median fold
     Box m_bounds;

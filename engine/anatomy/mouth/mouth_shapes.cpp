@@ -2,6 +2,7 @@
 
 #include "engine/anatomy/airway/jaw_hinge.h"
 #include "engine/anatomy/mouth/fauces_shape.h"
+#include "engine/anatomy/mouth/lip_shape.h"
 #include "engine/anatomy/mouth/throat_lining.h"
 #include "engine/anatomy/mouth/tongue_shape.h"
 #include "engine/anatomy/shapes/strand.h"
@@ -69,20 +70,6 @@ Strand lowerGum()
                  kGumHigh, 0.86 * kGumThick);
 }
 
-/// A lip from the midline to its corner, of the left half; lips meet where the mouth is shut.
-double lip(const Vec3& p, std::span<const Vec3> line)
-{
-    const std::array radii{4.6, 4.8, 4.4, 3.6, 2.6};
-    double nearest = 1e9;
-    for (std::size_t i = 0; i + 1 < line.size(); ++i)
-        nearest = std::min(nearest, rodDistance(p, line[i], line[i + 1], radii[i], radii[i + 1]));
-    return nearest;
-}
-const std::array kUpperLip{Vec3{0, -8.0, 6.8}, Vec3{6, -7.2, 7.6}, Vec3{14, -3.0, 5.2},
-                           Vec3{20.5, 3.0, 0.5}, Vec3{25.5, 10.0, -5.5}};
-const std::array kLowerLip{Vec3{0, -5.2, -8.4}, Vec3{6, -4.6, -8.4}, Vec3{14, -0.8, -7.6},
-                           Vec3{20.5, 4.6, -6.0}, Vec3{25.5, 10.5, -4.0}};
-
 /// Converts a shape within a box to A.
 PartPlan planOf(std::string name, PartRole role, const char* concept_, const BodyPlan& plan,
                 const Box& bounds_mm, Length voxel, Implicit local)
@@ -104,7 +91,7 @@ void addTo(std::vector<PartPlan>& parts, std::vector<PartPlan> more)
                  std::make_move_iterator(more.end()));
 }
 
-void addGumsAndLips(std::vector<PartPlan>& parts, const BodyPlan& plan)
+void addGums(std::vector<PartPlan>& parts, const BodyPlan& plan)
 {
     const auto onLower = [&](PartPlan part) {
         part.shape = onJaw(plan, std::move(part.shape));
@@ -118,11 +105,6 @@ void addGumsAndLips(std::vector<PartPlan>& parts, const BodyPlan& plan)
         onLower(planOf("Gingiva of lower jaw", PartRole::Mucosa, "FMA59764", plan,
                        {Vec3{-34, 0, -20}, Vec3{34, 58, 8}}, kMouthVoxel,
                        [gum = lowerGum()](const Vec3& p) { return gum.distance(mirrored(p)); })));
-    const Box lips{Vec3{-31, -16, -16}, Vec3{31, 18, 14}};
-    parts.push_back(planOf("Upper lip", PartRole::Mucosa, "", plan, lips, kMouthVoxel,
-                           [](const Vec3& p) { return lip(mirrored(p), kUpperLip); }));
-    parts.push_back(onLower(planOf("Lower lip", PartRole::Mucosa, "", plan, lips, kMouthVoxel,
-                                   [](const Vec3& p) { return lip(mirrored(p), kLowerLip); })));
 }
 
 } // namespace
@@ -143,7 +125,8 @@ std::vector<PartPlan> mouth(const BodyPlan& plan)
     parts.push_back(planOf("Hard palate", PartRole::Pharynx, "FMA55023", plan,
                            {Vec3{-26, -2, 5}, Vec3{26, 52, 26}}, kMouthVoxel, hardPalate));
     addTo(parts, Fauces{plan, larynx, tongue}.parts());
-    addGumsAndLips(parts, plan);
+    addGums(parts, plan);
+    addTo(parts, Lips{plan}.parts());
     addTo(parts, throatLining(plan, larynx, epiglottis));
     return parts;
 }

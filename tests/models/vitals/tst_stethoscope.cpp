@@ -1,5 +1,5 @@
 #include "engine/anatomy/patient/builtin_patient.h"
-#include "models/patient/shared_patient.h"
+#include "models/patient/patient_source.h"
 #include "models/vitals/stethoscope.h"
 #include "tests/support/test_class.h"
 

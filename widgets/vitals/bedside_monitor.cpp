@@ -293,6 +293,7 @@ void BedsideMonitor::drawStrip(QPainter& painter, Row row, const Drawing& drawn)
     painter.setPen(palette().color(QPalette::Mid));
     painter.drawLine(strip.frame.bottomLeft(), strip.frame.bottomRight());
     painter.setFont(sized(drawn.labelPixels));
+    painter.setPen(palette().color(QPalette::PlaceholderText));
     if (row == Row::Capnogram)
         painter.drawText(strip.frame, Qt::AlignLeft | Qt::AlignTop,
                          QString::number(m_curves[std::size_t(row)].top()));

@@ -46,9 +46,10 @@ AirwayMoment WatchedAirway::take(const SeenTools& tools)
     for (const Vec3& p_E :
          withLength(bent(m_subject.tube, neck).p_E_centre, lengthOf(m_subject.tube.p_E_centre).si))
         p_A_shown.push_back(tools.tube.X_FO * p_E);
-    return airwayMoment(tools.tube.time, ways,
-                        {.validity = tools.tube.validity, .p_A_shown = p_A_shown},
-                        bladeAt(tools, neck));
+    return airwayMoment(
+        tools.tube.time, ways,
+        {.validity = tools.tube.validity, .p_A_shown = p_A_shown, .p_A_measured = {}},
+        bladeAt(tools, neck));
 }
 
 PatientWays WatchedAirway::waysAt(const SeenTools& tools, const NeckField& neck) const

@@ -49,7 +49,7 @@ PatientWays drawnWays(const PatientWays& ways, const AirwayField& changes,
                                   isTrachea ? AirwayTissue::Windpipe : AirwayTissue::Larynx, p_A)
                    .d;
         p_A = throat.neck.placed(p_A);
-        p_A += throatPull(throat, ThroatTissue::Airway, p_A).d;
+        p_A += shareOfJaw(ways, place) * throatPull(throat, ThroatTissue::Airway, p_A).d;
         return Vec3{p_A + larynxTilt<double>(tissue.frame(), p_A).d};
     });
 }

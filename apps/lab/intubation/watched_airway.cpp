@@ -2,24 +2,10 @@
 
 #include "engine/anatomy/airway/centreline.h"
 
-#include <algorithm>
-
 namespace carina::lab
 {
 namespace
 {
-
-/// The share of a place's motion by the jaw that a tube's way has there: it passes the upper teeth,
-/// which the jaw leaves where they are, and goes along the palate up to here, of the way from
-/// incisors to glottis.
-constexpr double kAlongPalate = 0.4;
-
-double jawShareAt(const PatientWays& ways, const Vec3& p_A)
-{
-    const double whole = (ways.p_A_glottis() - ways.p_A_incisors()).norm();
-    const double inside = ways.inward_A().dot(p_A - ways.p_A_incisors()) / (kAlongPalate * whole);
-    return std::clamp(inside, 0.0, 1.0);
-}
 
 /// The line with another length: cut, or straight on.
 std::vector<Vec3> withLength(std::vector<Vec3> line, double length)
@@ -58,7 +44,7 @@ PatientWays WatchedAirway::waysAt(const SeenTools& tools, const NeckField& neck)
     const FollowingThroat throat{patient.throat, tools.jaw.X_FO * patient.held.inverse(), neck};
     return moved(m_subject.ways, [&](const Vec3& p) {
         const Vec3 p_A = neck.placed(p);
-        const double share = jawShareAt(m_subject.ways, p);
+        const double share = shareOfJaw(m_subject.ways, p);
         return Vec3{p_A + share * throatPull(throat, ThroatTissue::Airway, p_A).d};
     });
 }

@@ -148,6 +148,13 @@ PatientWays patientWays(const AirwayLandmarks& landmarks, const std::optional<Up
     return ways;
 }
 
+double shareOfJaw(const PatientWays& ways, const Vec3& p_A)
+{
+    const double whole = (ways.p_A_glottis() - ways.p_A_incisors()).norm();
+    const double inside = ways.inward_A().dot(p_A - ways.p_A_incisors());
+    return std::clamp(inside / (kAlongPalate * whole), 0.0, 1.0);
+}
+
 PatientWays moved(PatientWays ways, const std::function<Vec3(const Vec3&)>& drawn)
 {
     for (Centreline* line : {&ways.overTongue, &ways.trachea, &ways.oesophagus})

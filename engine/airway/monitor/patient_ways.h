@@ -63,6 +63,12 @@ inline constexpr Length kNotchToHypopharynx = millimetres(15.0);
                                       const std::optional<UpperAirway>& upper,
                                       std::span<const AnatomyPart> parts);
 
+/// The share of a place's motion by the jaw that a tube's way has there: 0 at the upper incisors,
+/// which the jaw leaves where they are, and 1 from kAlongPalate of the way to the glottis on, up to
+/// which the way goes along the palate. kAlongPalate is of ours.
+[[nodiscard]] double shareOfJaw(const PatientWays& ways, const Vec3& p_A);
+inline constexpr double kAlongPalate = 0.4;
+
 /// The same ways where neck, jaw, events and blade have taken them.
 /// @param drawn where a place of the surfaces is drawn
 [[nodiscard]] PatientWays moved(PatientWays ways, const std::function<Vec3(const Vec3&)>& drawn);

@@ -45,6 +45,17 @@ class TestPatientWays : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void leavesTheUpperTeethWhereTheJawGoes()
+    {
+        const PatientWays ways = test::drawnWays();
+        const Vec3 in = ways.inward_A();
+        const double whole = (ways.p_A_glottis() - ways.p_A_incisors()).norm();
+        QCOMPARE(shareOfJaw(ways, ways.p_A_incisors()), 0.0);
+        QCOMPARE(shareOfJaw(ways, ways.p_A_incisors() - 0.01 * in), 0.0);
+        QVERIFY(std::abs(shareOfJaw(ways, ways.p_A_incisors() + 0.1 * whole * in) - 0.25) < kExact);
+        QCOMPARE(shareOfJaw(ways, ways.p_A_incisors() + 0.5 * whole * in), 1.0);
+    }
+
     void bronchiHaveThePublishedAngles()
     {
         const PatientWays ways = test::drawnWays();

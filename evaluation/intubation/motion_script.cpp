@@ -296,8 +296,8 @@ void write(MotionWriter& hands, MotionKind kind, const MotionParameters& paramet
 
 std::mt19937 generatorOf(MotionKind kind, std::uint32_t seed)
 {
-    constexpr std::uint32_t kApart = 0x9E3779B9U; // 2^32 over the golden ratio
-    return std::mt19937{seed * kApart + static_cast<std::uint32_t>(kind)};
+    std::seed_seq seeds{seed, static_cast<std::uint32_t>(kind)};
+    return std::mt19937{seeds};
 }
 
 Result<IntubationMotion> scriptedMotion(MotionKind kind, const MotionParameters& parameters,

@@ -48,7 +48,7 @@ demo_windows() {
     fi
     rm -f "$data/codes"
     "$build/apps/instructor/carina-instructor" --port "$port" --data "$data" --new \
-        --codes "$data/codes" \
+        --codes "$data/codes" ${intubation:+--start} "${play[@]}" \
         "${patient[@]}" &
     children+=($!)
     "$build/apps/trainee/carina-trainee" --port "$port" --as Trainee --tracker "$tracker" \
@@ -81,7 +81,7 @@ demo_headless() {
     # The console outlives the trainee, whose last picture then shows a session that runs.
     with_display "${at_most[@]}" "$build/apps/instructor/carina-instructor" --port "$port" \
         --data "$out/session" --codes "$out/session/codes" --new "${measure[@]}" \
-        --seconds "$((seconds + 8))" "${patient[@]}" > "$out/instructor.log" 2>&1 &
+        --seconds "$((seconds + 8))" "${play[@]}" "${patient[@]}" > "$out/instructor.log" 2>&1 &
     children+=($!)
     with_display "${at_most[@]}" "$build/apps/trainee/carina-trainee" --port "$port" --as Trainee \
         --data "$out/session" --code-file "$out/session/codes" --tracker "$tracker" \
@@ -96,9 +96,24 @@ demo_headless() {
     cat "$out/summary.json"
 }
 
+# choose_hands: what the hands do where --tracker does not say it. A headless demo measures breathing
+# as a script sets it at the console: unless an intubation is asked for, nobody treats the patient
+# there, and the hands begin at once. Sets of surfaces seldom have all that an intubation passes.
+choose_hands() {
+    [ -n "$intubation$tracker$out$anatomy" ] || intubation=good
+    if [ -n "$intubation" ]; then
+        tracker=simulated:intubation=$intubation,after=60
+        play=(--play "$intubation")
+    elif [ -z "$tracker" ]; then
+        tracker=simulated
+        [ -n "$anatomy" ] || tracker=simulated:intubation=good
+    fi
+}
+
 demo() {
-    local out='' seconds=24 size=1280x800 anatomy='' site='' register=no patient=() view=()
-    local tracker=simulated known=' --register --tracker --site --output --headless --anatomy --patient --seconds --size '
+    local out='' seconds='' size=1280x800 anatomy='' site='' register=no patient=() view=()
+    local tracker='' intubation='' play=()
+    local known=' --register --tracker --site --output --headless --anatomy --patient --seconds --size --intubation '
     while [ $# -gt 0 ]; do
         [[ $known == *" $1 "* ]] || refuse "demo does not know $1, or was given it twice"
         known=${known/" $1 "/ }
@@ -111,6 +126,7 @@ demo() {
         case $1 in
             --site) site=$(realpath -e "$2" 2> /dev/null) || refuse "there is no file $2" ;;
             --tracker) tracker=$2 ;;
+            --intubation) intubation=$2 ;;
             --output) view+=(--output "$2") ;;
             --headless) out=$(realpath -m "$2")
                 # A folder is made, and its way there is not: most likely that is a slip.
@@ -122,6 +138,14 @@ demo() {
         esac
         shift 2
     done
+    local scripts='good|slow|oesophageal|right_mainstem|left_mainstem|three_attempts|dental_lever'
+    scripts+='|too_shallow|neck_flexed|stuck_at_arytenoid|cuff_above_cords|late_recognition'
+    [ -z "$intubation" ] || [[ $intubation =~ ^($scripts)$ ]] ||
+        refuse "--intubation is one of ${scripts//|/, }"
+    [ -z "$intubation" ] || [ -z "$tracker" ] || refuse "--intubation plays on a tracker of its own"
+    choose_hands
+    # All of it takes about two minutes.
+    [ -n "$seconds" ] || seconds=$([ -n "$intubation" ] && echo 120 || echo 24)
     [[ $seconds =~ ^[1-9][0-9]*$ ]] || refuse "--seconds takes a whole number above 0, not $seconds"
     [[ $size =~ ^[1-9][0-9]*x[1-9][0-9]*$ ]] || refuse "--size takes WIDTHxHEIGHT, not $size"
     [ ${#patient[@]} = 0 ] || [[ ${patient[1],,} =~ ^((adult|child)(,.+)?|.+,.+,.+)$ ]] ||
@@ -132,10 +156,12 @@ demo() {
         simulated) ;;
         simulated:*) # as readSimulatedOptions takes it, whose programs are not built yet
             local tool='(head|jaw|tube|stylus|manikin|chest|hand|laryngoscope)' number='[0-9]+([.][0-9]+)?'
-            local option="(rate=$number|hidden=$tool|partly=$tool|dropouts=$number|with=laryngoscope)"
+            local option="(rate=$number|hidden=$tool|partly=$tool|dropouts=$number|with=laryngoscope"
+            option+="|intubation=($scripts)|seed=[0-9]+|after=$number)"
             [[ ${tracker#simulated:} =~ ^$option(,$option)*$ ]] ||
                 refuse "--tracker simulated takes rate=HZ (1 to 1000), hidden=TOOL, partly=TOOL," \
-                    "dropouts=PERCENT (0 to 90) and with=laryngoscope, with commas between, not" \
+                    "dropouts=PERCENT (0 to 90), with=laryngoscope, intubation=SCRIPT, seed=N and" \
+                    "after=SECONDS (0 to 600), with commas between, not" \
                     "${tracker#simulated:};" \
                     "TOOL is head, jaw, tube, stylus, manikin, chest, hand or laryngoscope" ;;
         site) [ -n "$site" ] || refuse "--tracker site needs --site, which names the devices" ;;

@@ -30,6 +30,7 @@ const QString kOpen = QStringLiteral("open");
 const QString kByLink = QStringLiteral("by-link");
 const QString kCodes = QStringLiteral("codes");
 const QString kStart = QStringLiteral("start");
+const QString kPlay = QStringLiteral("play");
 const QString kStartPage = QStringLiteral("start-page");
 
 QString optionWords(const char* text) { return QApplication::translate("Instructor", text); }
@@ -62,6 +63,13 @@ void addBeginning(QCommandLineParser& parser)
                       QStringLiteral("DIR"),
                       QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)});
     parser.addOption({kStart, optionWords("Start a session that is ready to start.")});
+    parser.addOption(
+        {kPlay,
+         optionWords("Assist at an intubation that a trainee's program plays (carina-trainee "
+                     "--tracker simulated:intubation=SCRIPT,after=60): oxygen, drugs and bag, by "
+                     "what the monitor notes. SCRIPT is one of %1.")
+             .arg(program::motionNames()),
+         QStringLiteral("SCRIPT[,seed=N]")});
 }
 
 void addReach(QCommandLineParser& parser)
@@ -118,6 +126,20 @@ Result<void> readReach(const QCommandLineParser& parser, ConsoleOptions& options
     if (parser.isSet(kCertificate))
         options.certificate = CertificateFiles{parser.value(kCertificate).toStdString(),
                                                parser.value(kPrivateKey).toStdString()};
+    return {};
+}
+
+Result<void> readPlayed(const QCommandLineParser& parser, ConsoleOptions& options)
+{
+    if (!parser.isSet(kPlay))
+        return {};
+    const auto said =
+        program::simulatedWordsIn(QStringLiteral("intubation=") + parser.value(kPlay));
+    if (!said)
+        return tl::unexpected(said.error());
+    if (!said->others.isEmpty() || said->played->after > Duration{})
+        return fail(Errc::WrongOption, "--play takes SCRIPT or SCRIPT,seed=N");
+    options.played = said->played;
     return {};
 }
 
@@ -195,6 +217,8 @@ Result<ConsoleOptions> consoleOptions(const QCommandLineParser& parser)
         return tl::unexpected(reach.error());
     if (const auto strategy = readStrategy(parser, options); !strategy)
         return tl::unexpected(strategy.error());
+    if (const auto played = readPlayed(parser, options); !played)
+        return tl::unexpected(played.error());
     auto stations = wantedStations(parser);
     if (!stations)
         return tl::unexpected(stations.error());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/program/played_intubation.h"
 #include "apps/program/program.h"
 #include "engine/net/node/session_node.h"
 #include "models/session/session_plan.h"
@@ -26,7 +27,9 @@ struct ConsoleOptions {
     std::optional<CertificateFiles> certificate{};
     std::optional<StrategyKind> strategy{};
     std::vector<WantedStation> stations{};
-    QString site{};        ///< by which readiness is judged
+    QString site{}; ///< by which readiness is judged
+    /// That a trainee's program plays, and this console assists at.
+    std::optional<program::PlayedIntubation> played{};
     bool isNew = false;    ///< the stored session is left
     bool starts = false;   ///< a session that is ready to start
     bool asksFirst = true; ///< on the start page, in place of beginning at once

@@ -141,6 +141,9 @@ ConsoleSession::open(HostedSession hosted, const program::ChosenPatient& patient
     if (const auto followed = session->follow(parser); !followed)
         return tl::unexpected(followed.error());
     session->openStations(options.stations);
+    if (options.played)
+        session->m_assistant = std::make_unique<IntubationAssistant>(
+            session->node(), session->m_stations.shown(), *options.played);
     if (options.starts && session->m_session.canStart())
         session->m_session.start();
     return session;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/instructor/intubation_assistant.h"
 #include "apps/instructor/session_host.h"
 #include "apps/instructor/shown_station.h"
 #include "apps/program/journal.h"
@@ -99,6 +100,7 @@ private:
     KeptConsole m_kept;
     InstructorWindow m_window;
     std::unique_ptr<program::Journal> m_journal;
+    std::unique_ptr<IntubationAssistant> m_assistant; ///< at one that is played
     std::function<void()> m_onEnded;
     std::function<void()> m_onLeft;
     QTimer m_looking; ///< when an end takes effect, no fact arrives

@@ -1,5 +1,7 @@
 #include "apps/program/tracker_option.h"
 
+#include "apps/program/played_intubation.h"
+
 #include <QCoreApplication>
 
 namespace carina::program
@@ -11,6 +13,25 @@ const QString kTracker = QStringLiteral("tracker");
 const QString kRecord = QStringLiteral("record");
 const QString kRecordDevice = QStringLiteral("record-device");
 const QString kOfSite = QStringLiteral("site");
+const QString kSimulated = QStringLiteral("simulated");
+const QString kSimulatedWith = QStringLiteral("simulated:");
+
+/// As trackerNamed; the simulated one may play an intubation, too.
+Result<TrackerChoice> namedTracker(const QString& words, const Progress& goesOn)
+{
+    if (!words.startsWith(kSimulatedWith))
+        return trackerNamed(words, goesOn);
+    const auto said = simulatedWordsIn(words.mid(kSimulatedWith.size()));
+    if (!said)
+        return tl::unexpected(said.error());
+    const bool isAll = said->played && said->others.isEmpty();
+    return trackerNamed(isAll ? kSimulated : kSimulatedWith + said->others)
+        .map([&](TrackerChoice choice) {
+            if (said->played)
+                std::get<SimulatedDevice>(choice.device).play = playOf(*said->played);
+            return choice;
+        });
+}
 
 Result<std::optional<TrackerChoice>> chosenTracker(const QCommandLineParser& parser,
                                                    const QString& site, const Progress& goesOn)
@@ -18,7 +39,7 @@ Result<std::optional<TrackerChoice>> chosenTracker(const QCommandLineParser& par
     if (namesSiteDevices(parser) && site.isEmpty())
         return fail(Errc::WrongOption, "--tracker site: it needs --site, which names the devices");
     if (parser.isSet(kTracker) && !namesSiteDevices(parser))
-        return trackerNamed(parser.value(kTracker), goesOn).map([](TrackerChoice choice) {
+        return namedTracker(parser.value(kTracker), goesOn).map([](TrackerChoice choice) {
             return std::optional{std::move(choice)};
         });
     if (site.isEmpty())
@@ -35,7 +56,9 @@ void addTrackerOption(QCommandLineParser& parser, const QString& without)
         "Track with the device that this file describes, a Polaris, a server of "
         "OpenIGTLink or a camera with its tools (docs/tracking.md), or a device set of PLUS "
         "(.xml); with a simulated tracker, of which rate=HZ, hidden=TOOL, partly=TOOL, "
-        "dropouts=PERCENT and with=laryngoscope can be chosen (simulated:rate=30,hidden=tube); "
+        "dropouts=PERCENT and with=laryngoscope can be chosen (simulated:rate=30,hidden=tube), and "
+        "whose hands intubate once by a script with intubation=SCRIPT, seed=N and after=SECONDS "
+        "(simulated:intubation=good); "
         "with a recording (of Carina, Plus, 3D Slicer or a device), played once or looped; or with "
         "the "
         "devices that the site names.");

@@ -12,7 +12,7 @@ namespace carina::program
 
 /// `--tracker FILE|simulated[:OPTIONS]|recorded:FILE|looped:FILE|site`: the tracker of a program.
 /// And how it is recorded: `--record FILE` its poses, `--record-device FILE` the bytes of the
-/// conversation with the device.
+/// conversation with the device. OPTIONS are those of readSimulatedOptions and of simulatedWordsIn.
 /// @param without what the program does without a tracker, as a sentence
 void addTrackerOption(QCommandLineParser& parser, const QString& without);
 
@@ -32,8 +32,9 @@ void addTrackerOption(QCommandLineParser& parser, const QString& without);
 /// The tracker that `--tracker` names, else the devices that the site names (trackerOfSite);
 /// std::nullopt without either, and where the site names none.
 /// @param site its file; empty: none
-/// @returns the errors of trackerNamed and trackerOfSite; WrongOption for `--record-device` with a
-///          tracker that exchanges no bytes, and for `--tracker site` without a site.
+/// @returns the errors of trackerNamed, simulatedWordsIn and trackerOfSite; WrongOption for
+///          `--record-device` with a tracker that exchanges no bytes, and for `--tracker site`
+///          without a site.
 [[nodiscard]] Result<std::optional<TrackerChoice>>
 trackerOption(const QCommandLineParser& parser, const QString& site, const Progress& goesOn = {});
 

@@ -192,15 +192,38 @@ TrueToolPose withLaryngoscopy(TrueToolPose hands, LaryngoscopyScript script, Nec
     };
 }
 
+/// The hands, of which a motion moves tube, jaw and laryngoscope in the frame of the head.
+TrueToolPose withMotion(TrueToolPose hands, HandMotion motion, NeckNow neck,
+                        const RigidTransform& X_TA, const RigidTransform& X_AJ_closed)
+{
+    return [=, hands = std::move(hands), motion = std::move(motion),
+            neck = std::move(neck)](ToolRole tool, SessionTime t) -> std::optional<RigidTransform> {
+        switch (tool) {
+        case ToolRole::Tube:
+            return X_TA * neck().X_AU() * motion(t).X_UE;
+        case ToolRole::Hand:
+            return X_TA * neck().X_AU() * motion(t).X_UE * handOnTube();
+        case ToolRole::Laryngoscope:
+            return X_TA * neck().X_AU() * motion(t).X_UL;
+        case ToolRole::Jaw:
+            return X_TA * neck().X_AU() * motion(t).X_UJ * X_AJ_closed;
+        default:
+            return hands(tool, t);
+        }
+    };
+}
+
 } // namespace
 
 RigidTransform simulatedBodyProbe() { return RigidTransform::translation({-0.12, -0.06, 0.05}); }
 
-Result<SimulatedStation>
-simulatedStation(const AirwayLandmarks& airway, const TubeShape& tube, ReadSessionClock clock,
-                 const std::optional<StationRegistration>& registration, Frequency manikinBreathes,
-                 SimulatedPerson person, SimulatedTrackerSettings device,
-                 const std::optional<LaryngoscopyScript>& laryngoscopy, SimulatedHead head)
+Result<SimulatedStation> simulatedStation(const AirwayLandmarks& airway, const TubeShape& tube,
+                                          ReadSessionClock clock,
+                                          const std::optional<StationRegistration>& registration,
+                                          Frequency manikinBreathes, SimulatedPerson person,
+                                          SimulatedTrackerSettings device,
+                                          const std::optional<LaryngoscopyScript>& laryngoscopy,
+                                          SimulatedHead head, HandMotion motion)
 {
     const RigidTransform X_TA = patientBeforeTracker(airway.p_A_incisors);
     const HandScript script = scriptOf(airway, tube, X_TA);
@@ -215,8 +238,10 @@ simulatedStation(const AirwayLandmarks& airway, const TubeShape& tube, ReadSessi
     if (device.laryngoscope && laryngoscopy)
         done = withLaryngoscopy(std::move(done), *laryngoscopy, neck, X_TA, hands->closedJaw());
     done = withNeck(std::move(done), neck, X_TA);
-    TrueToolPose truth =
-        withManikin(of(std::move(person), std::move(done), script), X_TA, manikinBreathes);
+    done = of(std::move(person), std::move(done), script);
+    if (motion)
+        done = withMotion(std::move(done), std::move(motion), neck, X_TA, hands->closedJaw());
+    TrueToolPose truth = withManikin(std::move(done), X_TA, manikinBreathes);
     const SimulatedTools marked = simulatedTools(tube);
     if (registration && registration->X_NE)
         truth = withMarkers(std::move(truth), ToolRole::Tube, marked.X_NE.inverse());

@@ -28,6 +28,17 @@ struct SimulatedStation {
 /// several do not coincide; all are in the tracker's view. Called on the tracker's thread.
 using SimulatedPerson = std::function<unsigned()>;
 
+/// Where hands hold tube and laryngoscope, and the mandible, in the frame U of the head, which is A
+/// while head and neck lie in neutral position.
+struct HandledTools {
+    RigidTransform X_UE; ///< the tube's connector
+    RigidTransform X_UL; ///< the blade of the laryngoscope
+    RigidTransform X_UJ; ///< the mandible, the identity with the mouth shut
+};
+
+/// What hands do with them. Called on the tracker's thread.
+using HandMotion = std::function<HandledTools(SessionTime)>;
+
 /// How head and neck of the simulated manikin lie now. Called on the tracker's thread.
 using SimulatedHead = std::function<HeadPosition()>;
 
@@ -43,12 +54,16 @@ using SimulatedHead = std::function<HeadPosition()>;
 /// @param head neutral without it. The jaw goes with the head, a laryngoscope into the mouth as it
 ///        lies, and the tube the way of the airway there, with its form where it fits the airway
 ///        (bent); the tip rests as far above the carina as in neutral position
+/// @param motion what tube, jaw and laryngoscope do in place of all this, whoever the person is;
+///        they go with the head. The laryngoscope is seen where the device has one
 /// @returns the errors of ScriptedHands::make for this airway.
-[[nodiscard]] Result<SimulatedStation> simulatedStation(
-    const AirwayLandmarks& airway, const TubeShape& tube, ReadSessionClock clock,
-    const std::optional<StationRegistration>& registration = {}, Frequency manikinBreathes = {},
-    SimulatedPerson person = {}, SimulatedTrackerSettings device = {},
-    const std::optional<LaryngoscopyScript>& laryngoscopy = {}, SimulatedHead head = {});
+[[nodiscard]] Result<SimulatedStation>
+simulatedStation(const AirwayLandmarks& airway, const TubeShape& tube, ReadSessionClock clock,
+                 const std::optional<StationRegistration>& registration = {},
+                 Frequency manikinBreathes = {}, SimulatedPerson person = {},
+                 SimulatedTrackerSettings device = {},
+                 const std::optional<LaryngoscopyScript>& laryngoscopy = {},
+                 SimulatedHead head = {}, HandMotion motion = {});
 
 inline constexpr Length kManikinRise = millimetres(12.0);
 

@@ -95,6 +95,8 @@ SharedTools::SharedTools(SessionNode& node, Hardware hardware, PlaceOf placeOf)
     m_looking.callOnTimeout([this] {
         if (m_laid && m_laid->guard)
             m_laid->guard->look();
+        if (m_laid && m_laid->played)
+            m_laid->played->look(m_station);
         if (m_laid)
             m_report.tell(standing());
     });
@@ -253,11 +255,23 @@ Result<void> SharedTools::connect(Laid& laid, std::optional<MadeTracker>& made) 
 
 Result<void> SharedTools::simulate(Laid& laid) const
 {
-    const auto& device = std::get<SimulatedDevice>(m_hardware.tracker->device).settings;
+    const auto& [chosen, play] = std::get<SimulatedDevice>(m_hardware.tracker->device);
+    SimulatedTrackerSettings device = chosen;
+    HandMotion motion;
+    if (play) {
+        auto played = play(*laid.patient);
+        if (!played)
+            return tl::unexpected(played.error());
+        device.laryngoscope = true;
+        device.laryngoscopeName = played->laryngoscope;
+        laid.played = std::make_shared<PlayedHands>(m_node, *std::move(played));
+        motion = [hands = laid.played](SessionTime t) { return hands->at(t); };
+    }
     auto simulated = simulatedStation(
         laid.patient->landmarks(), laid.patient->tube(), clock(), registrationIn(laid.place),
         m_hardware.manikinBreathes, [node = &m_node] { return simulatedPerson(*node); }, device,
-        laryngoscopyOf(*laid.patient, device), [node = &m_node] { return simulatedHead(*node); });
+        laryngoscopyOf(*laid.patient, chosen), [node = &m_node] { return simulatedHead(*node); },
+        std::move(motion));
     if (!simulated)
         return tl::unexpected(simulated.error());
     laid.truth = [truth = simulated->truth,

@@ -9,6 +9,7 @@
 #include "models/station/standing_report.h"
 #include "models/station/tool_status.h"
 #include "models/tracker/made_tracker.h"
+#include "models/tracker/played_hands.h"
 #include "models/tracker/pose_recording.h"
 
 #include <QTimer>
@@ -129,6 +130,8 @@ private:
         /// site has no registration that can be used.
         std::shared_ptr<StationTracking> tracking{};
         TrueHead truth{};
+        /// What the simulated hands play; shared with the tracker's thread.
+        std::shared_ptr<PlayedHands> played{};
         std::unique_ptr<RegistrationGuard> guard{}; ///< of the tracking; null without a site
         Place place{};                              ///< as read from the site last
     };

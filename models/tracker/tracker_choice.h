@@ -5,6 +5,7 @@
 #include "engine/tracking/record/recorded_tracker.h"
 #include "engine/tracking/simulated/simulated_options.h"
 #include "models/tracker/known_volume.h"
+#include "models/tracker/played_motion.h"
 
 #include <QByteArray>
 #include <QString>
@@ -20,6 +21,7 @@ namespace carina
 /// The simulated tracker and manikin, which each program makes for what it does with them.
 struct SimulatedDevice {
     SimulatedTrackerSettings settings{}; ///< rate, occlusions and dropouts that were chosen
+    PlayMotion play{}; ///< what its hands do in a session; without it they insert the tube
 };
 
 /// A recording, which is played from its beginning.

@@ -150,7 +150,7 @@ std::optional<RigidTransform> ScriptedHands::operator()(ToolRole tool, SessionTi
         return m_script.X_TA * RigidTransform::translation(m_script.p_A_incisors + kParkedStylus);
     case ToolRole::Hand: {
         const auto X_TE = tubeAt(phase);
-        return X_TE ? std::optional{*X_TE * RigidTransform::translation(kGrip)} : std::nullopt;
+        return X_TE ? std::optional{*X_TE * handOnTube()} : std::nullopt;
     }
     case ToolRole::Manikin:
     case ToolRole::Chest:
@@ -271,6 +271,8 @@ RigidTransform ScriptedHands::headAt(double phase) const
                       0.5 * kSway * std::sin(2.0 * turn)};
     return lookingAt(m_script.p_A_incisors + kEyes + sway_A, m_script.p_A_incisors);
 }
+
+RigidTransform handOnTube() { return RigidTransform::translation(kGrip); }
 
 RigidTransform movedJaw(const Vec3& p_A_incisors, Angle opening, Length forward)
 {

@@ -84,6 +84,9 @@ private:
     std::vector<Waypoint> m_waypoints;
 };
 
+/// X_EG of the hand that holds the tube.
+[[nodiscard]] RigidTransform handOnTube();
+
 /// X_AJ of a mandible whose frame J coincides with A while the mouth is closed: moved forward, and
 /// rotated about the transverse axis through the condyles, which lie 88 mm from the incisors, 26
 /// degrees above the plane of the teeth (Bonwill's triangle, Balkwill's angle).

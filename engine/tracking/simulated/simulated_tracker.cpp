@@ -74,7 +74,7 @@ SimulatedTracker::SimulatedTracker(SimulatedTrackerSettings settings, TrueToolPo
       m_thread{std::move(clock), [this](SessionTime now) { return advance(now); }}
 {
     CARINA_EXPECTS(m_settings.rate > hertz(0.0));
-    const auto add = [this](const char* name, ToolRole role) {
+    const auto add = [this](const std::string& name, ToolRole role) {
         Tool& tool = m_tracked.emplace_back();
         tool.role = role;
         const auto probe = m_settings.probes.find(role);
@@ -94,7 +94,7 @@ SimulatedTracker::SimulatedTracker(SimulatedTrackerSettings settings, TrueToolPo
     if (m_settings.handProbe)
         add("hand", ToolRole::Hand);
     if (m_settings.laryngoscope)
-        add("laryngoscope", ToolRole::Laryngoscope);
+        add(m_settings.laryngoscopeName, ToolRole::Laryngoscope);
 }
 
 SessionTime SimulatedTracker::advance(SessionTime now)

@@ -9,6 +9,7 @@
 #include <deque>
 #include <map>
 #include <random>
+#include <string>
 
 namespace carina
 {
@@ -46,6 +47,7 @@ struct SimulatedTrackerSettings {
     bool bodyProbe = false;    ///< also simulate a probe on its torso
     bool handProbe = false;    ///< also simulate a probe on the hand that holds the tube
     bool laryngoscope = false; ///< also simulate a laryngoscope
+    std::string laryngoscopeName = "laryngoscope"; ///< which may tell its blade
     std::uint32_t seed = 1;
     std::map<ToolRole, Probe> probes{}; ///< of tools that have another one than simulatedProbe()
 };

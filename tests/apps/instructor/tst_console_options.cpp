@@ -30,6 +30,7 @@ private Q_SLOTS:
         row("a new session", {QStringLiteral("--new")}, false);
         row("who can join", {QStringLiteral("--by-link")}, false);
         row("a patient", {QStringLiteral("--patient"), QStringLiteral("adult")}, false);
+        row("an intubation", {QStringLiteral("--play"), QStringLiteral("good")}, false);
         row("the start page", {QStringLiteral("--new"), QStringLiteral("--start-page")}, true);
     }
     void asksFirstUnlessASessionIsSpokenOf()
@@ -43,6 +44,23 @@ private Q_SLOTS:
         const auto options = consoleOptions(parser);
         QVERIFY(options);
         QCOMPARE(options->asksFirst, asksFirst);
+    }
+
+    void assistsAtTheIntubationThatIsNamed()
+    {
+        const auto read = [](const char* play) {
+            QCommandLineParser parser;
+            addConsoleOptions(parser);
+            parser.parse({QStringLiteral("carina-instructor"), QStringLiteral("--play"),
+                          QString::fromLatin1(play)});
+            return consoleOptions(parser);
+        };
+        const auto options = read("neck_flexed,seed=3");
+        QVERIFY(options && options->played);
+        QCOMPARE(options->played->kind, MotionKind::NeckFlexed);
+        QCOMPARE(options->played->seed, 3U);
+        for (const char* wrong : {"perfect", "good,seed=x", "good,after=5", "good,rate=30"})
+            QVERIFY2(!read(wrong), wrong);
     }
 
     void namesTheOptionsThatKeepTheStartPage()

@@ -442,6 +442,43 @@ private Q_SLOTS:
         QVERIFY(together < times / 3);
     }
 
+    /// A motion of hands in place of the scripted ones, at rest here: in the frame of the head.
+    void letsAMotionMoveTubeJawAndBladeWithTheHead()
+    {
+        constexpr double kExact = 1e-12;
+        const WithLaryngoscope station;
+        const HandledTools held{.X_UE = RigidTransform::translation({0.01, -0.12, 0.1}),
+                                .X_UL = RigidTransform::translation({0.02, -0.15, 0.12}),
+                                .X_UJ = {rotationFromVector({0.2, 0.0, 0.0}), {0.0, -0.01, 0.0}}};
+        SimulatedTrackerSettings device;
+        device.laryngoscope = true;
+        const auto noClock = [] { return std::optional<SessionTime>{}; };
+        const NeckField flexed{station.patient.landmarks.p_A_glottis,
+                               station.patient.landmarks.p_A_incisors, kNeckFlexed};
+        const auto plain = simulatedStation(station.patient.landmarks, station.tube, noClock);
+        for (const NeckField& neck : {NeckField{}, flexed})
+            for (const unsigned person : {0U, 2U}) {
+                const auto made = simulatedStation(
+                    station.patient.landmarks, station.tube, noClock, {}, {},
+                    [person] { return person; }, device, {}, [neck] { return neck.position(); },
+                    [held](SessionTime) { return held; });
+                const RigidTransform X_TU = made->X_TA * neck.X_AU();
+                const auto isAt = [&](ToolRole tool, const RigidTransform& X_UO) {
+                    const auto X_TO = made->truth(tool, SessionTime{7s});
+                    return X_TO
+                           && ((X_TU * X_UO).inverse() * *X_TO)
+                                  .matrix()
+                                  .isApprox(Mat4::Identity(), kExact);
+                };
+                QVERIFY(isAt(ToolRole::Tube, held.X_UE));
+                QVERIFY(isAt(ToolRole::Hand, held.X_UE * handOnTube()));
+                QVERIFY(isAt(ToolRole::Laryngoscope, held.X_UL));
+                QVERIFY(isAt(ToolRole::Jaw, held.X_UJ * made->exactly.X_JA->inverse()));
+                QCOMPARE(made->truth(ToolRole::Stylus, SessionTime{7s})->translation(),
+                         plain->truth(ToolRole::Stylus, SessionTime{7s})->translation());
+            }
+    }
+
     void seesEverybodysToolsAtAllTimes_data()
     {
         QTest::addColumn<BuiltinPatient>("who");

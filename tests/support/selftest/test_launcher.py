@@ -84,7 +84,9 @@ class Launcher(unittest.TestCase):
                           ["demo", "--anatomy", "no/such/folder"], ["demo", "--headless"], ["demo", "--headless", "no/such/out"],
                           ["demo", "--site", "no/such/file"], ["demo", "--output", "sphere"],
                           ["demo", "--register", "--site", "carina"], ["demo", "--tracker", "simulated:nope"],
-                          ["demo", "--tracker", "simulated:hidden=nose"]):
+                          ["demo", "--tracker", "simulated:hidden=nose"], ["demo", "--intubation", "perfect"],
+                          ["demo", "--tracker", "simulated:intubation=perfect"],
+                          ["demo", "--intubation", "good", "--tracker", "simulated"]):
             run = self.carina(*arguments)
             self.assertEqual((run.returncode, run.stdout), (2, ""), arguments)
             self.assertIn("./carina help", run.stderr)
@@ -189,6 +191,18 @@ class Launcher(unittest.TestCase):
         for call in (instructor, trainee):
             self.assertTrue(call.endswith("--patient child"), call)
 
+    def test_demo_plays_an_intubation_that_the_console_assists_at(self):
+        for arguments, script in (([], "good"), (["--intubation", "oesophageal"], "oesophageal")):
+            run = self.carina("demo", *arguments, DISPLAY=":none")
+            self.assertEqual(run.returncode, 0, run.stderr)
+            self.assertIn(f"--tracker simulated:intubation={script},after=60 ", self.called("carina-trainee")[-1])
+            self.assertIn(f"--start --play {script}", self.called("carina-instructor")[-1])
+
+    def test_demo_plays_none_where_a_tracker_is_named(self):
+        run = self.carina("demo", "--tracker", "simulated:seed=2,intubation=slow", DISPLAY=":none")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertNotIn("--play", self.called("carina-instructor")[0])
+
     def test_demo_takes_a_patient_in_words(self):
         for patient in ("adult, airway 250 mm", "child, girl", "45 years, 182 cm, man, obese"):
             run = self.carina("demo", "--patient", patient, DISPLAY=":none")
@@ -234,6 +248,9 @@ class Launcher(unittest.TestCase):
         for name, seconds in (("carina-instructor", 10), ("carina-trainee", 2)):
             self.assertIn(f"--measure {self.root}/out --size 1280x800", self.called(name)[0])
             self.assertIn(f" --seconds {seconds}", self.called(name)[0])
+        # What it measures of the breathing is as the console sets it.
+        self.assertNotIn("--play", self.called("carina-instructor")[0])
+        self.assertIn("--tracker simulated ", self.called("carina-trainee")[0])
 
     @unittest.skipUnless(shutil.which("Xvfb"), "no Xvfb")
     def test_headless_demo_fails_with_its_program_and_shows_why(self):

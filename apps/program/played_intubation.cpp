@@ -1,0 +1,178 @@
+#include "apps/program/played_intubation.h"
+
+#include "engine/anatomy/patient/builtin_patient.h"
+#include "evaluation/intubation/motion_script.h"
+
+#include <QStringList>
+
+#include <algorithm>
+#include <memory>
+
+namespace carina::program
+{
+namespace
+{
+
+/// By which a tube is longer than one that is sold, straight on at its connector: of a tube as it
+/// is drawn the tip does not reach all ways while its connector is in front of the teeth.
+constexpr double kLonger_m = 0.15;
+
+const QString kIntubation = QStringLiteral("intubation");
+const QString kSeed = QStringLiteral("seed");
+const QString kAfter = QStringLiteral("after");
+
+Result<MotionKind> motionNamed(const QString& name)
+{
+    const auto* found = std::ranges::find(kNamedMotions, name.toStdString(), &NamedMotion::name);
+    if (found == kNamedMotions.end())
+        return fail(Errc::WrongOption, "\"" + name.toStdString()
+                                           + "\" is not among the intubations "
+                                           + motionNames().toStdString());
+    return found->kind;
+}
+
+Result<void> wrongNumber(const QString& word, const char* range)
+{
+    return fail(Errc::WrongOption, "\"" + word.toStdString() + "\" is not a number " + range);
+}
+
+/// One word, if it is about an intubation.
+Result<void> take(const QString& name, const QString& value, PlayedIntubation& played)
+{
+    bool isNumber = false;
+    if (name == kIntubation)
+        return motionNamed(value).map([&](MotionKind kind) { played.kind = kind; });
+    if (name == kSeed) {
+        played.seed = value.toUInt(&isNumber);
+        return isNumber ? Result<void>{}
+                        : wrongNumber(name + QLatin1Char{'='} + value, "from 0 on");
+    }
+    const double seconds = value.toDouble(&isNumber);
+    if (!isNumber || !(seconds >= 0.0 && seconds <= toSeconds(kLongestWait)))
+        return wrongNumber(name + QLatin1Char{'='} + value, "from 0 to 600");
+    played.after = fromSeconds(seconds);
+    return {};
+}
+
+/// What the ways of a tube's tip are found by.
+Anatomy anatomyOf(const PatientModel& patient)
+{
+    Anatomy anatomy;
+    anatomy.name = patient.name();
+    anatomy.contentHash = patient.contentHash();
+    anatomy.landmarks = patient.landmarks();
+    for (const PatientSurface& surface : patient.surfaces())
+        if (surface.body != SurfaceBody::Tube) {
+            anatomy.parts.push_back(surface.description);
+            anatomy.parts.back().levels.push_back(*surface.levels.front());
+        }
+    return anatomy;
+}
+
+TubeShape longer(TubeShape tube)
+{
+    std::vector<Vec3>& centre = tube.p_E_centre;
+    const Vec3 outwards = (centre[0] - centre[1]).normalized();
+    centre.insert(centre.begin(), Vec3{centre[0] + kLonger_m * outwards});
+    return tube;
+}
+
+HandledTools handledIn(const IntubationMotion& motion, Duration t)
+{
+    const MotionMoment moment = motion.at(t);
+    const AirwayLandmarks& airway = motion.patient().airway;
+    const NeckField neck{airway.p_A_glottis, airway.p_A_incisors, moment.head};
+    const RigidTransform X_UA = neck.X_AU().inverse();
+    return {.X_UE = X_UA * moment.X_AE, .X_UL = X_UA * moment.X_AL, .X_UJ = moment.X_AJ};
+}
+
+std::optional<FactBody> saidBy(MotionAct act)
+{
+    switch (act) {
+    case MotionAct::CuffInflated:
+        return fact::CuffSet{true};
+    case MotionAct::CuffDeflated:
+        return fact::CuffSet{false};
+    case MotionAct::StyletOut:
+        return fact::StyletDrawn{};
+    case MotionAct::BreathsBegin:
+    case MotionAct::BreathsEnd:
+        break; // by who holds the bag
+    }
+    return std::nullopt;
+}
+
+Result<IntubationMotion> motionFor(const PatientModel& patient, const PlayedIntubation& played)
+{
+    const auto ways = motionPatient(anatomyOf(patient), heldJaw(patient.contentHash()));
+    if (!ways)
+        return tl::unexpected(ways.error());
+    std::mt19937 random = generatorOf(played.kind, played.seed);
+    const MotionParameters parameters = drawnParameters(played.kind, random);
+    return scriptedMotion(played.kind, parameters, std::make_shared<const MotionPatient>(*ways),
+                          longer(patient.tube()), static_cast<std::uint32_t>(random()));
+}
+
+PlayedMotion playedBy(const IntubationMotion& motion, Duration after)
+{
+    PlayedMotion played;
+    played.laryngoscope = "laryngoscope " + std::string{motion.blade().name};
+    for (const MotionCommand& command : motion.commands())
+        if (const auto said = saidBy(command.act))
+            played.controls.push_back({after + command.at, *said});
+    played.at = [kept = std::make_shared<const IntubationMotion>(motion), after](Duration t) {
+        return handledIn(*kept, std::clamp(t - after, Duration{}, kept->length()));
+    };
+    return played;
+}
+
+} // namespace
+
+Result<SimulatedWords> simulatedWordsIn(const QString& words)
+{
+    PlayedIntubation played;
+    QStringList others;
+    bool isPlayed = false;
+    QString without; ///< a word that says something of an intubation
+    for (const QString& word : words.split(QLatin1Char{','})) {
+        const QString name = word.section(QLatin1Char{'='}, 0, 0);
+        if (name != kIntubation && name != kSeed && name != kAfter) {
+            others += word;
+            continue;
+        }
+        if (const auto taken = take(name, word.section(QLatin1Char{'='}, 1), played); !taken)
+            return tl::unexpected(taken.error());
+        isPlayed = isPlayed || name == kIntubation;
+        without = word;
+    }
+    if (!isPlayed && !without.isEmpty())
+        return fail(Errc::WrongOption, "simulated: \"" + without.toStdString()
+                                           + "\" needs intubation=SCRIPT beside it");
+    return SimulatedWords{isPlayed ? std::optional{played} : std::nullopt,
+                          others.join(QLatin1Char{','})};
+}
+
+QString motionNames()
+{
+    QStringList names;
+    for (const NamedMotion& motion : kNamedMotions)
+        names += QString::fromUtf8(motion.name.data(), qsizetype(motion.name.size()));
+    return names.join(QStringLiteral(", "));
+}
+
+MotionParameters parametersOf(const PlayedIntubation& played)
+{
+    std::mt19937 random = generatorOf(played.kind, played.seed);
+    return drawnParameters(played.kind, random);
+}
+
+PlayMotion playOf(const PlayedIntubation& played)
+{
+    return [played](const PatientModel& patient) {
+        return motionFor(patient, played).map([&played](const IntubationMotion& motion) {
+            return playedBy(motion, played.after);
+        });
+    };
+}
+
+} // namespace carina::program

@@ -323,7 +323,8 @@ void TraineeWindow::addHands()
     obstacle->setEnabled(false);
     m_menu.addAction(m_hands->toggleViewAction());
     const auto say = [=, this] {
-        obstacle->setText(m_handsPanel->obstacle());
+        QString text = m_handsPanel->obstacle();
+        obstacle->setText(text.replace(QLatin1Char{'&'}, QStringLiteral("&&"))); // of a name
         obstacle->setVisible(!obstacle->text().isEmpty());
     };
     connect(&m_menu, &QMenu::aboutToShow, this, say);

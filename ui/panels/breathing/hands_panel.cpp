@@ -12,13 +12,6 @@ namespace carina
 namespace
 {
 
-/// "What it does (F7)".
-void explainKey(QAction& action, const QString& explanation)
-{
-    action.setToolTip(HandsPanel::tr("%1 (%2)", "what an action does; its key")
-                          .arg(explanation, action.shortcut().toString(QKeySequence::NativeText)));
-}
-
 QAction* keyedAction(Qt::Key key, const char* name, QWidget* parent)
 {
     auto* action = new QAction{parent};
@@ -44,11 +37,11 @@ HandsPanel::HandsPanel(QWidget* parent)
     m_stylet->setText(tr("Stylet out"));
     m_bag->setText(tr("S&queeze the bag"));
     m_bag->setCheckable(true);
-    explainKey(*m_cuff, tr("Without it a quarter of each breath escapes beside the tube"));
-    explainKey(*m_stylet, tr("Once a tube is followed; it is back in the tube for the next try"));
-    explainKey(*m_bag,
-               tr("As often as the patient would breathe quietly, in place of a ventilator, "
-                  "until you let it go"));
+    m_cuff->setToolTip(tr("Without it a quarter of each breath escapes beside the tube (F7)"));
+    m_stylet->setToolTip(
+        tr("Once a tube is followed; it is back in the tube for the next try (F8)"));
+    m_bag->setToolTip(tr("As often as the patient would breathe quietly, in place of a ventilator, "
+                         "until you let it go (F9)"));
     layOut();
 }
 

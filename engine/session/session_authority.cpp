@@ -120,8 +120,8 @@ Result<void> settleIds(const SessionState& state, ParticipantId author, StationI
 
 /// What a trainee may do: state how their registration stands, choose where others see them, and
 /// for the station they are at share what is their own, ask for what is not, lift out what is in
-/// its place, say when the manikin breathes and what they do with cuff and stylet, and pass on the
-/// work that they do. An observer may do nothing.
+/// its place, say when the manikin breathes and what they do with cuff and stylet, and, of the work
+/// that they do, squeeze the bag and pass it on. An observer may do nothing.
 bool mayDoForThemselves(const SessionState& state, const Participant& author, StationId station,
                         const FactBody& body)
 {
@@ -147,6 +147,7 @@ bool mayDoForThemselves(const SessionState& state, const Participant& author, St
             [](const fact::ManikinBreathed&) { return true; },
             [](const fact::CuffSet&) { return true; },
             [](const fact::StyletDrawn&) { return true; },
+            [&](const fact::BagSqueezed&) { return state.atWork(station) == author.id; },
             [&](const fact::WorkTaken& f) { return mayPassOnWork(state, author, station, f); },
             [](const auto&) { return false; }},
         body);

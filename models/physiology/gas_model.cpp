@@ -95,7 +95,7 @@ bool GasModel::hasStylet() const
 
 void GasModel::drawStylet()
 {
-    if (obstacle().isEmpty())
+    if (obstacleToTube().isEmpty())
         m_session.node().propose(m_changes.stations().shown, fact::StyletDrawn{});
 }
 
@@ -168,7 +168,8 @@ QString GasModel::textOf(const Decision& decision)
 
 void GasModel::set(const Decision& decision)
 {
-    if (obstacle().isEmpty())
+    const bool isOfTube = std::holds_alternative<bool>(decision);
+    if ((isOfTube ? obstacleToTube() : obstacle()).isEmpty())
         m_changes.set(decision.index(), decision);
 }
 
@@ -183,6 +184,7 @@ void GasModel::refresh()
     now.given = givenText();
     now.tube = tubeText();
     now.obstacle = obstacle();
+    now.obstacleToTube = obstacleToTube();
     now.weight_kg = weight_kg();
     now.hasStylet = hasStylet();
     now.canUndo = canUndo();

@@ -12,12 +12,13 @@
 namespace carina
 {
 
-/// The gas, the cuff and the drugs of one station's patient, as an instructor sees and gives them.
+/// The gas, the cuff and the drugs of one station's patient, as people see and give them.
 ///
 /// A change is sent to every site before it takes effect; until then the getters already return it
 /// and `travellingText` lists it. While one change of a quantity is pending, only the latest
-/// further one is kept. Only instructors can change anything; what others set is ignored. Gas and
-/// cuff can be undone; a drug that was given cannot be taken back.
+/// further one is kept. Only instructors change gas and give drugs; cuff and stylet are for
+/// trainees at the station, too. What others set is ignored. Gas and cuff can be undone; a drug
+/// that was given cannot be taken back.
 class GasModel : public QObject
 {
     Q_OBJECT
@@ -61,8 +62,13 @@ public:
     [[nodiscard]] QString tubeText() const;
     /// The pending changes, one per line; empty if there are none.
     [[nodiscard]] QString travellingText() const;
-    /// One sentence: why this person cannot change anything; empty if they can.
+    /// One sentence: why this person cannot change the gas or give a drug; empty if they can.
     [[nodiscard]] QString obstacle() const { return obstacleToChange(m_session); }
+    /// One sentence: why this person can handle neither cuff nor stylet; empty if they can.
+    [[nodiscard]] QString obstacleToTube() const
+    {
+        return carina::obstacleToTube(m_session, m_changes.stations().shown);
+    }
 
     [[nodiscard]] bool canUndo() const { return m_changes.canUndo(); }
     /// Reverts the last change of gas or cuff, at each station where nobody decided otherwise
@@ -87,6 +93,7 @@ private:
         QString given;
         QString tube;
         QString obstacle;
+        QString obstacleToTube;
         double weight_kg = 0.0;
         bool hasStylet = false;
         bool canUndo = false;

@@ -11,4 +11,8 @@ namespace carina
 /// they can.
 [[nodiscard]] QString obstacleToChange(const SessionModel& session);
 
+/// One sentence: why the person at this program cannot handle cuff and stylet at a station, where
+/// trainees who are there can, and instructors; empty if they can.
+[[nodiscard]] QString obstacleToTube(const SessionModel& session, StationId station);
+
 } // namespace carina

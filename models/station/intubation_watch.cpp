@@ -183,11 +183,13 @@ void IntubationWatch::queue(IntubationEvent event, SessionTime now)
     m_queued.push_back(event);
 }
 
-/// In the order in which they were concluded, also where one has to wait.
+/// In the order in which they were concluded, also where one has to wait. With the size of the tube
+/// that lies there: of the site where it is calibrated, else the patient's usual one.
 void IntubationWatch::propose(SessionTime now)
 {
     while (!m_queued.empty() && m_queued.front().at <= now) {
-        m_node.propose(m_station, fact::IntubationNoted{.event = m_queued.front()});
+        m_node.propose(m_station,
+                       fact::IntubationNoted{m_queued.front(), m_patient->tube().innerDiameter});
         m_queued.pop_front();
     }
 }

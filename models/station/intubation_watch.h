@@ -19,7 +19,8 @@ namespace carina
 
 /// Follows the intubation at a station from the poses of tube and laryngoscope, while this
 /// program's participant is at work there and the session runs, and notes its steps in the session
-/// (fact::IntubationNoted).
+/// (fact::IntubationNoted), with the inner diameter of the tube: that of the site where it is
+/// calibrated, else the patient's usual one (PatientModel::tube).
 ///
 /// Moments are kEach apart, at whole multiples of it in session time, and kBehind in the past,
 /// where poses are interpolated between samples and not predicted. Patient, neck, jaw and tissue

@@ -125,6 +125,21 @@ Length outerDiameterOf(Length innerDiameter)
     return millimetres(kOuter[i] + share * (kOuter[i + 1] - kOuter[i]));
 }
 
+Length soldInnerDiameterOf(Length outerDiameter)
+{
+    constexpr Length kStepOfSizes = millimetres(0.5);
+    constexpr int kThinnest = 4; // in such steps
+    constexpr int kThickest = 24;
+    const auto isOff = [&](Length inner) {
+        return std::abs((outerDiameterOf(inner) - outerDiameter).si);
+    };
+    Length nearest = double(kThinnest) * kStepOfSizes;
+    for (int steps = kThinnest + 1; steps <= kThickest; ++steps)
+        if (const Length size = double(steps) * kStepOfSizes; isOff(size) < isOff(nearest))
+            nearest = size;
+    return nearest;
+}
+
 Length usualTipAboveCarina(Length innerDiameter)
 {
     constexpr Length kUsual = millimetres(30.0);
@@ -160,6 +175,7 @@ Result<TubeShape> makeTube(Length innerDiameter, std::span<const Vec3> path_A,
                      .p_E_centre = tube.points,
                      .p_E_tip = tube.points.back(),
                      .tipAboveCarina = tipAboveCarina,
+                     .innerDiameter = innerDiameter,
                      .outerDiameter = outer,
                      .pieces = piecesOf(tube, 0.5 * outer.si)};
 }
@@ -176,6 +192,7 @@ TubeShape tubeAlong(const TubeShape& tube, std::span<const Vec3> p_E_centre, Len
             .p_E_centre = line.points,
             .p_E_tip = p_E_tip,
             .tipAboveCarina = tube.tipAboveCarina,
+            .innerDiameter = soldInnerDiameterOf(outerDiameter),
             .outerDiameter = outerDiameter,
             .pieces = piecesOf(line, 0.5 * outerDiameter.si),
             .fitsAirway = false};

@@ -29,6 +29,7 @@ struct TubeShape {
     std::vector<Vec3> p_E_centre; ///< centreline, from the connector to the tip
     Vec3 p_E_tip = Vec3::Zero();
     Length tipAboveCarina; ///< along the path, at the final depth
+    Length innerDiameter;
     Length outerDiameter;
     std::vector<TubePiece> pieces;
     bool fitsAirway = true; ///< it is shaped like the airway; else it is as it was touched
@@ -37,6 +38,11 @@ struct TubeShape {
 /// Outer diameter of a tube for its inner one, from a manufacturer's list (6.0 mm: 8.2, 6.5: 8.9,
 /// 7.0: 9.6, 7.5: 10.2, 8.0: 10.9 mm), with linear interpolation and extrapolation.
 [[nodiscard]] Length outerDiameterOf(Length innerDiameter);
+
+/// The inner diameter of a tube whose outer one was measured: of the sizes that are sold, half a
+/// millimetre apart from 2 to 12 mm, the one with the nearest outer diameter by that list. A tube
+/// of another maker, with a thicker or thinner wall, can be one size off.
+[[nodiscard]] Length soldInnerDiameterOf(Length outerDiameter);
 
 /// How far above the carina the tip of a tube is at its final depth: 30 mm, and of the tubes of
 /// infants, below 5 mm, less in proportion. A newborn's tube of 3.0 mm is then 9.4 cm deep at the
@@ -55,7 +61,8 @@ struct TubeShape {
                                          Length tipAboveCarina = millimetres(30.0));
 
 /// The tube with another centreline, as one that was touched has it at rest: at the final depth its
-/// tip lies at the same place, and its ends lie along the same line.
+/// tip lies at the same place, and its ends lie along the same line. Its inner diameter is that of
+/// a tube that is sold with the outer one (soldInnerDiameterOf).
 /// @pre at least two points, no two neighbours equal; the outer diameter is above 0.
 [[nodiscard]] TubeShape tubeAlong(const TubeShape& tube, std::span<const Vec3> p_E_centre,
                                   Length outerDiameter);

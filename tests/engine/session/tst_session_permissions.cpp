@@ -28,6 +28,7 @@ private Q_SLOTS:
     void knowsTheStationItIsAbout();
     void hearsOfAManikinFromThoseWhoAreAtIt();
     void hearsOfAnIntubationFromWhoIsAtWork();
+    void letsNoTraineeSqueezeTheBagButWhoIsAtWork();
     void refusesACheckpointOfWhatIsToCome();
 };
 
@@ -99,7 +100,6 @@ void TestSessionPermissions::permitsByRole_data()
     row("chooses the strategy", "yynnnn", [](auto) { return fact::StrategyChosen{}; });
     row("turns the patient", "yynnnn", [](auto) { return fact::BodyPositionSet{}; });
     row("stops the breathing", "yynnnn", [](auto) { return fact::BreathingStopped{}; });
-    row("squeezes a bag", "yynnnn", [](auto) { return fact::BagSqueezed{}; });
     row("makes the cords shut", "yynnnn", [](auto) {
         return fact::AirwayEventsSet{{{AirwayEventKind::Laryngospasm, 1.0}}, {}};
     });
@@ -128,6 +128,7 @@ void TestSessionPermissions::permitsByRole_data()
     row("inflates the cuff", "yyynnn", [](auto) { return fact::CuffSet{true}; });
     row("draws the stylet", "yyynnn", [](auto) { return fact::StyletDrawn{}; });
     // Who is at work in this session is the trainee.
+    row("squeezes a bag", "yyynnn", [](auto) { return fact::BagSqueezed{}; });
     row("notes a step of the intubation", "ynynnn",
         [](auto) { return notedNow(IntubationStep::ThroughCords); });
     row("chooses the anatomy", "yynnnn", [](auto) { return fact::AnatomyChosen{"aa", "A"}; });
@@ -474,6 +475,29 @@ void TestSessionPermissions::hearsOfAnIntubationFromWhoIsAtWork()
     writer.add(kNow, fact::ParticipantMuted{kSampleInstructor, true});
     QVERIFY(!isHeard(kSampleInstructor));
     QVERIFY(isHeard(kSampleHost));
+}
+
+void TestSessionPermissions::letsNoTraineeSqueezeTheBagButWhoIsAtWork()
+{
+    LogWriter writer = sampleSession();
+    writer.add(atSeconds(1.0), fact::StationAdded{"Station 2"}, StationId{1});
+    const fact::BagSqueezed squeezed{{perMinute(12.0), millilitres(300.0)}};
+    const auto squeezes = [&](ParticipantId author, StationId station = kSampleStation) {
+        return verdict(judgeBy(SessionAuthority{writer.log()}, author, squeezed, station));
+    };
+    QCOMPARE(squeezes(kSampleTrainee), QByteArray{"fine"});
+    QCOMPARE(squeezes(kSampleTrainee, StationId{1}), QByteArray{"not permitted"});
+    QCOMPARE(squeezes(kSampleTrainee, kAllStations), QByteArray{"not permitted"});
+    QCOMPARE(squeezes(kSampleOtherTrainee), QByteArray{"not permitted"});
+    writer.add(kNow, fact::WorkTaken{kSampleOtherTrainee, kSampleTrainee});
+    QCOMPARE(squeezes(kSampleTrainee), QByteArray{"not permitted"});
+    QCOMPARE(squeezes(kSampleOtherTrainee), QByteArray{"fine"});
+    writer.add(kNow, fact::WorkTaken{kSampleInstructor, kSampleOtherTrainee});
+    QCOMPARE(squeezes(kSampleOtherTrainee), QByteArray{"not permitted"});
+    QCOMPARE(squeezes(kSampleInstructor), QByteArray{"fine"});
+    writer.add(kNow, fact::WorkTaken{kSampleTrainee, kSampleInstructor});
+    writer.add(kNow, fact::ParticipantMuted{kSampleTrainee, true});
+    QCOMPARE(squeezes(kSampleTrainee), QByteArray{"muted"});
 }
 
 void TestSessionPermissions::refusesACheckpointOfWhatIsToCome()

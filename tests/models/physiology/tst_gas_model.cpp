@@ -28,7 +28,8 @@ private Q_SLOTS:
     void listsWhatWasGivenLately();
     void tellsWhereTheTubeIsAndWhatOverridesIt();
     void drawsTheStyletOfATubeThatIsFollowed();
-    void letsOnlyAnInstructorChange();
+    void letsOnlyAnInstructorChangeGasAndGiveDrugs();
+    void letsWhoIsAtTheStationHandleTheTube();
     void hasAWordForEverything();
 };
 
@@ -213,20 +214,39 @@ void TestGasModel::drawsTheStyletOfATubeThatIsFollowed()
     QVERIFY(console.model.hasStylet());
 }
 
-void TestGasModel::letsOnlyAnInstructorChange()
+void TestGasModel::letsOnlyAnInstructorChangeGasAndGiveDrugs()
 {
     for (const ParticipantId self : {FakeSessionNode::kTrainee, FakeSessionNode::kObserver}) {
         Console console{self};
         const int before = console.node.proposed;
         QVERIFY(!console.model.obstacle().isEmpty());
         console.model.setGas(kPreoxygenation);
-        console.model.setCuff(true);
         console.model.give(DrugKind::Propofol, 2.0);
-        console.model.drawStylet();
         console.settle();
         QCOMPARE(console.node.proposed, before);
         QVERIFY(console.model.gas() == GasSupply{});
     }
+}
+
+void TestGasModel::letsWhoIsAtTheStationHandleTheTube()
+{
+    Console observer{FakeSessionNode::kObserver};
+    observer.note(IntubationStep::ThroughCords, TubeSeat::Trachea);
+    const int before = observer.node.proposed;
+    QVERIFY(!observer.model.obstacleToTube().isEmpty());
+    observer.model.setCuff(true);
+    observer.model.drawStylet();
+    QCOMPARE(observer.node.proposed, before);
+    QVERIFY(!observer.model.isCuffInflated());
+
+    Console trainee{FakeSessionNode::kTrainee};
+    trainee.note(IntubationStep::ThroughCords, TubeSeat::Trachea);
+    QVERIFY(trainee.model.obstacleToTube().isEmpty());
+    trainee.model.setCuff(true);
+    trainee.model.drawStylet();
+    trainee.settle();
+    QVERIFY(trainee.model.isCuffInflated());
+    QVERIFY(!trainee.model.hasStylet());
 }
 
 void TestGasModel::hasAWordForEverything()

@@ -16,6 +16,7 @@ private Q_SLOTS:
     void dependsOnTheRole();
     void isTheEndOfTheSession_data();
     void isTheEndOfTheSession();
+    void toTheTubeDependsOnRoleAndStation();
 };
 
 namespace
@@ -72,6 +73,29 @@ void TestObstacleToChange::isTheEndOfTheSession()
     enter(node, SessionPhase::Running);
     enter(node, SessionPhase::Ended);
     QCOMPARE(obstacleToChange(session), QStringLiteral("The session has ended."));
+}
+
+void TestObstacleToChange::toTheTubeDependsOnRoleAndStation()
+{
+    constexpr StationId kElsewhere{1};
+    const auto obstacleOf = [](ParticipantId self, StationId station, bool isMuted = false) {
+        FakeSessionNode node{self};
+        node.addStation("Station 2");
+        if (isMuted)
+            node.decide(fact::ParticipantMuted{self, true});
+        const SessionModel session{node};
+        return obstacleToTube(session, station);
+    };
+    const StationId here = FakeSessionNode::kStation;
+    QVERIFY(obstacleOf(FakeSessionNode::kTrainee, here).isEmpty());
+    QVERIFY(obstacleOf(FakeSessionNode::kTrainee, here, true)
+                .contains(QStringLiteral("muted"), Qt::CaseInsensitive));
+    QCOMPARE(obstacleOf(FakeSessionNode::kTrainee, kElsewhere),
+             QStringLiteral("You are at another station."));
+    QVERIFY(obstacleOf(FakeSessionNode::kInstructor, kElsewhere).isEmpty());
+    QCOMPARE(obstacleOf(FakeSessionNode::kObserver, here),
+             QStringLiteral("Observers watch; trainees handle the tube."));
+    QCOMPARE(obstacleOf(kNobody, here), QStringLiteral("Wait until the session has let you in."));
 }
 
 CARINA_TEST(TestObstacleToChange)

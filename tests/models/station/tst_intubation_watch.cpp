@@ -65,6 +65,12 @@ struct Work {
             watch.look();
         }
     }
+    /// Where the mechanics take the tube to be.
+    [[nodiscard]] TubePlace place() const
+    {
+        const auto state = node.state();
+        return state->stations().at(FakeSessionNode::kStation).respiration.tubePlaceAt(*node.now());
+    }
     [[nodiscard]] std::vector<IntubationEvent> noted(IntubationStep step) const
     {
         std::vector<IntubationEvent> found;
@@ -109,6 +115,22 @@ private Q_SLOTS:
                 < kDepth);
         QVERIFY(through.front().confidence < 0.75); // nobody saw it pass
         QVERIFY(work.noted(IntubationStep::InOesophagus).empty());
+    }
+
+    /// A tube of the site's that is thicker than the patient's usual one.
+    void notesTheSizeOfTheTubeThatLiesThere()
+    {
+        const PatientModel thicker =
+            patient().withTube(patient().tube().p_E_centre, outerDiameterOf(millimetres(7.5)));
+        Work work;
+        work.runs();
+        work.tube = [](SessionTime) { return pushed(0.0); };
+        work.goOn(2s);
+        QCOMPARE(work.place().seat, TubeSeat::Trachea);
+        QCOMPARE(inMillimetres(work.place().innerDiameter), 6.5);
+        work.watch.lieIn(thicker);
+        work.goOn(3s);
+        QCOMPARE(inMillimetres(work.place().innerDiameter), 7.5);
     }
 
     void notesATubeThatIsPushedPastTheCarina()

@@ -20,6 +20,8 @@ class TestTube : public QObject
 private Q_SLOTS:
     void outerDiameterFollowsTheMakersList_data();
     void outerDiameterFollowsTheMakersList();
+    void findsTheSizeThatIsSoldWithAnOuterDiameter_data();
+    void findsTheSizeThatIsSoldWithAnOuterDiameter();
     void liesInTheAirwayWithItsTipAboveTheCarina();
     void connectorFrameLooksOutOfThePatient();
     void everyPieceIsClosedAndFacesOutward();
@@ -113,6 +115,26 @@ void TestTube::outerDiameterFollowsTheMakersList()
     QVERIFY(std::abs(inMillimetres(outerDiameterOf(millimetres(inner))) - outer) < 1e-9);
 }
 
+void TestTube::findsTheSizeThatIsSoldWithAnOuterDiameter_data()
+{
+    QTest::addColumn<double>("outer");
+    QTest::addColumn<double>("inner");
+    QTest::newRow("6.0") << 8.2 << 6.0;
+    QTest::newRow("7.0") << 9.6 << 7.0;
+    QTest::newRow("8.0") << 10.9 << 8.0;
+    QTest::newRow("a little thicker than 7.0") << 9.85 << 7.0;
+    QTest::newRow("a little thinner than 7.5") << 9.95 << 7.5;
+    QTest::newRow("thinner than any") << 1.0 << 2.0;
+    QTest::newRow("thicker than any") << 20.0 << 12.0;
+}
+
+void TestTube::findsTheSizeThatIsSoldWithAnOuterDiameter()
+{
+    QFETCH(const double, outer);
+    QFETCH(const double, inner);
+    QCOMPARE(inMillimetres(soldInnerDiameterOf(millimetres(outer))), inner);
+}
+
 void TestTube::liesInTheAirwayWithItsTipAboveTheCarina()
 {
     constexpr double kTolerance = 0.1 * kMillimetre;
@@ -167,6 +189,7 @@ void TestTube::wallHasTheOuterDiameter()
         widest = std::max(widest, 2.0 * std::hypot(p.x(), p.y()));
     QVERIFY(std::abs(widest - 9.6 * kMillimetre) < kTolerance);
     QCOMPARE(inMillimetres(tube.outerDiameter), 9.6);
+    QCOMPARE(inMillimetres(tube.innerDiameter), 7.0);
 }
 
 void TestTube::connectorHasFifteenMillimetres()
@@ -270,6 +293,7 @@ void TestTube::liesInPlaceAsItWasTouched()
     const NeckField neck = bentNeck();
     const std::array straight{Vec3{0.0, 0.0, 0.0}, Vec3{0.0, 0.0, -0.3}};
     const TubeShape touched = tubeAlong(bentTube(), straight, millimetres(9.6));
+    QCOMPARE(inMillimetres(tubeAlong(bentTube(), straight, millimetres(8.9)).innerDiameter), 6.5);
     const Vec3 p_A_tip = bentTube().X_AE * bentTube().p_E_tip;
     const RigidTransform turned{rotationFromVector({0.2, -0.3, 0.1}), Vec3::Zero()};
     const RigidTransform X_AE = RigidTransform::translation(p_A_tip) * turned

@@ -16,6 +16,9 @@ constexpr int kVitalsInterval_ms = 20;
 constexpr RisingEdge kRWave{0.35, 0.5};
 constexpr double kForgotten_perSecond = 1.0; ///< by how much what was heard fades on the screen
 constexpr double kWheezes = 0.1;             ///< least obstruction that is told as wheezing
+/// Loudness of the breath beneath it from which on a wheeze is told: it is high and carries
+/// farther. Of ours; above what crosses the chest from the other lung in a quiet breath.
+constexpr double kWheezeHeard = 0.015;
 
 /// The last multiple of the sampling interval at or before t.
 SessionTime vitalsSampleBefore(SessionTime t)
@@ -205,8 +208,8 @@ void VitalsModel::listen(const AuscultationGains& gains, const BreathFlows& flow
     const bool beats = m_beaten && *m_last - *m_beaten < kPulseMark;
     hear(loud.heart, beats ? gains.heart : 0.0);
     m_heard.isOnChest = gains != AuscultationGains{};
-    m_heard.wheezes = (flows.rightObstruction > kWheezes && loud.right > kThroughChest)
-                      || (flows.leftObstruction > kWheezes && loud.left > kThroughChest);
+    m_heard.wheezes = (flows.rightObstruction > kWheezes && loud.right > kWheezeHeard)
+                      || (flows.leftObstruction > kWheezes && loud.left > kWheezeHeard);
 }
 
 void VitalsModel::tellChange()

@@ -228,7 +228,7 @@ void InstructorWindow::offerPanels()
     offer(m_ui->monitorDock, "showMonitor", tr("Bedside m&onitor"), QStringLiteral("Ctrl+H"),
           tr("Heart, oxygen, CO2 and blood pressure of the patient, alarms, and the volume of "
              "their sounds"));
-    offer(m_ui->participantsDock, "showParticipants", tr("&Participants"), QStringLiteral("Ctrl+U"),
+    offer(m_ui->participantsDock, "showParticipants", tr("&People"), QStringLiteral("Ctrl+U"),
           tr("Who takes part, and what is decided about them"));
     offer(m_ui->invitationDock, "showInvitation", tr("&Invite"), QStringLiteral("Ctrl+I"),
           tr("Codes for joining, and their links as a QR code"));

@@ -29,7 +29,7 @@ SEVERITY = 0.9
 DEVELOPS_S = 150  # in which gas enters the chest with every breath
 CHANGED = 6.0  # grey levels that pictures differ at least, at the most alike moments of breathing
 PANELS = ["Condition", "Gas", "Airway", "Move", "Parts", "Tracker", "Breathing", "Waves", "Vitals",
-          "Try", "Participants", "Network", "Invite"]
+          "Try", "People", "Network", "Invite"]
 CONSOLE, TRAINEE, JOINING = "Carina instructor", "Carina trainee", "Join a session"
 WINDOWS = ("frame", "dialog", "filler")
 PAUSED, CONNECTING = "Paused", "Connecting to the instructor"

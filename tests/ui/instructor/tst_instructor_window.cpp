@@ -52,7 +52,7 @@ constexpr ParticipantId kOlga = FakeSessionNode::kObserver;
 constexpr StationId kRoom{1};
 constexpr ObjectId kPatient = FakeSessionNode::kPatient;
 constexpr ObjectId kLungs{3};
-constexpr std::size_t kPanels = 13;
+constexpr std::size_t kPanels = 14;
 constexpr std::chrono::seconds kDrawn{30}; ///< a frame, by a loaded software renderer
 
 /// One with the same surfaces as the console's.

@@ -15,6 +15,7 @@
 #include "apps/trainee/trainee_station.h"
 #include "engine/io/anatomy_set/anatomy_cache.h"
 #include "models/patient/shared_patient.h"
+#include "models/physiology/hands_model.h"
 #include "models/station/intubation_watch.h"
 #include "models/station/own_station.h"
 #include "models/vitals/sound_output.h"
@@ -287,6 +288,7 @@ Result<Left> takePart(const QCommandLineParser& parser, Outfit& outfit, program:
     StationVitals vitals{session, place.id(), KeptSounds{program::dataFolder(parser)}};
     const SoundOutput sound{
         [&vitals](std::span<float> samples) { vitals.model().sounds().render(samples); }};
+    HandsModel hands{session, place.id()};
     OfferSwitch offer{[&station] { return OfferGiver::Shown{station.view(), station.patient()}; }};
     TraineeWindow window{station.node(),
                          sessionPatient,
@@ -304,6 +306,7 @@ Result<Left> takePart(const QCommandLineParser& parser, Outfit& outfit, program:
     IntubationWatch watch{station.node(), place.id(), tools.posesOnScreen()};
     watch.readView([&window] { return window.glottisSeen(); });
     window.setMonitor(vitals.model(), sound);
+    window.setHands(hands);
     vitals.setStethoscope([&window, hears = std::make_shared<Stethoscope>()] {
         const StationScene& scene = window.stationScene();
         return hears->heard(scene.patient(), scene.moment());
@@ -347,6 +350,7 @@ Result<Left> takePart(const QCommandLineParser& parser, Outfit& outfit, program:
         watch.setStation(now);
         tries.setStation(now);
         vitals.setStation(now);
+        hands.setStation(now);
         sessionPatient.setStation(now);
         if (*journal)
             (*journal)->setStation(now);

@@ -6,6 +6,7 @@
 #include "models/station/station_notice.h"
 #include "ui/panels/airway/laryngoscope_panel.h"
 #include "ui/panels/airway/try_panel.h"
+#include "ui/panels/breathing/hands_panel.h"
 #include "ui/panels/patient/actions_panel.h"
 #include "ui/panels/patient/parts_panel.h"
 #include "ui/panels/patient/section_panel.h"
@@ -50,6 +51,8 @@ TraineeWindow::TraineeWindow(const SessionNode& node, SessionPatient& patient,
       m_debriefing{new QDockWidget{tr("Debriefing"), this}},
       m_monitor{new QDockWidget{tr("Bedside monitor"), this}},
       m_monitorPanel{new BedsideMonitorPanel},
+      m_hands{new QDockWidget{tr("Hands"), this}},
+      m_handsPanel{new HandsPanel},
       m_partsPanel{new PartsPanel},
       m_section{new SectionPanel},
       m_notices{new PlainLabel{this}, new PlainLabel{this}},
@@ -73,6 +76,7 @@ TraineeWindow::TraineeWindow(const SessionNode& node, SessionPatient& patient,
     makeLaryngoscope(tries);
     makeDebriefing(tries);
     makeMonitor();
+    makeHands();
     for (QLabel* notice : m_notices) {
         notice->setAttribute(Qt::WA_NativeWindow); // else the scene's own window would cover it
         notice->setAlignment(Qt::AlignCenter);
@@ -182,6 +186,17 @@ void TraineeWindow::setMonitor(VitalsModel& vitals, const SoundOutput& sound)
     m_monitorPanel->setModel(vitals, sound);
 }
 
+void TraineeWindow::makeHands()
+{
+    addPanel(m_hands, m_handsPanel, tr("Cuff, stylet and bag in a panel"));
+    addDockWidget(Qt::LeftDockWidgetArea, m_hands); // beneath the monitor, which shows what follows
+    m_hands->hide();
+    for (QAction* action : m_handsPanel->handActions())
+        addAction(action); // so that its key acts while the panel is shut
+}
+
+void TraineeWindow::setHands(HandsModel& hands) { m_handsPanel->setModel(hands); }
+
 void TraineeWindow::addPanel(QDockWidget* dock, QWidget* panel, const QString& menuText)
 {
     dock->setWidget(panel);
@@ -217,6 +232,8 @@ void TraineeWindow::makeMenu()
     m_menu.addAction(m_laryngoscope->toggleViewAction());
     m_menu.addAction(m_debriefing->toggleViewAction());
     m_menu.addAction(m_monitor->toggleViewAction());
+    m_menu.addSeparator();
+    addHands();
     m_menu.addSeparator();
     addFetching();
     addMotion();
@@ -295,6 +312,23 @@ void TraineeWindow::addPeople()
     };
     connect(&m_menu, &QMenu::aboutToShow, this, offer);
     offer();
+}
+
+/// What is not for this person is said beneath.
+void TraineeWindow::addHands()
+{
+    for (QAction* action : m_handsPanel->handActions())
+        m_menu.addAction(action);
+    QAction* obstacle = m_menu.addAction(QString{});
+    obstacle->setEnabled(false);
+    m_menu.addAction(m_hands->toggleViewAction());
+    const auto say = [=, this] {
+        QString text = m_handsPanel->obstacle();
+        obstacle->setText(text.replace(QLatin1Char{'&'}, QStringLiteral("&&"))); // of a name
+        obstacle->setVisible(!obstacle->text().isEmpty());
+    };
+    connect(&m_menu, &QMenu::aboutToShow, this, say);
+    say();
 }
 
 void TraineeWindow::addMotion()
@@ -381,7 +415,7 @@ void TraineeWindow::showTo(ViewOutput output)
     m_stationScene.showTo(m_headset, output);
     // A headset's picture keeps all of the window.
     for (QDockWidget* dock :
-         {m_actions, m_parts, m_tracker, m_laryngoscope, m_debriefing, m_monitor}) {
+         {m_actions, m_parts, m_tracker, m_laryngoscope, m_debriefing, m_monitor, m_hands}) {
         dock->setFloating(output != ViewOutput::Screen);
         dock->setAllowedAreas(output == ViewOutput::Screen ? Qt::AllDockWidgetAreas
                                                            : Qt::NoDockWidgetArea);
@@ -442,8 +476,12 @@ void TraineeWindow::withdrawOffers()
 {
     if (!isRemoved(m_node))
         return;
-    m_actions->hide();
-    m_actions->toggleViewAction()->setVisible(false);
+    for (QDockWidget* dock : {m_actions, m_hands}) {
+        dock->hide();
+        dock->toggleViewAction()->setVisible(false);
+    }
+    for (QAction* action : m_handsPanel->handActions())
+        action->setVisible(false);
 }
 
 void TraineeWindow::refreshLesson()

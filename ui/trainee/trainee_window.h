@@ -24,6 +24,8 @@ namespace carina
 {
 
 class BedsideMonitorPanel;
+class HandsModel;
+class HandsPanel;
 class LaryngoscopePanel;
 class PartsPanel;
 class SectionPanel;
@@ -34,10 +36,10 @@ class VitalsModel;
 /// over the lower edge, once per eye if each has its own picture, and disappear automatically; the
 /// picture does not move. Esc opens a menu, from which panels for the actions on shared objects,
 /// the parts of the patient, the tools of the tracker, the view of the laryngoscope, the bedside
-/// monitor and the debriefing of the last try open: beside the picture on a screen, in a separate
-/// window with a headset. The debriefing opens by itself when a try has ended, and leaves the
-/// keyboard where it is. While no headset is tracked, mouse and keys turn the head that its picture
-/// is seen from.
+/// monitor, what hands do with cuff, stylet and bag, and the debriefing of the last try open:
+/// beside the picture on a screen, in a separate window with a headset. The debriefing opens by
+/// itself when a try has ended, and leaves the keyboard where it is. While no headset is tracked,
+/// mouse and keys turn the head that its picture is seen from.
 class TraineeWindow : public QMainWindow
 {
     Q_OBJECT
@@ -61,6 +63,8 @@ public:
 
     /// The patient's bedside monitor, in a panel of its own. @pre both outlive the window
     void setMonitor(VitalsModel& vitals, const SoundOutput& sound);
+    /// Cuff, stylet and bag, in a panel, in the menu and by key. @pre it outlives the window
+    void setHands(HandsModel& hands);
 
     [[nodiscard]] StationScene& stationScene() { return m_stationScene; }
     /// What was read of the glottis last, while the view of the laryngoscope is open.
@@ -88,6 +92,7 @@ private:
     void makeLaryngoscope(TryWatch& tries);
     void makeDebriefing(TryWatch& tries);
     void makeMonitor();
+    void makeHands();
     void addPanel(QDockWidget* dock, QWidget* panel, const QString& menuText);
     void makeMenu();
     /// Says at which station this is, where there are several.
@@ -95,6 +100,7 @@ private:
     void addOutputs();
     void addPresets();
     void addPeople();
+    void addHands();
     void addMotion();
     /// The choices of what the chin probe moves; shown while there is a choice.
     [[nodiscard]] std::vector<QAction*> addChinProbe();
@@ -121,6 +127,8 @@ private:
     QDockWidget* m_debriefing;
     QDockWidget* m_monitor;
     BedsideMonitorPanel* m_monitorPanel;
+    QDockWidget* m_hands;
+    HandsPanel* m_handsPanel;
     PartsPanel* m_partsPanel;
     SectionPanel* m_section;
     std::array<QLabel*, 2> m_notices; ///< for the whole window or its left half; for its right half

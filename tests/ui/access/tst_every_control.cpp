@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <QToolButton>
 
+#include <algorithm>
 #include <array>
 
 namespace carina::every_control_test
@@ -44,24 +45,23 @@ void runSession(ConsoleDesk& desk)
     awaitLayout();
 }
 
-/// The panels of a trainee's window, in their order.
+/// The panels of a trainee's window that have controls, by their titles.
 void nameTraineesPanels()
 {
-    QTest::addColumn<int>("panel");
-    QTest::newRow("actions") << 0;
-    QTest::newRow("parts") << 1;
-    QTest::newRow("tracker") << 2;
-    QTest::newRow("bedside monitor") << 4;
+    QTest::addColumn<QString>("panel");
+    for (const char* title : {"Actions", "Parts", "Tracker", "Bedside monitor", "Hands"})
+        QTest::newRow(title) << QString::fromLatin1(title);
 }
 
 /// In its own window where the output is a headset's.
-QDockWidget& shownPanel(test::TraineeDesk& desk, int panel)
+QDockWidget& shownPanel(test::TraineeDesk& desk, const QString& title)
 {
     desk.node.sharePatient(FakeSessionNode::kTrainee);
     desk.window.resize(1280, 800);
     desk.window.show();
     awaitLayout();
-    QDockWidget& dock = *desk.window.findChildren<QDockWidget*>().at(panel);
+    const auto docks = desk.window.findChildren<QDockWidget*>();
+    QDockWidget& dock = **std::ranges::find(docks, title, &QDockWidget::windowTitle);
     dock.show();
     dock.raise();
     awaitLayout();
@@ -184,7 +184,7 @@ private Q_SLOTS:
     void ofTheTraineesWindow_data() { nameTraineesPanels(); }
     void ofTheTraineesWindow()
     {
-        QFETCH(const int, panel);
+        QFETCH(const QString, panel);
         test::TraineeDesk desk;
         shownPanel(desk, panel);
         verifyControls(desk.window);
@@ -193,7 +193,7 @@ private Q_SLOTS:
     void ofTheTraineesPanelBesideAHeadset_data() { nameTraineesPanels(); }
     void ofTheTraineesPanelBesideAHeadset()
     {
-        QFETCH(const int, panel);
+        QFETCH(const QString, panel);
         test::TraineeDesk desk{ViewOutput::Mono};
         QDockWidget& dock = shownPanel(desk, panel);
         QVERIFY(dock.isWindow() && dock.isEnabled());

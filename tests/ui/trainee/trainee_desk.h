@@ -2,6 +2,7 @@
 
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "engine/io/anatomy_set/anatomy_cache.h"
+#include "models/physiology/hands_model.h"
 #include "models/vitals/sound_output.h"
 #include "models/vitals/station_vitals.h"
 #include "tests/models/fake_session_node.h"
@@ -22,6 +23,7 @@ struct TraineeDesk {
     explicit TraineeDesk(ViewOutput kind = ViewOutput::Screen) : output{kind}
     {
         window.setMonitor(vitals.model(), sound);
+        window.setHands(hands);
     }
 
     ViewOutput output;
@@ -37,6 +39,7 @@ struct TraineeDesk {
     StationVitals vitals{session, FakeSessionNode::kStation};
     SoundOutput sound{
         [this](std::span<float> samples) { vitals.model().sounds().render(samples); }};
+    HandsModel hands{session, FakeSessionNode::kStation};
     OfferSwitch offer{[this] { return OfferGiver::Shown{view, *drawn}; }};
     TraineeWindow window{node,
                          patient,

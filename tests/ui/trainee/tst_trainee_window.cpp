@@ -5,10 +5,13 @@
 #include "widgets/scene/view/graphics.h"
 #include "widgets/scene/view/scene_view.h"
 
+#include <QApplication>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTabBar>
+
+#include <utility>
 
 namespace carina::trainee_window_test
 {
@@ -166,6 +169,30 @@ private Q_SLOTS:
         QVERIFY(!panel->isAncestorOf(shown.window.focusWidget()));
         const auto* figures = panel->findChild<QLabel*>(QStringLiteral("tryFigures"));
         QVERIFY(figures->text().contains(QStringLiteral("Given up")));
+    }
+
+    /// Also while the picture has the keyboard, and without the panel.
+    void handlesCuffAndBagByKey()
+    {
+        Shown shown;
+        QApplication::setActiveWindow(&shown.window);
+        const auto tubeAndBag = [&shown] {
+            const auto state = shown.node.state();
+            const auto& there = state->stations().at(FakeSessionNode::kStation).respiration;
+            const SessionTime last = SessionTime::max();
+            return std::pair{there.tube().cuffInflatedAt(last),
+                             there.settingsAt(last).bag.rate > Frequency{}};
+        };
+        QCOMPARE(tubeAndBag(), (std::pair{false, false}));
+        QTest::keyClick(&shown.window, Qt::Key_F7);
+        QCOMPARE(tubeAndBag(), (std::pair{true, false}));
+        QTest::keyClick(&shown.window, Qt::Key_F9);
+        QCOMPARE(tubeAndBag(), (std::pair{true, true}));
+        shown.node.advance(std::chrono::seconds{1});
+        QVERIFY(soon([&] { return shown.hands.travellingText().isEmpty(); }));
+        QTest::keyClick(&shown.window, Qt::Key_F9);
+        QTest::keyClick(&shown.window, Qt::Key_F7);
+        QCOMPARE(tubeAndBag(), (std::pair{false, false}));
     }
 
     void keepsAHeadsetsPictureFree()

@@ -70,9 +70,11 @@ std::array<double, 2> wastedOf(const RespiratoryFold& breathing)
 {
     constexpr double kMost = 0.6;
     std::array<double, 2> wasted{};
-    for (std::size_t i = 0; i < 2; ++i)
-        wasted[i] = std::clamp(
-            breathing.system().lungs[i].alveolarDeadSpace / breathing.content()[i].gas, 0.0, kMost);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Volume dead = breathing.system().lungs[i].alveolarDeadSpace;
+        const Volume gas = breathing.content()[i].gas;
+        wasted[i] = gas > Volume{} ? std::clamp(dead / gas, 0.0, kMost) : kMost;
+    }
     return wasted;
 }
 

@@ -3,6 +3,8 @@
 #include "engine/session/facts/number_check.h"
 #include "engine/session/respiration/respiration_rules.h"
 
+#include <cmath>
+
 namespace carina
 {
 namespace
@@ -15,6 +17,7 @@ constexpr double kMostContent_mlPerL = 1000.0; ///< of oxygen in blood
 constexpr double kMostTension_mmHg = 1e5;
 constexpr double kMostPressure_mmHg = 1000.0;
 constexpr double kMostRate_perS = 50.0;
+constexpr double kLeastBeats_perS = 0.01; ///< of a heart that beats: its curves divide by it
 constexpr double kMostDrug_mg = 1e9;
 constexpr double kMostTime_s = 1e12;
 constexpr double kMostBreathed_ml = 1e12; ///< in a breath that does not end
@@ -115,17 +118,19 @@ Result<void> checkOximeter(const OximeterState& oximeter)
 
 Result<void> checkCirculation(const CirculationState& state)
 {
+    const double leastRate = state.heartRate_perS > 0.0 ? kLeastBeats_perS : 0.0;
+    const double lastPhase = std::nextafter(1.0, 0.0); // the curves of the heart expect it below 1
     return checkNumbers(
                {
-                   {"heart rate", state.heartRate_perS, -kBeyond, kMostRate_perS, " /s"},
+                   {"heart rate", state.heartRate_perS, leastRate, kMostRate_perS, " /s"},
+                   {"phase of a beat", state.beat, 0.0, lastPhase, ""},
                    {"blood pressure", state.mean_mmHg, -kBeyond, kMostPressure_mmHg, " mmHg"},
                    {"pulse pressure", state.pulse_mmHg, -kBeyond, kMostPressure_mmHg, " mmHg"},
                    {"harm of the heart", state.harm, -kBeyond, kMostHarm, ""},
                })
         .and_then([&] {
-            return checkShares({{"response to a stimulus", state.alarm},
-                                {"habituation", state.accustomed},
-                                {"phase of a beat", state.beat}});
+            return checkShares(
+                {{"response to a stimulus", state.alarm}, {"habituation", state.accustomed}});
         });
 }
 

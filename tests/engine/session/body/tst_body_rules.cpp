@@ -140,7 +140,9 @@ void TestBodyRules::refusesAStateThatNoBodyComesTo_data()
     row("pulse", [](BodyState& s) { s.circulation.pulse_mmHg = -1.0; });
     row("harm", [](BodyState& s) { s.circulation.harm = -1.0; });
     row("lowest", [](BodyState& s) { s.capnograph.lowest_mmHg = -1.0; });
-    row("beat", [](BodyState& s) { s.circulation.beat = 1.1; });
+    row("rate near 0", [](BodyState& s) { s.circulation.heartRate_perS = 1e-9; });
+    row("beat", [](BodyState& s) { s.circulation.beat = 1.0; });
+    row("before a beat", [](BodyState& s) { s.circulation.beat = -1e-9; });
     row("drug", [](BodyState& s) { s.drugs[3].effect_mgPerL = -1.0; });
     row("drug in a vein", [](BodyState& s) { s.drugs[6].vein_mg = -1.0; });
     row("spasm", [](BodyState& s) { s.spasm = 1.1; });

@@ -33,7 +33,8 @@ template <std::size_t Count> double atAge(const std::array<AtAge, Count>& points
 
 constexpr std::array<AtAge, 6> kHeartRate{
     {{0.0, 127.0}, {1.0, 123.0}, {2.0, 110.0}, {6.0, 91.0}, {12.0, 80.0}, {18.0, 72.0}}};
-constexpr std::array<AtAge, 3> kSystolic{{{0.0, 65.0}, {1.0, 92.0}, {15.0, 120.0}}};
+constexpr std::array<AtAge, 4> kSystolic{
+    {{0.0, 65.0}, {1.0 / 12.0, 80.0}, {1.0, 92.0}, {15.0, 120.0}}};
 constexpr std::array<AtAge, 5> kHaemoglobin{
     {{0.0, 165.0}, {0.25, 115.0}, {1.0, 115.0}, {12.0, 135.0}, {18.0, 150.0}}};
 constexpr std::array<AtAge, 3> kOpenWhenStill{{{0.0, 0.5}, {1.0, 0.5}, {6.0, 1.0}}};

@@ -36,8 +36,8 @@ struct BodyFigures {
 /// - Haemoglobin: 150 g/L in men, 135 in women, 115 at one year, 165 at birth [t].
 /// - Heart rate at 0, 1, 2, 6, 12 and 18 years: 127, 123, 110, 91, 80, 72 per minute (after
 ///   Fleming, Lancet 2011;377:1011).
-/// - Blood pressure: systolic 90 + 2 per year (APLS), 65 at birth, up to 120 mmHg; diastolic two
-///   thirds of it.
+/// - Blood pressure: systolic 90 + 2 per year (APLS), 65 at birth and 80 at one month [t], up to
+///   120 mmHg; diastolic two thirds of it.
 /// - Airways close within the resting volume of a child below six years (Mansell et al., J Appl
 ///   Physiol 1972;33:711); how much they leave in apnoea is ours, so that the apnoea times of small
 ///   children come near those published.

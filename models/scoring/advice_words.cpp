@@ -19,9 +19,9 @@ QString adviceText(Advice advice)
             "Advice", "Look at the capnogram with every breath: without a lasting wave take the "
                       "tube out and ventilate by mask."));
     case Advice::RecogniseSooner:
-        return adviceWords(
-            QT_TRANSLATE_NOOP("Advice", "The tube was in the oesophagus: seven breaths without a "
-                                        "lasting wave of CO2 are enough to know it."));
+        return adviceWords(QT_TRANSLATE_NOOP(
+            "Advice", "The tube was in the oesophagus: doubt it at the first breath "
+                      "without a wave of CO2, and never wait for more than seven."));
     case Advice::PullTubeBack:
         return adviceWords(QT_TRANSLATE_NOOP(
             "Advice", "Stop when the cuff has passed the cords, read the mark at the teeth and "

@@ -1,5 +1,7 @@
 #include "models/vitals/station_vitals.h"
 
+#include "engine/anatomy/patient/patient_build.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -13,6 +15,14 @@ namespace
 /// A breath into the oesophagus: half a sine in the first third of its time (of ours).
 constexpr double kBlown = 1.0 / 3.0;
 constexpr VolumeFlow kMostBlown = StomachSound::kFullFlow;
+
+/// How many times the flow of a patient is that of a grown person who breathes alike. Quiet flows
+/// go with the oxygen that is used, and so with the weight to the power of 0.75 (Brody).
+double ofGrownFlow(const PatientBuild& build)
+{
+    constexpr double kGrown_kg = 70.0;
+    return std::pow(kGrown_kg / usualWeight(build), 0.75);
+}
 
 const Station* stationIn(const SessionState& state, StationId id)
 {
@@ -113,8 +123,9 @@ std::optional<BreathFlows> StationVitals::flowsAt(SessionTime t)
         return std::nullopt;
     const LungConditions& conditions = run->fold().settings().conditions;
     const auto& intoLung = run->fold().moment().intoLung;
-    return BreathFlows{.right = intoLung[0],
-                       .left = intoLung[1],
+    const double heard = ofGrownFlow(run->fold().settings().build);
+    return BreathFlows{.right = heard * intoLung[0],
+                       .left = heard * intoLung[1],
                        .stomach = intoStomach(run->body().settings().stomachBreaths, t),
                        .rightObstruction = narrowness(conditions, ConditionSide::Right),
                        .leftObstruction = narrowness(conditions, ConditionSide::Left)};

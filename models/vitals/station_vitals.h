@@ -8,7 +8,8 @@ namespace carina
 {
 
 /// The bedside monitor of one station's patient in a session. While the session is paused nothing
-/// is measured.
+/// is measured. A child's breath is heard as loud as that of a grown person who breathes alike
+/// (of ours), though the flow of a newborn is a tenth of it.
 class StationVitals : public QObject
 {
     Q_OBJECT

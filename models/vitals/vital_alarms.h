@@ -46,16 +46,18 @@ struct AlarmLimits {
 /// Heart rate: below 18 years the 1st and 99th centile (Fleming et al., Lancet 2011;377:1011), 50
 /// and 120 /min from then on. Lowest systolic pressure: hypotension of the American Heart
 /// Association's paediatric life support, 60 mmHg in the newborn, 70 in the first year, then 70 + 2
-/// age, and 90 from ten years on. Apnoea: 15 s in the first year, then 20 s. The grown person's
-/// rates and the highest pressure (100 mmHg at birth, 4 more a year, up to 160) are of ours.
+/// age, and 90 from ten years on. Of ours: the saturations, the grown person's rates, the time of
+/// apnoea, 15 s in the first year and then 20 s, and the highest pressure, 100 mmHg at birth, 4
+/// more a year, up to 160.
 /// @pre age_years is 0 or more
 [[nodiscard]] AlarmLimits alarmLimits(double age_years);
 
 /// The alarms of a bedside monitor, from what it measures.
 ///
-/// An alarm begins, or becomes more urgent, when its limit was passed for kDelay_s on end; it ends,
-/// or becomes less urgent, once the value is back by more than a small distance (1 % of saturation,
-/// 2 beats per minute, 3 mmHg). Apnoea begins after its own time and ends with a breath's CO2.
+/// An alarm begins, or becomes more urgent, when its limit was passed for kDelay_s on end, and then
+/// has the urgency of the moment; it ends, or becomes less urgent, once the value is back by more
+/// than a small distance (1 % of saturation, 2 beats per minute, 3 mmHg; of ours). Apnoea begins
+/// after its own time and ends with a breath's CO2.
 /// Time that is not observed, as during a pause, does not count.
 class VitalAlarms
 {
@@ -69,7 +71,8 @@ public:
 
     static constexpr double kDelay_s = 4.0; ///< of ours
     static constexpr Duration kSilence = std::chrono::minutes{2};
-    /// A rise of exhaled CO2 through this is a breath.
+    /// A rise of exhaled CO2 through this is a breath: 1 kPa, the least amplitude of CO2 that
+    /// counts as exhaled (PUMA 2022, as textbooks have it).
     static constexpr Pressure kBreathCO2 = mmHg(7.5);
     /// A heart rate or pressure below this share of its low limit is of high priority (of ours).
     static constexpr double kVeryLow = 0.8;

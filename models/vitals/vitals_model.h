@@ -19,7 +19,8 @@ struct VitalsSources {
     std::function<std::optional<SessionTime>()> now{};
     /// Nothing where no patient lives at that time, as before a session or in a pause.
     std::function<std::optional<Vitals>(SessionTime)> vitals{};
-    /// What moves in the patient and is heard through the chest; may be empty.
+    /// What moves in the patient and is heard through the chest, as the flows of a grown person of
+    /// that loudness; may be empty.
     std::function<std::optional<BreathFlows>(SessionTime)> breath{};
     /// What a stethoscope hears where it is; may be empty, and gives nothing off the chest.
     std::function<std::optional<AuscultationGains>(SessionTime)> stethoscope{};

@@ -12,7 +12,7 @@ namespace carina
 /// helped, then how it was done. Each has a sentence in models/scoring.
 enum class Advice : std::uint8_t {
     TakeTubeOut,      ///< it is in the oesophagus
-    RecogniseSooner,  ///< that it was there
+    RecogniseSooner,  ///< that it was there; its seven breaths are of PUMA 2022, from textbooks
     PullTubeBack,     ///< it is beyond the carina
     VentilateBetween, ///< the saturation fell below 90 %
     SeeGlottisFirst,  ///< the tube went in without a view

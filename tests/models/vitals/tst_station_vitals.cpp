@@ -1,9 +1,12 @@
 #include "models/vitals/station_vitals.h"
+
+#include "engine/session/respiration/introduced_patient.h"
 #include "tests/models/fake_session_node.h"
 #include "tests/support/test_class.h"
 
 #include <QSignalSpy>
 
+#include <algorithm>
 #include <cmath>
 
 namespace carina::station_vitals_test
@@ -30,6 +33,22 @@ struct Desk {
         }
     }
 };
+
+/// How loud the right lung of a patient who breathes quietly is heard at most.
+double loudestOf(const PatientBuild& build)
+{
+    Desk desk;
+    desk.vitals.setStethoscope([] { return AuscultationGains{.right = 1.0}; });
+    for (const FactBody& fact : introducedPatient(build))
+        desk.node.decide(fact);
+    desk.start();
+    double loudest = 0.0;
+    for (int i = 0; i < 60; ++i) {
+        desk.pass(0.1);
+        loudest = std::max(loudest, desk.model.heard().loudness.right);
+    }
+    return loudest;
+}
 
 } // namespace
 
@@ -94,6 +113,15 @@ private Q_SLOTS:
             wheezed = wheezed || desk.model.heard().wheezes;
         }
         QVERIFY(wheezed);
+    }
+
+    // In an infant's lung some 60 ml/s move, and 300 in that of a grown person.
+    void hearsAnInfantAsWellAsAGrownPerson()
+    {
+        const double grown = loudestOf({metres(1.75), 77.0, 30.0, Sex::Male});
+        const double infant = loudestOf({metres(0.75), 9.0, 0.8, Sex::Female});
+        QVERIFY2(infant > 0.5 * grown && infant < 2.0 * grown,
+                 qPrintable(QStringLiteral("%1 and %2").arg(infant).arg(grown)));
     }
 
     // Only who has another age has other limits; the built-in child is twelve.

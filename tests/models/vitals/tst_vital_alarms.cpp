@@ -1,4 +1,6 @@
 #include "models/vitals/vital_alarms.h"
+
+#include "engine/physiology/body_figures.h"
 #include "tests/support/test_class.h"
 
 #include <cmath>
@@ -242,6 +244,21 @@ private Q_SLOTS:
         bed.now += std::chrono::minutes{10};
         bed.watch(0.1, false);
         QVERIFY(!bed.of(VitalAlarm::Apnoea));
+    }
+
+    void areNoneForAnyoneHealthyAtRest()
+    {
+        constexpr double kOneWeek_years = 7.0 / 365.0;
+        for (double age = 0.0; age < 20.0; age += kOneWeek_years) {
+            const BodyFigures body = bodyFiguresOf({metres(1.0), 15.0, age, Sex::Female});
+            const Frequency rate = perMinute(body.heartRate_perMin);
+            const Pressure systolic = mmHg(body.mean_mmHg + 2.0 / 3.0 * body.pulse_mmHg);
+            const AlarmLimits limits = alarmLimits(age);
+            QVERIFY2(rate > limits.slowHeart && rate < limits.fastHeart,
+                     qPrintable(QString::number(age)));
+            QVERIFY2(systolic > limits.lowSystolic && systolic < limits.highSystolic,
+                     qPrintable(QString::number(age)));
+        }
     }
 
     // American Heart Association: 70 + 2 age; Fleming et al. 2011 at 12 to 15 years: 47 and 108.

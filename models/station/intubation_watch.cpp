@@ -76,14 +76,23 @@ void IntubationWatch::look()
         forget(); // whoever works meanwhile has another tube
         return;
     }
-    m_lumen.want(*m_patient);
-    if (!m_tube && m_lumen.lumen())
-        m_tube.emplace(m_patient->tube(), m_lumen.lumen());
+    findLumen();
     takeMoments(*now);
     if (m_node.state()->phaseAt(*now) != SessionPhase::Running)
         return;
     takeControls(*now);
     propose(*now);
+}
+
+/// A tube that was not touched has no curve at rest that is known: it is drawn as it fits the
+/// airway in which it ends, and has no other shape to be bent from.
+void IntubationWatch::findLumen()
+{
+    if (m_tube || m_patient->tube().fitsAirway)
+        return;
+    m_lumen.want(*m_patient);
+    if (m_lumen.lumen())
+        m_tube.emplace(m_patient->tube(), m_lumen.lumen());
 }
 
 void IntubationWatch::takeMoments(SessionTime now)

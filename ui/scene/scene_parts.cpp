@@ -9,8 +9,8 @@ namespace
 
 constexpr const char* kMandible = "mandible";
 constexpr const char* kMeasuredTube = "measured tube";
-/// Below those of what is lifted out, and far above those of people.
-constexpr std::uint16_t kFirstIdOfMeasured = 0xe000;
+/// Below those of what lies in a throat, and far above those of people.
+constexpr std::uint16_t kFirstIdOfMeasured = 0xd000;
 
 std::string bodyName(SurfaceBody body)
 {

@@ -112,7 +112,7 @@ void findBronchus(AirwayMoment& moment, const PatientWays& ways, const Vec3& dow
     moment.aboveCarina = metres(-(place.beyond < 0.0 ? right : left).norm());
 }
 
-void findTip(AirwayMoment& moment, const PatientWays& ways)
+void findPlace(AirwayMoment& moment, const PatientWays& ways)
 {
     const PlaceOnWay inTrachea = nearestOnWay(ways.trachea, moment.p_A_tip);
     findOesophagus(moment, ways, inTrachea);
@@ -129,6 +129,14 @@ void findTip(AirwayMoment& moment, const PatientWays& ways)
         const Length along = std::min(nearestOnWay(ways.overTongue, moment.p_A_tip).along, over);
         moment.aboveCarina = trachea + (over - along);
     }
+}
+
+/// A tube that lies beside the patient may be farther away than an entry of a session may say.
+void findTip(AirwayMoment& moment, const PatientWays& ways)
+{
+    findPlace(moment, ways);
+    moment.aboveCarina =
+        std::clamp(moment.aboveCarina, -1.0 * kFarthestFromCarina, kFarthestFromCarina);
 }
 
 /// From where the tube last passes the plane at the incisors to its tip.

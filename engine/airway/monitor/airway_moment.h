@@ -36,7 +36,7 @@ struct AirwayMoment {
     Length pastCords{};         ///< through the cords' plane, likewise, in the larynx or behind it
     Length towardsOesophagus{}; ///< from halfway between airway and oesophagus; negative: airway
     Length tracheaToOesophagus{}; ///< at the height of the tip
-    Length aboveCarina{};         ///< along the airway, negative beyond
+    Length aboveCarina{};         ///< along the airway, negative beyond; to kFarthestFromCarina
     Length towardsLeft{};         ///< from halfway between both main bronchi; negative: right
     Length rightToLeft{};         ///< of these, at the height of the tip; 0 above the carina
     Length depthAtTeeth{};        ///< along the tube; 0 outside
@@ -59,6 +59,10 @@ inline constexpr Length kMostFromWindpipe = millimetres(15.0);
 /// Beside the glottis by more than this, in an adult, a tip lies in a piriform fossa, from which it
 /// goes into the oesophagus. Of ours: half a glottis' width, and half a tube.
 inline constexpr Length kBesideGlottis = millimetres(10.0);
+
+/// Farther along from the carina lies no place of an airway; a tip that lies beside the patient
+/// counts as this far. Of ours.
+inline constexpr Length kFarthestFromCarina = millimetres(500.0);
 
 /// @param ways of the patient, as they are drawn at that moment
 [[nodiscard]] AirwayMoment airwayMoment(SessionTime at, const PatientWays& ways,

@@ -82,6 +82,14 @@ private Q_SLOTS:
         QVERIFY(at(glottis - Vec3{0.013, 0.0, 0.0}).towardsOesophagus > millimetres(2.0));
     }
 
+    /// An entry of a session about the blade tells of the tube, too, that lies beside the patient.
+    void tubeBesideThePatientIsNoFartherThanAnEntryMaySay()
+    {
+        QCOMPARE(at({0.2, 0.0, -2.0}).aboveCarina.si, -kFarthestFromCarina.si);
+        QCOMPARE(at({-0.5, -0.5, -2.0}).aboveCarina.si, -kFarthestFromCarina.si);
+        QVERIFY(at({0.0, -2.0, 1.0}).aboveCarina <= kFarthestFromCarina);
+    }
+
     void distanceFromTheCarinaIsAlongTheAirway()
     {
         QVERIFY(std::abs(at({0.0, 0.0, 0.03}).aboveCarina.si - 0.03) < kExact);

@@ -1,6 +1,7 @@
 #include "engine/session/body/body_rules.h"
 
 #include "engine/session/facts/fact_rules.h"
+#include "tests/engine/physiology/bed.h"
 #include "tests/engine/session/body/lived_body.h"
 #include "tests/support/test_class.h"
 
@@ -23,6 +24,8 @@ private Q_SLOTS:
     void boundsADoseByItsDrug();
     void refusesAStateThatNoBodyComesTo_data();
     void refusesAStateThatNoBodyComesTo();
+    void acceptsABodyInApnoea_data();
+    void acceptsABodyInApnoea();
 };
 
 } // namespace carina::body_rules_test
@@ -159,6 +162,43 @@ void TestBodyRules::refusesAStateThatNoBodyComesTo()
     QVERIFY(!isRefused(state));
     spoil(state);
     QVERIFY(isRefused(state));
+}
+
+void TestBodyRules::acceptsABodyInApnoea_data()
+{
+    QTest::addColumn<PatientBuild>("build");
+    QTest::addColumn<double>("oxygen");
+    QTest::addColumn<double>("seconds");
+    QTest::addColumn<bool>("dies");
+    const PatientBuild heavy{metres(1.75), 150.0, 45.0, Sex::Male};
+    const PatientBuild lightest{metres(0.40), 1.0, 0.0, Sex::Male};
+    QTest::newRow("newborn") << test::kNewborn << 0.21 << 600.0 << true;
+    QTest::newRow("lightest") << lightest << 0.21 << 600.0 << true;
+    QTest::newRow("150 kg") << heavy << 0.21 << 600.0 << true;
+    QTest::newRow("lean adult") << test::kLeanAdult << 0.21 << 600.0 << true;
+    QTest::newRow("long, in oxygen") << test::kLeanAdult << 1.0 << 1200.0 << false;
+}
+
+// The host would else refuse its own checkpoint.
+void TestBodyRules::acceptsABodyInApnoea()
+{
+    constexpr double kCheckEvery_s = 10.0; // as checkpoints are made
+    QFETCH(const PatientBuild, build);
+    QFETCH(const double, oxygen);
+    QFETCH(const double, seconds);
+    QFETCH(const bool, dies);
+    test::Bed bed{build};
+    bed.holdMask(oxygen);
+    bed.run(60.0);
+    bed.stopBreathing();
+    for (double passed_s = 0.0; passed_s < seconds; passed_s += kCheckEvery_s) {
+        bed.run(kCheckEvery_s);
+        const BodyState& state = bed.body.state();
+        QCOMPARE(verdictOf(fact::BodyCheckpoint{{}, state}), QByteArray{"fine"});
+        QCOMPARE(verdictOf(fact::CapnographCheckpoint{{}, state.capnograph}), QByteArray{"fine"});
+    }
+    QCOMPARE(bed.body.state().circulation.arrested, dies);
+    QVERIFY(bed.body.state().blood.tissueCarbonDioxide_mmHg > 70.0);
 }
 
 CARINA_TEST(TestBodyRules)

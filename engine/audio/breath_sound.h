@@ -23,7 +23,7 @@ enum class BreathPlace : std::uint8_t {
 /// Physiol 1996;80:5). In the trachea its spectrum is flat to a sharp fall at some 850 Hz; through
 /// the lung it has lost its high frequencies (Pasterkamp, Kraman and Wodicka, AJRCCM 1997;156:974),
 /// more in expiration. Narrowed airways wheeze: a tone near 400 Hz, mostly in expiration. Corners
-/// as numbers, the loudness of expiration and the wheeze's shares are of ours.
+/// as numbers and the wheeze's shares are of ours.
 class BreathSound
 {
 public:
@@ -31,7 +31,8 @@ public:
     static constexpr VolumeFlow kFullFlow = litresPerSecond(0.5);
     static constexpr double kLoudness = 0.5;
     static constexpr double kFlowExponent = 1.66;
-    static constexpr double kExpiration = 0.4; ///< of a lung's amplitude in inspiration
+    /// Of a lung's amplitude in inspiration: 1 / 2.43 to 1 / 1.99 (Gavriely and Cugell, likewise).
+    static constexpr double kExpiration = 0.45;
     static constexpr double kWheeze_hz = 400.0;
 
     /// @pre seed is not 0

@@ -17,12 +17,12 @@ namespace carina
 ///
 /// What a monitor notes are facts; the oxygen follows from the facts, too. The poses of the
 /// laryngoscope and the head of who is at work are sampled every kPoseEvery of session time,
-/// kPoseDelay late, so that they are measured ones and not predicted. Nobody notes the first breath
-/// through a tube: it is the first one by bag or ventilator that began after the tube came where it
-/// lies. Mask ventilation counts where a bag or ventilator blew through a mask within kMaskBefore
-/// before the try; whether the manikin was ventilated, nobody measures. Forces are the estimates of
-/// whoever draws the blade in the patient, while somebody does. Up is to the front of the patient,
-/// who lies supine.
+/// kPoseDelay late, so that they are measured ones and not predicted. The first breath through a
+/// tube is that which the monitor notes (IntubationWatch) and, before it does, the first one by bag
+/// or ventilator that began after the tube came where it lies. Mask ventilation counts where a bag
+/// or ventilator blew through a mask within kMaskBefore before the try; whether the manikin was
+/// ventilated, nobody measures. Forces are the estimates of whoever draws the blade in the patient,
+/// while somebody does. Up is to the front of the patient, who lies supine.
 class TryWatch : public QObject
 {
     Q_OBJECT

@@ -34,10 +34,19 @@ SoundOutput::~SoundOutput() = default;
 
 void SoundOutput::open()
 {
+    close();
+    say(tryToOpen());
+}
+
+void SoundOutput::close()
+{
     m_feeding.stop();
     m_input = nullptr;
     m_sink.reset();
-    const QString obstacle = tryToOpen();
+}
+
+void SoundOutput::say(const QString& obstacle)
+{
     if (std::exchange(m_obstacle, obstacle) != obstacle)
         Q_EMIT changed();
 }
@@ -59,13 +68,26 @@ QString SoundOutput::tryToOpen()
     m_sink->setBufferSize(m_format.bytesForDuration(kSoundAhead_us));
     m_input = m_sink->start();
     if (!m_input || m_sink->error() != QAudio::NoError) {
-        m_input = nullptr;
+        close();
         return tr("No sound: the audio device “%1” does not start. Choose another one in the "
                   "settings of this computer.")
             .arg(device.description());
     }
+    // Queued: the sink must not be destroyed within its own signal.
+    connect(m_sink.get(), &QAudioSink::stateChanged, this, &SoundOutput::follow,
+            Qt::QueuedConnection);
     m_feeding.start();
     return {};
+}
+
+/// A device may fail while it plays; it is tried again once the devices change.
+void SoundOutput::follow()
+{
+    if (!m_sink || m_sink->state() != QAudio::StoppedState)
+        return;
+    close();
+    say(tr("No sound: the audio device has stopped. Connect it again, or choose another one in the "
+           "settings of this computer."));
 }
 
 void SoundOutput::feed()

@@ -17,7 +17,8 @@ namespace carina
 {
 
 /// Plays computed samples at this computer's usual audio device, and goes to another one when that
-/// changes. Where there is none the program goes on without sound, and obstacle() says so.
+/// changes. Where there is none, or it fails, the program goes on without sound, and obstacle()
+/// says so.
 class SoundOutput : public QObject
 {
     Q_OBJECT
@@ -39,7 +40,10 @@ Q_SIGNALS:
 
 private:
     void open();
+    void close();
+    void say(const QString& obstacle);
     [[nodiscard]] QString tryToOpen();
+    void follow();
     void feed();
 
     Render m_render;

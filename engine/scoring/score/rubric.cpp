@@ -17,13 +17,14 @@ bool isWithin(const Criterion& criterion, double value)
     return criterion.bound == Bound::AtMost ? value <= criterion.limit : value >= criterion.limit;
 }
 
-/// Of a time from the beginning that had a longest limit: when that was over.
+/// Of a time from the beginning that had a longest limit: when that was over, within the try.
 std::optional<SessionTime> momentOfLoss(const TryMetrics& metrics, const Criterion& criterion)
 {
     if (criterion.metric > Metric::TimeToBreath || criterion.bound != Bound::AtMost)
         return momentOf(metrics, criterion.metric);
     const std::chrono::duration<double> allowed{criterion.limit};
-    return std::min(metrics.begun + std::chrono::duration_cast<Duration>(allowed), metrics.ended);
+    return std::clamp(metrics.begun + std::chrono::duration_cast<Duration>(allowed), metrics.begun,
+                      metrics.ended);
 }
 
 Judgement judgementOf(const TryMetrics& metrics, const Criterion& criterion)

@@ -78,6 +78,10 @@ void TestRubricFile::saysWhatIsWrong_data()
     row("two limits", with("\"at_most\": 60,", "\"at_most\": 60, \"at_least\": 1,"),
         "either at_most or at_least");
     row("a text for a limit", with("60", "\"60\""), "criteria[0].at_most: a number is expected");
+    row("a limit beyond all numbers", with("60", "1e999"), "at byte");
+    row("a limit that is no number", with("60", "NaN"), "at byte");
+    row("a limit above a million", with("60", "1e9"), "criteria[0].at_most: a number is expected");
+    row("very deep lists", with("60", std::string(5000, '[')), "at byte");
     row("a penalty below 0", with("\"penalty\": 10", "\"penalty\": -10"),
         "criteria[1].penalty: a number that is not negative");
     row("no points", with("\"points\": 5,", ""), "criteria[1].points");

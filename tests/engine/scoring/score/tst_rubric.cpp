@@ -33,6 +33,7 @@ private Q_SLOTS:
     void takesAwayForTheOesophagus();
     void takesAwayForABronchus();
     void linksALateBreathToTheMomentItWasDue();
+    void linksALossToNoMomentBeforeTheTry();
     void losesWhatTheTryNeverCameTo();
     void meetsALimitExactly_data();
     void meetsALimitExactly();
@@ -95,6 +96,15 @@ void TestRubric::linksALateBreathToTheMomentItWasDue()
     QCOMPARE(time.verdict, ItemVerdict::Missed);
     QCOMPARE(time.value, 190.0);
     QCOMPARE(time.moment, courseTime(160.0));
+}
+
+/// A limit below 0 is never met.
+void TestRubric::linksALossToNoMomentBeforeTheTry()
+{
+    const Score score = scoreOf(
+        goodTry(), only({.metric = Metric::TimeToView, .bound = Bound::AtMost, .limit = -5.0}));
+    QCOMPARE(score.judgements.front().verdict, ItemVerdict::Missed);
+    QCOMPARE(score.judgements.front().moment, goodTry().begun);
 }
 
 void TestRubric::losesWhatTheTryNeverCameTo()

@@ -1,6 +1,7 @@
 #include "engine/anatomy/airway/airway_measure.h"
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "engine/geometry/mesh/surface_tree.h"
+#include "engine/geometry/rotation.h"
 #include "engine/session/simulated_station.h"
 #include "engine/session/simulated_tools.h"
 #include "engine/tracking/simulated/scripted_hands.h"

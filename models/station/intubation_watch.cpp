@@ -97,9 +97,13 @@ void IntubationWatch::findLumen()
 
 void IntubationWatch::takeMoments(SessionTime now)
 {
+    const bool isRunning = m_node.state()->phaseAt(now) == SessionPhase::Running;
+    if (!isRunning && !m_tube) {
+        m_taken.reset();
+        return;
+    }
     if (!m_ways)
         m_ways = waysOf(*m_patient);
-    const bool isRunning = m_node.state()->phaseAt(now) == SessionPhase::Running;
     const SessionTime until = wholeMultiple(now - kBehind);
     if (!m_taken || until - *m_taken > kLongestSkip)
         m_taken = until - kEach;

@@ -1,5 +1,6 @@
 #include "widgets/vitals/bedside_monitor.h"
 
+#include <QAccessible>
 #include <QFontMetrics>
 #include <QPainter>
 #include <QStyle>
@@ -104,8 +105,14 @@ void BedsideMonitor::setNumbers(const Numbers& numbers)
 
 void BedsideMonitor::setAlarms(std::vector<Alarm> alarms)
 {
+    const bool isNew =
+        !alarms.empty() && (m_alarms.empty() || m_alarms.front().text != alarms.front().text);
     m_alarms = std::move(alarms);
     tellChange();
+    if (!isNew)
+        return;
+    QAccessibleEvent event{this, QAccessible::Alert};
+    QAccessible::updateAccessibility(&event);
 }
 
 void BedsideMonitor::setSoundNote(const QString& note)

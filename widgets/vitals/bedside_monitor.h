@@ -85,7 +85,7 @@ public:
     /// Removes the curves.
     void clear();
     void setNumbers(const Numbers& numbers);
-    /// The most urgent first.
+    /// The most urgent first. A screen reader hears when another one comes first.
     void setAlarms(std::vector<Alarm> alarms);
     /// Shown at the right end of the alarm's line: that something is mute. Empty: nothing is.
     void setSoundNote(const QString& note);

@@ -22,10 +22,9 @@ struct CirculatoryLoad {
 ///
 /// - A stimulus of the airway raises the rate by kAlarmRate and the pressure by kAlarmPressure
 ///   within half a minute; it fades over some minutes (a rise of 20 to 30 % in textbooks).
-/// - Lack of oxygen: faster from 94 % down, by a quarter at 80 %; slower below 68 %. Below 60 %,
-/// and
-///   with a pressure below 0.4 of the normal one, the heart takes harm, and stops in the end. It
-///   does not start again: the model has no resuscitation.
+/// - Lack of oxygen: faster from 94 % down, by a quarter at 80 %; slower below 68 %.
+/// - The heart takes harm below 60 %, and with a pressure below 0.4 of the normal one, and stops in
+///   the end. It does not start again: the model has no resuscitation.
 /// - Gas under tension in the pleura obstructs the venous return: the pressure falls by 0.6 and the
 ///   rate rises by 0.7 when it is twice what the lungs hold at rest.
 void advance(CirculationState& state, const BodyFigures& body, const CirculatoryLoad& load,

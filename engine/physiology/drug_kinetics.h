@@ -18,9 +18,10 @@ struct DrugKinetics {
 
 /// Constants of a drug, per kilogram of the patient's weight at any age and build. The three
 /// compartments are those in use for target-controlled infusion under these names: propofol Marsh
-/// (Br J Anaesth 1991;67:41), ketamine Domino, fentanyl Shafer for 70 kg, rocuronium Wierda.
-/// Effect sites: propofol 1.2 per minute, as is usual with Marsh where a fast one is wanted; the
-/// others are ours. Suxamethonium, sugammadex and ephedrine: ours, fitted to onset and duration.
+/// (Br J Anaesth 1991;67:41), ketamine Domino, fentanyl Shafer for 70 kg, rocuronium Wierda, as
+/// printed by Masui (J Anesth 2018;32:709). Effect sites: propofol 1.2 per minute, as is usual with
+/// Marsh where a fast one is wanted; the others are ours. Suxamethonium, sugammadex and ephedrine:
+/// ours, fitted to onset and duration.
 [[nodiscard]] const DrugKinetics& kineticsOf(DrugKind kind);
 
 void inject(DrugsInBody& drugs, const DrugDose& dose);

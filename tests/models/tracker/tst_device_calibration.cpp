@@ -65,8 +65,8 @@ private Q_SLOTS:
     void tellsHowFarItWasTurnedAndMovedAndWhatIsMissing()
     {
         Bench bench;
-        bench.trackers.swing = {};
-        bench.trackers.path = {};
+        bench.trackers.swing = Vec3::Zero();
+        bench.trackers.path = Vec3::Zero();
         bench.calibrate(kTube, 1.0);
         QVERIFY2(bench.says("Turn the body"), qPrintable(bench.calibration.text()));
         bench.trackers.swing = {0.5, 0.0, 0.0};
@@ -98,7 +98,7 @@ private Q_SLOTS:
     void refusesABodyThatWasNotTurned()
     {
         Bench bench;
-        bench.trackers.swing = {};
+        bench.trackers.swing = Vec3::Zero();
         bench.calibrate();
         QCOMPARE(bench.calibration.state(), State::Refused);
         QVERIFY2(bench.says("turned too little"), qPrintable(bench.calibration.text()));

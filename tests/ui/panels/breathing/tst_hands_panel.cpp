@@ -156,7 +156,7 @@ void TestHandsPanel::givesEachActionAKeyAndANameOfItsOwn()
     QVERIFY(!keys.contains(QString{}) && !names.contains(QString{}));
 }
 
-CARINA_TEST(TestHandsPanel)
+CARINA_SCREEN_TEST(TestHandsPanel)
 
 } // namespace carina::hands_panel_test
 

@@ -205,7 +205,7 @@ void InstructorWindow::offerPanels()
     };
     offer(m_ui->breathingDock, "showBreathing", tr("&Breathing"), QStringLiteral("Ctrl+B"),
           tr("Rate, volume and stop of the patient's own breathing, and a bag by hand"));
-    offer(m_ui->conditionDock, "showCondition", tr("Conditio&n"), QStringLiteral("Ctrl+D"),
+    offer(m_ui->conditionDock, "showCondition", tr("Lu&ngs"), QStringLiteral("Ctrl+D"),
           tr("Conditions of the lungs, position and ventilator"));
     offer(m_ui->gasDock, "showGas", tr("&Gas and drugs"), QStringLiteral("Ctrl+G"),
           tr("Oxygen, mask, oximeter's probe and cuff, and drugs by weight"));

@@ -28,7 +28,7 @@ CONDITION = "Pneumothorax, tension"
 SEVERITY = 0.9
 DEVELOPS_S = 150  # in which gas enters the chest with every breath
 CHANGED = 6.0  # grey levels that pictures differ at least, at the most alike moments of breathing
-PANELS = ["Condition", "Gas", "Airway", "Move", "Parts", "Tracker", "Breathing", "Waves", "Vitals",
+PANELS = ["Lungs", "Gas", "Airway", "Move", "Parts", "Tracker", "Breathing", "Waves", "Vitals",
           "Try", "People", "Network", "Invite"]
 CONSOLE, TRAINEE, JOINING = "Carina instructor", "Carina trainee", "Join a session"
 WINDOWS = ("frame", "dialog", "filler")
@@ -150,7 +150,7 @@ class Story:
     def change_a_condition(self):
         console = self.console
         before = self.film_all(FILM_S / 2)
-        self.bring("Condition")
+        self.bring("Lungs")
         console.activate(console.view.get(role="push button", name="Add another condition"))
         kind = console.view.wait("the kind", role="combo box", name="ARDS")
         console.choose(kind, CONDITION)

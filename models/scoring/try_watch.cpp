@@ -222,7 +222,9 @@ void TryWatch::end(const Station& station, SessionTime at)
 {
     const TubedPatient patient = tubedPatient(station, at);
     const DepthRule rule = m_rule.value_or(usualDepthRule(patient));
-    m_report = reportOf(m_course.metrics(at, depthBy(rule, patient)), rule, m_rubric);
+    TryMetrics metrics = m_course.metrics(at, depthBy(rule, patient));
+    metrics.isViewRead = metrics.incisors.has_value(); // both by the laryngoscope's picture
+    m_report = reportOf(metrics, rule, m_rubric);
     m_course = TryCourse{upInAnatomy()};
     Q_EMIT changed();
     Q_EMIT ended();

@@ -89,7 +89,9 @@ TryMetrics metricsOf(const IntubationSubject& subject, const IntubationTrial& tr
         if (reading.at >= begun && reading.at <= ended)
             course.addVitals(reading.at, reading.vitals);
     const TubedPatient patient = tubedPatient(subject);
-    return course.metrics(ended, depthBy(usualDepthRule(patient), patient));
+    TryMetrics metrics = course.metrics(ended, depthBy(usualDepthRule(patient), patient));
+    metrics.isViewRead = false; // nothing is drawn
+    return metrics;
 }
 
 QString verdictWord(ItemVerdict verdict)

@@ -63,6 +63,9 @@ struct TryMetrics {
 
     std::vector<SessionTime> attempts{}; ///< when the blade went in; or the tube, without a blade
     bool hadBlade = false; ///< a laryngoscope was seen to go in: view and blade are measured
+    /// Something read what the laryngoscope sees: without a view the glottis was not seen then;
+    /// else nobody knows.
+    bool isViewRead = true;
     std::optional<SessionTime> view{};         ///< the glottis was seen for the first time
     std::optional<SessionTime> throughCords{}; ///< for good
     std::optional<SessionTime> firstBreath{};  ///< through the tube, into a lung

@@ -97,6 +97,8 @@ bool isLate(const TryMetrics& of)
     return !of.throughCords || *of.throughCords - of.begun > kFailedAfter;
 }
 
+bool hadReadView(const TryMetrics& of) { return of.hadBlade && (of.isViewRead || of.view); }
+
 bool hasTubeInAirway(const TryMetrics& of) { return of.outcome <= TryOutcome::LeftMain; }
 
 bool isBeyondCarina(const TryMetrics& of)
@@ -118,7 +120,7 @@ Value courseValue(const TryMetrics& of, Metric metric)
     case Metric::Attempts:
         return double(of.attempts.size());
     case Metric::GlottisSeen:
-        return of.hadBlade ? yes(of.view.has_value()) : std::nullopt;
+        return hadReadView(of) ? yes(of.view.has_value()) : std::nullopt;
     case Metric::GlotticOpening:
         return of.glotticOpening ? Value{perCent(*of.glotticOpening)} : std::nullopt;
     case Metric::InTrachea:
@@ -315,7 +317,7 @@ bool neverCameTo(const TryMetrics& metrics, Metric metric)
     switch (metric) {
     case Metric::TimeToView:
     case Metric::GlotticOpening:
-        return metrics.hadBlade && !metrics.view;
+        return hadReadView(metrics) && !metrics.view;
     case Metric::TimeToCords:
         return !metrics.throughCords;
     case Metric::TimeToBreath:

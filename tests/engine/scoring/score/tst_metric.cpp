@@ -38,6 +38,7 @@ private Q_SLOTS:
     void isMissingWhereNothingMeasuredIt();
     void isNotMissingWhereTheTryNeverCameToIt();
     void needsALaryngoscopeForTheView();
+    void knowsOfNoViewThatNobodyRead();
     void isLinkedToItsMoment();
     void failsLateAndInTheOesophagus();
     void standsBesideTheLiterature();
@@ -132,6 +133,20 @@ void TestMetric::needsALaryngoscopeForTheView()
     for (const Metric metric : {Metric::TimeToView, Metric::GlottisSeen, Metric::BladeTime}) {
         QVERIFY(!valueOf(metrics, metric));
         QVERIFY(!neverCameTo(metrics, metric));
+    }
+}
+
+void TestMetric::knowsOfNoViewThatNobodyRead()
+{
+    HandWrittenCourse unread;
+    unread.at(5.0, IntubationStep::BladeIn);
+    TryMetrics metrics = courseOf(unread.events(), courseTime(9.0));
+    QCOMPARE(valueOf(metrics, Metric::GlottisSeen), std::optional{0.0});
+    metrics.isViewRead = false;
+    for (const Metric metric : {Metric::TimeToView, Metric::GlottisSeen, Metric::GlotticOpening}) {
+        QVERIFY(!valueOf(metrics, metric));
+        QVERIFY(!neverCameTo(metrics, metric));
+        QVERIFY(std::ranges::count(notMeasured(metrics), metric) == 1);
     }
 }
 

@@ -13,10 +13,6 @@ namespace carina::program
 namespace
 {
 
-/// By which a tube is longer than one that is sold, straight on at its connector: of a tube as it
-/// is drawn the tip does not reach all ways while its connector is in front of the teeth.
-constexpr double kLonger_m = 0.15;
-
 const QString kIntubation = QStringLiteral("intubation");
 const QString kSeed = QStringLiteral("seed");
 const QString kAfter = QStringLiteral("after");
@@ -69,14 +65,6 @@ Anatomy anatomyOf(const PatientModel& patient)
     return anatomy;
 }
 
-TubeShape longer(TubeShape tube)
-{
-    std::vector<Vec3>& centre = tube.p_E_centre;
-    const Vec3 outwards = (centre[0] - centre[1]).normalized();
-    centre.insert(centre.begin(), Vec3{centre[0] + kLonger_m * outwards});
-    return tube;
-}
-
 HandledTools handledIn(const IntubationMotion& motion, Duration t)
 {
     const MotionMoment moment = motion.at(t);
@@ -110,7 +98,7 @@ Result<IntubationMotion> motionFor(const PatientModel& patient, const PlayedIntu
     std::mt19937 random = generatorOf(played.kind, played.seed);
     const MotionParameters parameters = drawnParameters(played.kind, random);
     return scriptedMotion(played.kind, parameters, std::make_shared<const MotionPatient>(*ways),
-                          longer(patient.tube()), static_cast<std::uint32_t>(random()));
+                          lengthened(patient.tube()), static_cast<std::uint32_t>(random()));
 }
 
 PlayedMotion playedBy(const IntubationMotion& motion, Duration after)

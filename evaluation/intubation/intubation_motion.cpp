@@ -249,13 +249,22 @@ std::optional<RigidTransform> IntubationMotion::tubeAt(double seconds) const
     return RigidTransform{q_AE, tip.p_A - q_AE * m_tube.p_E_tip};
 }
 
+TubeShape lengthened(TubeShape tube)
+{
+    std::vector<Vec3>& centre = tube.p_E_centre;
+    const Vec3 outwards = (centre[0] - centre[1]).normalized();
+    centre.insert(centre.begin(), Vec3{centre[0] + kPastConnector.si * outwards});
+    return tube;
+}
+
 Result<TubeShape> motionTube(const AirwayLandmarks& airway, Length innerDiameter)
 {
     constexpr double kLonger = 0.045; // than makeTube lets it stick out
     const std::span<const Vec3> path{airway.path_A};
     const Length teeth = lengthOf(path) - teethToCarina(airway);
-    return makeTube(innerDiameter, path, pointAlong(path, teeth - metres(kLonger)),
-                    usualTipAboveCarina(innerDiameter));
+    auto tube = makeTube(innerDiameter, path, pointAlong(path, teeth - metres(kLonger)),
+                         usualTipAboveCarina(innerDiameter));
+    return tube ? Result<TubeShape>{lengthened(*std::move(tube))} : tube;
 }
 
 const Blade& motionBlade(const UpperAirway& upper)

@@ -135,8 +135,13 @@ private:
     Duration m_length{};
 };
 
-/// A tube of this size with the form of the airway, long enough for the main bronchi: 95 mm of it
-/// are in front of the teeth at its usual depth.
+/// The tube with kPastConnector more of it, straight on at its connector: of a tube as it is sold
+/// the tip does not reach all ways while its connector is in front of the teeth. Of ours.
+[[nodiscard]] TubeShape lengthened(TubeShape tube);
+inline constexpr Length kPastConnector = millimetres(150.0);
+
+/// A tube of this size with the form of the airway, long enough for the main bronchi: lengthened,
+/// and with its connector 95 mm in front of the teeth at its usual depth.
 /// @returns the errors of makeTube
 [[nodiscard]] Result<TubeShape> motionTube(const AirwayLandmarks& airway, Length innerDiameter);
 

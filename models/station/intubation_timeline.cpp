@@ -30,6 +30,23 @@ QString bronchusText(TubeSeat seat)
     return IntubationTimeline::tr("Past the carina");
 }
 
+/// With where it goes: who looks up late sees no more than the last lines.
+QString breathText(TubeSeat seat)
+{
+    switch (seat) {
+    case TubeSeat::Oesophagus:
+        return IntubationTimeline::tr("▲ First breath goes into the oesophagus");
+    case TubeSeat::RightMain:
+        return IntubationTimeline::tr("▲ First breath goes into the right lung alone");
+    case TubeSeat::LeftMain:
+        return IntubationTimeline::tr("▲ First breath goes into the left lung alone");
+    case TubeSeat::None:
+    case TubeSeat::Trachea:
+        break;
+    }
+    return IntubationTimeline::tr("First breath through the tube");
+}
+
 QString happenedText(const IntubationEvent& event)
 {
     switch (event.step) {
@@ -63,7 +80,7 @@ QString happenedText(const IntubationEvent& event)
     case IntubationStep::StyletOut:
         return IntubationTimeline::tr("Stylet drawn");
     case IntubationStep::FirstBreath:
-        return IntubationTimeline::tr("First breath through the tube");
+        return breathText(event.seat);
     case IntubationStep::ShapesApart:
         return IntubationTimeline::tr("▲ Real and virtual tube part by %1 mm: no depth from here")
             .arg(inMillimetres(event.besides), 0, 'f', 0);

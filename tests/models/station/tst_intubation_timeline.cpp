@@ -67,6 +67,18 @@ private Q_SLOTS:
         QVERIFY(intubationText(event).contains(QLatin1String{"left"}));
     }
 
+    void saysWhereTheFirstBreathGoes()
+    {
+        IntubationEvent event{.step = IntubationStep::FirstBreath, .seat = TubeSeat::Trachea};
+        QCOMPARE(intubationText(event), QStringLiteral("First breath through the tube"));
+        event.seat = TubeSeat::Oesophagus;
+        QCOMPARE(intubationText(event), QStringLiteral("▲ First breath goes into the oesophagus"));
+        event.seat = TubeSeat::RightMain;
+        QVERIFY(intubationText(event).contains(QLatin1String{"right lung alone"}));
+        event.seat = TubeSeat::LeftMain;
+        QVERIFY(intubationText(event).contains(QLatin1String{"left lung alone"}));
+    }
+
     void saysWhatIsUncertain()
     {
         IntubationEvent event{.step = IntubationStep::InOesophagus, .confidence = 0.64};

@@ -100,6 +100,11 @@ constexpr Key kMemory{
     "by which the least that console and trainee hold in the 3 to 25 s after it is more than "
     "before it; null: not measured, which does not hold",
     1};
+constexpr Key kMemoryAgain{
+    "memory_again_kb",
+    "the same of a second attack of this kind, which is begun where the first left more than "
+    "may be and counts in its stead; [] where none was, or it was weaker",
+    1};
 constexpr Key kMostMemory{"most_memory_kb",
                           "that may come of it: what programs that draw vary by, 1 for each of "
                           "`facts`, and at the console 64 for each of `paths`",
@@ -172,6 +177,7 @@ QJsonObject objectOf(const AttackFigures& figures)
             {attack_key::kMostFacts, mostFactsOf(figures)},
             {attack_key::kPaths, qint64{figures.paths}},
             {attack_key::kMemory, arrayOf(figures.memory_kb)},
+            {attack_key::kMemoryAgain, arrayOf(figures.memoryAgain_kb)},
             {attack_key::kMostMemory, arrayOf(mostMemoryOf_kb(figures))},
             {attack_key::kLeastLeak, leastLeakOf_bytes(figures)},
             {attack_key::kHolds, holds(figures)}};
@@ -291,6 +297,7 @@ Command attackCommand()
                            attack_key::kMostFacts,
                            attack_key::kPaths,
                            attack_key::kMemory,
+                           attack_key::kMemoryAgain,
                            attack_key::kMostMemory,
                            attack_key::kLeastLeak,
                            attack_key::kHolds,

@@ -74,6 +74,8 @@ public:
             if (!choose(kind->strategy))
                 return fail(Errc::HostSilent, "the strategy was not chosen");
             all.push_back(attack(*kind));
+            if (!holdsMemory(all.back()))
+                repeat(all.back());
             if (const auto fault = m_session->fault())
                 return tl::unexpected(*fault);
         }
@@ -272,6 +274,14 @@ private:
         patientsBefore.layAgain(*m_instructor);
         static_cast<void>(waitFor([&] { return patientsBefore.areLaid(*m_node); }));
         return afterwards(std::move(figures), factsBefore, memoryBefore);
+    }
+
+    /// Whether an attack that left much leaves as much each time.
+    void repeat(AttackFigures& first)
+    {
+        AttackFigures again = attack(*first.kind);
+        if (holdsOwn(again))
+            first.memoryAgain_kb = std::move(again.memory_kb);
     }
 
     /// @pre the attack has ended

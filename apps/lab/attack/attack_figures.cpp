@@ -21,10 +21,11 @@ constexpr double kFact_kb = 1.0;
 constexpr double kPath_kb = 64.0;
 constexpr double kBytesPerKb = 1024.0;
 
-bool holdsMemory(const AttackFigures& figures)
+bool areWithin(const std::vector<std::optional<double>>& memory_kb,
+               const std::array<double, 2>& most_kb)
 {
     return std::ranges::equal(
-        figures.memory_kb, mostMemoryOf_kb(figures),
+        memory_kb, most_kb,
         [](const std::optional<double>& held, double most) { return held && *held <= most; });
 }
 
@@ -51,17 +52,6 @@ bool letsIn(const AttackFigures& figures)
     return !figures.joined.empty() && std::ranges::all_of(figures.joined, [](const auto& joined) {
         return joined.second && toSeconds(*joined.second) <= kMostJoin_s;
     });
-}
-
-/// Whether the attack did what it is for, and the host kept to what it promises of it.
-bool holdsOwn(const AttackFigures& figures)
-{
-    const auto facts = static_cast<double>(figures.facts);
-    return double(figures.sent) >= figures.kind->leastSent && facts >= leastFactsOf(figures)
-           && facts <= mostFactsOf(figures)
-           && std::ranges::all_of(figures.measured, [](const Measured& own) {
-                  return own.figure >= own.least && own.figure <= own.most;
-              });
 }
 
 } // namespace
@@ -97,6 +87,22 @@ double leastLeakOf_bytes(const AttackFigures& figures)
 {
     const auto sent = static_cast<double>(std::max<std::int64_t>(1, figures.sent));
     return kBytesPerKb * mostMemoryOf_kb(figures)[0] / sent;
+}
+
+bool holdsOwn(const AttackFigures& figures)
+{
+    const auto facts = static_cast<double>(figures.facts);
+    return double(figures.sent) >= figures.kind->leastSent && facts >= leastFactsOf(figures)
+           && facts <= mostFactsOf(figures)
+           && std::ranges::all_of(figures.measured, [](const Measured& own) {
+                  return own.figure >= own.least && own.figure <= own.most;
+              });
+}
+
+bool holdsMemory(const AttackFigures& figures)
+{
+    const std::array most_kb = mostMemoryOf_kb(figures);
+    return areWithin(figures.memory_kb, most_kb) || areWithin(figures.memoryAgain_kb, most_kb);
 }
 
 bool holds(const AttackFigures& figures)

@@ -31,6 +31,8 @@ struct AttackFigures {
     std::int64_t paths = 0;           ///< over which nobody came in, at most at once
     /// By which console and trainee hold more afterwards; nothing where that was not measured.
     std::vector<std::optional<double>> memory_kb{};
+    /// The same of the same attack once more; empty where it was not repeated, or was weaker.
+    std::vector<std::optional<double>> memoryAgain_kb{};
 };
 
 /// The drift that is usual in a session at the phases of the motion that were seen in the attack.
@@ -54,6 +56,14 @@ inline constexpr double kMostGap_ms = 100.0;
 /// The least that the console would have to keep of each datagram, handshake or Hello sent, in
 /// bytes, for its memory to exceed that.
 [[nodiscard]] double leastLeakOf_bytes(const AttackFigures& figures);
+
+/// Whether the attack did what it is for, and the host kept to what it promises of it.
+[[nodiscard]] bool holdsOwn(const AttackFigures& figures);
+
+/// Whether no more memory is held than may come of the attack, or no more for a second one like it:
+/// what is needed for the first time, and heaps that have grown, stay; what is forgotten to be
+/// given back is kept each time.
+[[nodiscard]] bool holdsMemory(const AttackFigures& figures);
 
 /// Whether the session held, and the attack did what it is for.
 [[nodiscard]] bool holds(const AttackFigures& figures);

@@ -109,6 +109,20 @@ private Q_SLOTS:
         QVERIFY(!holds(figures));
     }
 
+    /// Memory that an attack needs for the first time is not lost; what each needs is.
+    void takesTheMemoryOfASecondAttack()
+    {
+        AttackFigures figures = heldAgainst(kindOf("crowd"));
+        figures.memory_kb = {1e5, 1e5};
+        QVERIFY(!holdsMemory(figures));
+        figures.memoryAgain_kb = {0.0, 1e5};
+        QVERIFY(!holdsMemory(figures));
+        figures.memoryAgain_kb = {0.0, std::nullopt};
+        QVERIFY(!holdsMemory(figures));
+        figures.memoryAgain_kb = {0.0, 0.0};
+        QVERIFY(holdsMemory(figures));
+    }
+
     /// Of the smallest block for each datagram too much is left.
     void seesABlockOfEachDatagram()
     {

@@ -26,6 +26,7 @@ void TubeTimeline::note(SessionTime from, const IntubationEvent& event, Length i
         return;
     case IntubationStep::TubeOut:
         m_stylet.set(from, true);
+        m_cuff.set(from, false);
         break;
     default:
         break;

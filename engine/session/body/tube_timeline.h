@@ -44,8 +44,9 @@ public:
     /// An entry about the tube (from IntubationStep::TubePastTeeth on) says where its tip is.
     /// @param innerDiameter 0 where it is not known
     void note(SessionTime from, const IntubationEvent& event, Length innerDiameter);
+    /// Until the tube is out of the mouth again: a cuff is emptied to take it out.
     void setCuff(SessionTime from, bool inflated) { m_cuff.set(from, inflated); }
-    /// Until the tube is out of the mouth again: for the next try it has its stylet back.
+    /// Likewise: for the next try the tube has its stylet back.
     void drawStylet(SessionTime from) { m_stylet.set(from, false); }
     /// As ParameterTimeline; entries stay.
     void forgetBefore(SessionTime t);

@@ -102,6 +102,18 @@ private Q_SLOTS:
         QCOMPARE(placeAt(tube, 4.0).leak, 0.0); // it is said to be as it should
     }
 
+    void emptiesTheCuffOfATubeThatIsTakenOut()
+    {
+        TubeTimeline tube;
+        tube.note(atSeconds(1.0), noted(IntubationStep::InOesophagus, TubeSeat::Oesophagus), {});
+        tube.setCuff(atSeconds(2.0), true);
+        tube.note(atSeconds(3.0), noted(IntubationStep::TubeOut, TubeSeat::None), {});
+        QVERIFY(tube.cuffInflatedAt(atSeconds(2.9)));
+        QVERIFY(!tube.cuffInflatedAt(atSeconds(3.0)));
+        tube.note(atSeconds(4.0), noted(IntubationStep::ThroughCords, TubeSeat::Trachea), {});
+        QCOMPARE(placeAt(tube, 4.0).leak, kEmptyCuffLeak);
+    }
+
     void knowsBladeAndStylet()
     {
         TubeTimeline tube;

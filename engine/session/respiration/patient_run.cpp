@@ -33,6 +33,7 @@ PatientRun::Settings PatientRun::settingsAt(const RespirationTimeline& timeline,
 
 PatientRun::PatientRun(const RespirationTimeline& timeline, const RespirationState* checkpoint)
     : m_at{checkpoint ? checkpoint->at : kBeforeAll},
+      m_heardTo{m_at},
       m_settings{settingsAt(timeline, m_at)},
       m_body{checkpoint ? BodyFold{m_settings.body, checkpoint->body} : BodyFold{m_settings.body}},
       m_influence{influence()},
@@ -40,7 +41,7 @@ PatientRun::PatientRun(const RespirationTimeline& timeline, const RespirationSta
                         : RespiratoryFold{influenced()}}
 {
     if (checkpoint)
-        forgetBreaths(timeline);
+        forgetBreaths();
 }
 
 PatientRun::Influence PatientRun::influence() const
@@ -75,16 +76,11 @@ void PatientRun::give(const RespirationTimeline& timeline, SessionTime from)
 void PatientRun::skipTo(const RespirationTimeline& timeline, SessionTime t)
 {
     passTo(timeline, m_at + (t - m_at) / kFoldStep * kFoldStep);
-    forgetBreaths(timeline);
+    forgetBreaths();
 }
 
 /// The last step began with all that had been heard by then.
-void PatientRun::forgetBreaths(const RespirationTimeline& timeline)
-{
-    const auto breaths = timeline.breaths();
-    m_heard = std::size_t(std::ranges::count_if(
-        breaths, [this](const HeardBreath& breath) { return breath.heard <= m_at - kFoldStep; }));
-}
+void PatientRun::forgetBreaths() { m_heardTo = m_at - kFoldStep; }
 
 void PatientRun::advanceTo(const RespirationTimeline& timeline, SessionTime t)
 {
@@ -150,9 +146,9 @@ void PatientRun::followBody()
 
 void PatientRun::hear(const RespirationTimeline& timeline)
 {
-    const auto breaths = timeline.breaths();
-    for (; m_heard < breaths.size() && breaths[m_heard].heard <= m_at; ++m_heard)
-        m_fold.trigger(toSeconds(m_at - breaths[m_heard].began));
+    for (const HeardBreath& breath : timeline.breathsHeard(m_heardTo, m_at))
+        m_fold.trigger(toSeconds(m_at - breath.began));
+    m_heardTo = m_at;
 }
 
 ChestShape PatientRun::shape() const

@@ -75,10 +75,10 @@ private:
     void followBody();
     void step(const RespirationTimeline& timeline);
     void hear(const RespirationTimeline& timeline);
-    void forgetBreaths(const RespirationTimeline& timeline);
+    void forgetBreaths();
 
     SessionTime m_at;
-    std::size_t m_heard = 0; ///< number of manikin breaths applied
+    SessionTime m_heardTo; ///< breaths of the manikin that were heard by then are applied
     Settings m_settings;
     BodyFold m_body; ///< it has the doses from before m_at
     Influence m_influence;

@@ -16,6 +16,8 @@ namespace
 constexpr Duration kLongestSkip = std::chrono::milliseconds{500};
 /// A step can be concluded long after it happened; the session takes it as long as it is news.
 constexpr Duration kStillNews = kLongestNews - std::chrono::seconds{1};
+/// A step that was not taken, and is older than this with the answer, came too late.
+constexpr Duration kTooLate = kLongestNews - std::chrono::milliseconds{500};
 constexpr double kShutSpasm = 0.95; ///< severity from which no tube passes the cords; of ours
 
 SessionTime wholeMultiple(SessionTime t)
@@ -57,6 +59,7 @@ void IntubationWatch::forget()
     m_controls.reset();
     m_wasVentilated = false;
     m_queued.clear();
+    m_sent.reset();
     m_noted.clear();
 }
 
@@ -85,7 +88,7 @@ void IntubationWatch::look()
     while (*m_taken < until) {
         *m_taken += kEach;
         for (const IntubationEvent& event : m_monitor.take(airwayAt(*m_taken)))
-            queue(event, *now);
+            queue(event);
     }
     takeControls(*now);
     propose(*now);
@@ -161,7 +164,7 @@ void IntubationWatch::takeControls(SessionTime now)
 {
     const Controls present = controlsAt(now);
     const Controls before = std::exchange(m_controls, present).value_or(present);
-    const auto tell = [&](IntubationStep step) { queue(m_monitor.told(step, now), now); };
+    const auto tell = [&](IntubationStep step) { queue(m_monitor.told(step, now)); };
     if (present.isCuffInflated != before.isCuffInflated)
         tell(present.isCuffInflated ? IntubationStep::CuffInflated : IntubationStep::CuffDeflated);
     if (before.isStyletIn && !present.isStyletIn)
@@ -172,25 +175,48 @@ void IntubationWatch::takeControls(SessionTime now)
         tell(IntubationStep::FirstBreath);
 }
 
-/// As the session takes it: no older than news are, and at a distance from the last of its kind.
-void IntubationWatch::queue(IntubationEvent event, SessionTime now)
+bool IntubationWatch::isTaken(const IntubationEvent& event) const
 {
-    event.at = std::max(event.at, now - kStillNews);
-    const auto last = m_noted.find(event.step);
-    if (last != m_noted.end())
-        event.at = std::max(event.at, last->second + kShortestStep);
-    m_noted[event.step] = event.at;
-    m_queued.push_back(event);
+    const auto state = m_node.state();
+    const auto station = state->stations().find(m_station);
+    return station != state->stations().end()
+           && std::ranges::any_of(station->second.respiration.tube().notes(),
+                                  [&](const NotedStep& note) { return note.event == event; });
 }
 
-/// In the order in which they were concluded, also where one has to wait. With the size of the tube
-/// that lies there: of the site where it is calibrated, else the patient's usual one.
+/// Of the session to what was proposed, once there is one.
+void IntubationWatch::takeAnswer(SessionTime now)
+{
+    const auto isStep = [](const FactBody& body) {
+        return std::holds_alternative<fact::IntubationNoted>(body);
+    };
+    if (!m_sent || std::ranges::any_of(m_node.pending(), isStep))
+        return;
+    const bool wasLate = !isTaken(*m_sent) && now - m_sent->at > kTooLate;
+    if (!wasLate) {
+        m_noted[m_sent->step] = m_sent->at;
+        m_queued.pop_front();
+    }
+    m_sent.reset();
+}
+
+/// In the order in which they were concluded, also where one has to wait, and as the session takes
+/// them: no older than news are, and at a distance from the last of the kind. With the size of the
+/// tube that lies there: of the site where it is calibrated, else the patient's usual one.
 void IntubationWatch::propose(SessionTime now)
 {
-    while (!m_queued.empty() && m_queued.front().at <= now) {
-        m_node.propose(m_station,
-                       fact::IntubationNoted{m_queued.front(), m_patient->tube().innerDiameter});
-        m_queued.pop_front();
+    takeAnswer(now);
+    while (!m_sent && !m_queued.empty()) {
+        IntubationEvent event = m_queued.front();
+        event.at = std::max(event.at, now - kStillNews);
+        const auto last = m_noted.find(event.step);
+        if (last != m_noted.end())
+            event.at = std::max(event.at, last->second + kShortestStep);
+        if (event.at > now)
+            return;
+        m_sent = event;
+        m_node.propose(m_station, fact::IntubationNoted{event, m_patient->tube().innerDiameter});
+        takeAnswer(now);
     }
 }
 

@@ -28,6 +28,11 @@ namespace carina
 ///
 /// What no sensor feels follows from what people set: cuff and stylet, and that bag or ventilator
 /// breathe for the first time with the tip past the cords, in the trachea or the oesophagus.
+///
+/// Steps are proposed one after another, the next once the session has answered: one that it does
+/// not take because it came too late, as after a host was away, is proposed again, and so are those
+/// behind it, dated as far back as the session lets them be. One that is not taken for another
+/// reason, as of who is muted, is lost.
 class IntubationWatch : public QObject
 {
     Q_OBJECT
@@ -74,7 +79,9 @@ private:
     [[nodiscard]] BladeSeen bladeIn(const StationMoment& moment, const LaryngoscopeSight& sight);
     [[nodiscard]] Controls controlsAt(SessionTime t) const;
     void takeControls(SessionTime now);
-    void queue(IntubationEvent event, SessionTime now);
+    void queue(const IntubationEvent& event) { m_queued.push_back(event); }
+    [[nodiscard]] bool isTaken(const IntubationEvent& event) const;
+    void takeAnswer(SessionTime now);
     void propose(SessionTime now);
 
     SessionNode& m_node;
@@ -85,10 +92,11 @@ private:
     const PatientModel* m_patient = nullptr;
     std::optional<StationLaryngoscope> m_laryngoscope;
     IntubationMonitor m_monitor;
-    std::optional<SessionTime> m_taken; ///< the latest moment
-    std::optional<Controls> m_controls; ///< at the latest look
-    bool m_wasVentilated = false;       ///< through the tube as it lies
-    std::deque<IntubationEvent> m_queued;
+    std::optional<SessionTime> m_taken;            ///< the latest moment
+    std::optional<Controls> m_controls;            ///< at the latest look
+    bool m_wasVentilated = false;                  ///< through the tube as it lies
+    std::deque<IntubationEvent> m_queued;          ///< in the order in which they were concluded
+    std::optional<IntubationEvent> m_sent;         ///< the first of them, as it was proposed
     std::map<IntubationStep, SessionTime> m_noted; ///< when each step was noted last
     QTimer m_timer;
 };

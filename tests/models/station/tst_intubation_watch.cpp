@@ -257,6 +257,27 @@ private Q_SLOTS:
             steps += work.noted(IntubationStep(step)).size();
         QCOMPARE(int(steps), work.node.proposed);
     }
+
+    /// What happened meanwhile would be too old for the session.
+    void losesNoStepWhileTheHostIsAway()
+    {
+        Work work;
+        work.runs();
+        work.goOn(1s);
+        work.node.hostGoesAway();
+        work.tube = [](SessionTime) { return pushed(0.0); };
+        work.goOn(2s);
+        work.tube = [](SessionTime) { return pushed(0.055); };
+        work.goOn(10s);
+        QCOMPARE(work.node.proposed, 1); // the next waits for the answer
+        work.node.hostComesBack();
+        QVERIFY(work.noted(IntubationStep::TubePastTeeth).empty()); // it came too late
+        work.goOn(1s);
+        QCOMPARE(work.noted(IntubationStep::TubePastTeeth).size(), 1U);
+        QCOMPARE(work.noted(IntubationStep::ThroughCords).size(), 1U);
+        QCOMPARE(work.noted(IntubationStep::PastCarina).size(), 1U);
+        QVERIFY(work.place().seat == work.watch.course().seat);
+    }
 };
 
 CARINA_TEST(TestIntubationWatch)

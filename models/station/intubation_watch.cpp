@@ -57,7 +57,8 @@ void IntubationWatch::forget()
     m_monitor = IntubationMonitor{};
     m_taken.reset();
     m_controls.reset();
-    m_wasVentilated = false;
+    m_breathing = {};
+    m_breaths = {};
     m_queued.clear();
     m_sent.reset();
     m_noted.clear();
@@ -91,6 +92,7 @@ void IntubationWatch::look()
             queue(event);
     }
     takeControls(*now);
+    takeBreath(*m_taken);
     propose(*now);
 }
 
@@ -152,12 +154,8 @@ IntubationWatch::Controls IntubationWatch::controlsAt(SessionTime t) const
     const auto station = state->stations().find(m_station);
     if (station == state->stations().end())
         return {};
-    const RespirationTimeline& respiration = station->second.respiration;
-    const RespiratorySettings settings = respiration.settingsAt(t);
-    return {.isCuffInflated = respiration.tube().cuffInflatedAt(t),
-            .isStyletIn = respiration.tube().styletInAt(t),
-            .isVentilated = settings.bag.rate > Frequency{}
-                            || settings.ventilator.mode != VentilationMode::Spontaneous};
+    const TubeTimeline& tube = station->second.respiration.tube();
+    return {.isCuffInflated = tube.cuffInflatedAt(t), .isStyletIn = tube.styletInAt(t)};
 }
 
 void IntubationWatch::takeControls(SessionTime now)
@@ -169,10 +167,17 @@ void IntubationWatch::takeControls(SessionTime now)
         tell(present.isCuffInflated ? IntubationStep::CuffInflated : IntubationStep::CuffDeflated);
     if (before.isStyletIn && !present.isStyletIn)
         tell(IntubationStep::StyletOut);
-    if (course().seat == TubeSeat::None)
-        m_wasVentilated = false;
-    else if (present.isVentilated && !std::exchange(m_wasVentilated, true))
-        tell(IntubationStep::FirstBreath);
+}
+
+void IntubationWatch::takeBreath(SessionTime t)
+{
+    const auto state = m_node.state();
+    const auto station = state->stations().find(m_station);
+    if (station == state->stations().end())
+        return;
+    const PatientRun& run = m_breathing.at(station->second.respiration, t);
+    if (const auto began = m_breaths.take(run, course().seat))
+        queue(m_monitor.told(IntubationStep::FirstBreath, *began));
 }
 
 bool IntubationWatch::isTaken(const IntubationEvent& event) const

@@ -1,5 +1,6 @@
 #include "engine/session/respiration/patient_run.h"
 
+#include "engine/physiology/capnograph.h"
 #include "engine/session/body/ventilated_through.h"
 
 #include <algorithm>
@@ -149,6 +150,19 @@ void PatientRun::hear(const RespirationTimeline& timeline)
     for (const HeardBreath& breath : timeline.breathsHeard(m_heardTo, m_at))
         m_fold.trigger(toSeconds(m_at - breath.began));
     m_heardTo = m_at;
+}
+
+std::optional<SessionTime> PatientRun::deliveredBreath() const
+{
+    if (const Frequency blown = m_settings.body.stomachBreaths; blown.si > 0.0) {
+        const double phase = m_body.state().capnograph.stomachPhase;
+        return phase < kStomachInspiration ? std::nullopt
+                                           : std::optional{m_at - fromSeconds(phase / blown.si)};
+    }
+    const BreathTally& breath = m_fold.breath();
+    if (!m_fold.isVentilated() || breath.inspired <= m_fold.system().anatomicalDeadSpace)
+        return std::nullopt;
+    return m_at - breath.steps * kFoldStep;
 }
 
 ChestShape PatientRun::shape() const

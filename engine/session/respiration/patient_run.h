@@ -6,6 +6,7 @@
 #include "engine/session/respiration/respiration_timeline.h"
 
 #include <array>
+#include <optional>
 
 namespace carina
 {
@@ -41,6 +42,10 @@ public:
     [[nodiscard]] SessionTime at() const { return m_at; }
     [[nodiscard]] const RespiratoryFold& fold() const { return m_fold; }
     [[nodiscard]] const BodyFold& body() const { return m_body; }
+    /// When the present breath of bag or ventilator began, once it was delivered: more gas than
+    /// the anatomical dead space has come in; with a tube in the oesophagus, whose gas no lung
+    /// tells of, the time has passed in which it is blown in.
+    [[nodiscard]] std::optional<SessionTime> deliveredBreath() const;
     /// What a bedside monitor measures.
     [[nodiscard]] Vitals vitals() const { return m_body.vitals(); }
     /// The state to draw.

@@ -97,14 +97,15 @@ void IntubationWatch::look()
 }
 
 /// What moves tube, blade and tissue; the chest does not.
-StationMoment IntubationWatch::momentAt(SessionTime t) const
+StationMoment IntubationWatch::momentAt(SessionTime t)
 {
     StationMoment moment;
     moment.time = t;
     const auto state = m_node.state();
     const auto station = state->stations().find(m_station);
     if (station != state->stations().end()) {
-        moment.airwayEvents = station->second.airwayEvents.at(t);
+        const PatientRun& run = m_breathing.at(station->second.respiration, t);
+        moment.airwayEvents = airwayEventsAt(station->second, run, t);
         moment.headPosition = headPositionAt(station->second, t);
     }
     moment.worker = state->atWork(m_station);

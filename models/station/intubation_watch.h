@@ -76,7 +76,7 @@ private:
 
     void forget();
     [[nodiscard]] bool isAtWork() const;
-    [[nodiscard]] StationMoment momentAt(SessionTime t) const;
+    [[nodiscard]] StationMoment momentAt(SessionTime t);
     [[nodiscard]] AirwayMoment airwayAt(SessionTime t);
     [[nodiscard]] BladeSeen bladeIn(const StationMoment& moment, const LaryngoscopeSight& sight);
     [[nodiscard]] Controls controlsAt(SessionTime t) const;

@@ -42,6 +42,9 @@ public:
     [[nodiscard]] SessionTime at() const { return m_at; }
     [[nodiscard]] const RespiratoryFold& fold() const { return m_fold; }
     [[nodiscard]] const BodyFold& body() const { return m_body; }
+    /// How far the cords are shut by spasm, 0 to 1, in steps of kBodyShare; 0 where a tube is
+    /// through them.
+    [[nodiscard]] double spasm() const { return m_influence.spasm; }
     /// When the present breath of bag or ventilator began, once it was delivered: more gas than
     /// the anatomical dead space has come in; with a tube in the oesophagus, whose gas no lung
     /// tells of, the time has passed in which it is blown in.

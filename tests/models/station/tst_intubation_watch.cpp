@@ -218,6 +218,31 @@ private Q_SLOTS:
         QCOMPARE(first.front().seat, TubeSeat::Trachea);
     }
 
+    /// The patient's own spasm shuts the cords: too little of a hypnotic, and a blade.
+    void notesATubeThatPassesCordsInSpasm()
+    {
+        Work work;
+        work.runs();
+        work.node.decide(fact::DrugGiven{{DrugKind::Propofol, 60.0}});
+        work.node.decide(
+            fact::IntubationNoted{{.step = IntubationStep::BladeIn, .at = *work.node.now()}, {}});
+        RespirationFollower follower;
+        const auto spasm = [&] {
+            const auto state = work.node.state();
+            const Station& station = state->stations().at(FakeSessionNode::kStation);
+            return follower.at(station.respiration, *work.node.now()).spasm();
+        };
+        for (int i = 0; i < 600 && spasm() < 0.97; ++i)
+            work.node.advance(1s);
+        QVERIFY2(spasm() >= 0.97, qPrintable(QString::number(spasm())));
+        work.goOn(1s);
+        QVERIFY(work.noted(IntubationStep::PassedShut).empty());
+        work.tube = [](SessionTime) { return pushed(0.0); };
+        work.goOn(2s);
+        QCOMPARE(work.noted(IntubationStep::PassedShut).size(), 1U);
+        QCOMPARE(spasm(), 0.0); // the tube holds them open
+    }
+
     void notesNothingWhileTheSessionDoesNotRun()
     {
         Work work;

@@ -48,7 +48,14 @@ PatientRun::PatientRun(const RespirationTimeline& timeline, const RespirationSta
 PatientRun::Influence PatientRun::influence() const
 {
     const bool isOpen = isThroughCords(m_settings.body.tube.seat);
-    return {inBodyShares(m_body.breathingLeft()), isOpen ? 0.0 : inBodyShares(m_body.spasm())};
+    return {inBodyShares(m_body.breathingLeft()), isOpen ? 0.0 : inBodyShares(m_body.spasm()),
+            coughs() ? inBodyShares(m_body.tone()) : 0.0};
+}
+
+bool PatientRun::coughs() const
+{
+    const bool hasDrugs = m_body.state().drugs != DrugsInBody{};
+    return hasDrugs && m_body.coughs();
 }
 
 RespiratorySettings PatientRun::influenced() const
@@ -56,6 +63,7 @@ RespiratorySettings PatientRun::influenced() const
     RespiratorySettings breathing = m_settings.breathing;
     breathing.ownBreathing *= m_influence.breathingLeft;
     obstruct(breathing.conditions, m_influence.spasm);
+    breathing.cough = m_influence.cough;
     return breathing;
 }
 

@@ -20,8 +20,12 @@ namespace carina
 ///
 /// The lungs are ventilated through tube and gas as they are then (ventilatedThrough). Of the
 /// patient's own breathing drugs leave a share, and cords that are shut by spasm obstruct the
-/// airway of a patient whose tube is not through them; both act in steps of kBodyShare, so that the
-/// lungs do not get other settings with each step of the body.
+/// airway of a patient whose tube is not through them. Who coughs does so the harder the more tone
+/// drugs leave. All three act in steps of kBodyShare, so that the lungs do not get other settings
+/// with each step of the body.
+///
+/// A patient whom nobody gave a drug does not cough: a session about lungs, ventilator or the way
+/// of a tube needs none, and its patient is taken for anaesthetised by other means.
 class PatientRun
 {
 public:
@@ -66,6 +70,7 @@ private:
     struct Influence {
         double breathingLeft = 1.0;
         double spasm = 0.0; ///< 0 where a tube is through the cords
+        double cough = 0.0; ///< by the tone that is left
 
         friend bool operator==(const Influence&, const Influence&) = default;
     };
@@ -74,6 +79,7 @@ private:
 
     [[nodiscard]] static Settings settingsAt(const RespirationTimeline& timeline, SessionTime t);
     [[nodiscard]] Influence influence() const;
+    [[nodiscard]] bool coughs() const;
     [[nodiscard]] RespiratorySettings influenced() const;
     void passTo(const RespirationTimeline& timeline, SessionTime t);
     void skipTo(const RespirationTimeline& timeline, SessionTime t);

@@ -91,6 +91,12 @@ void RespirationTimeline::give(SessionTime from, const DrugDose& dose)
     decide(from);
 }
 
+void RespirationTimeline::setObstruction(SessionTime from, double share)
+{
+    m_tube.setObstruction(from, share);
+    decide(from);
+}
+
 void RespirationTimeline::setPosition(SessionTime from, BodyPosition position)
 {
     m_position.set(from, position);

@@ -69,6 +69,7 @@ public:
     void setTube(SessionTime from, Length innerDiameter);
     void noteIntubation(SessionTime from, const IntubationEvent& event, Length innerDiameter);
     void setCuff(SessionTime from, bool inflated);
+    void setObstruction(SessionTime from, double share);
     void drawStylet(SessionTime from) { m_tube.drawStylet(from); }
     void setGas(SessionTime from, const GasSupply& gas);
     void give(SessionTime from, const DrugDose& dose);

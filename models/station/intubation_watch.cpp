@@ -55,6 +55,7 @@ void IntubationWatch::lieIn(const PatientModel& patient)
 void IntubationWatch::forget()
 {
     m_monitor = IntubationMonitor{};
+    m_rest = {};
     m_taken.reset();
     m_controls.reset();
     m_breathing = {};
@@ -90,6 +91,8 @@ void IntubationWatch::look()
         *m_taken += kEach;
         for (const IntubationEvent& event : m_monitor.take(airwayAt(*m_taken)))
             queue(event);
+        if (const auto rest = m_rest.take(m_monitor))
+            queue(*rest);
     }
     takeControls(*now);
     takeBreath(*m_taken);
@@ -179,6 +182,12 @@ void IntubationWatch::takeBreath(SessionTime t)
     const PatientRun& run = m_breathing.at(station->second.respiration, t);
     if (const auto began = m_breaths.take(run, course().seat))
         queue(m_monitor.told(IntubationStep::FirstBreath, *began));
+}
+
+void IntubationWatch::queue(const IntubationEvent& event)
+{
+    m_rest.note(event);
+    m_queued.push_back(event);
 }
 
 bool IntubationWatch::isTaken(const IntubationEvent& event) const

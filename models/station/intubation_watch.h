@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/airway/monitor/intubation_monitor.h"
+#include "engine/airway/monitor/rest_watch.h"
 #include "engine/anatomy/laryngoscopy/glottic_view.h"
 #include "engine/session/respiration/respiration_follower.h"
 #include "engine/session/respiration/tube_breath_watch.h"
@@ -82,7 +82,7 @@ private:
     [[nodiscard]] Controls controlsAt(SessionTime t) const;
     void takeControls(SessionTime now);
     void takeBreath(SessionTime t);
-    void queue(const IntubationEvent& event) { m_queued.push_back(event); }
+    void queue(const IntubationEvent& event);
     [[nodiscard]] bool isTaken(const IntubationEvent& event) const;
     void takeAnswer(SessionTime now);
     void propose(SessionTime now);
@@ -95,6 +95,7 @@ private:
     const PatientModel* m_patient = nullptr;
     std::optional<StationLaryngoscope> m_laryngoscope;
     IntubationMonitor m_monitor;
+    RestWatch m_rest;
     std::optional<SessionTime> m_taken; ///< the latest moment
     std::optional<Controls> m_controls; ///< at the latest look
     RespirationFollower m_breathing;

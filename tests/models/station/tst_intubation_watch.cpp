@@ -133,6 +133,24 @@ private Q_SLOTS:
         QCOMPARE(inMillimetres(work.place().innerDiameter), 7.5);
     }
 
+    /// 10 mm further after it was noted, and nothing else happens.
+    void notesHowDeepTheTubeLiesInTheEnd()
+    {
+        Work work;
+        work.runs();
+        const SessionTime begin = *work.node.now();
+        work.tube = [begin](SessionTime t) {
+            return pushed(std::clamp(0.01 * (secondsFrom(begin, t) - 3.0), 0.0, 0.01));
+        };
+        work.goOn(8s);
+        const auto rests = work.noted(IntubationStep::AtRest);
+        QCOMPARE(rests.size(), 1U); // before it lay where it was noted
+        const IntubationCourse& course = work.watch.course();
+        const Length off = rests.back().depthAtTeeth - course.tip.depthAtTeeth;
+        QVERIFY(std::abs(off.si) < RestWatch::kStill.si);
+        QCOMPARE(rests.back().seat, TubeSeat::Trachea);
+    }
+
     void notesATubeThatIsPushedPastTheCarina()
     {
         Work work;

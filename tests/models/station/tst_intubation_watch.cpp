@@ -241,7 +241,8 @@ private Q_SLOTS:
     {
         Work work;
         work.runs();
-        work.node.decide(fact::DrugGiven{{DrugKind::Propofol, 60.0}});
+        work.node.decide(fact::GasSupplySet{{1.0, true, true}});
+        work.node.decide(fact::DrugGiven{{DrugKind::Propofol, 40.0}}); // 1 mg/kg
         work.node.decide(
             fact::IntubationNoted{{.step = IntubationStep::BladeIn, .at = *work.node.now()}, {}});
         RespirationFollower follower;
@@ -250,8 +251,10 @@ private Q_SLOTS:
             const Station& station = state->stations().at(FakeSessionNode::kStation);
             return follower.at(station.respiration, *work.node.now()).spasm();
         };
-        for (int i = 0; i < 600 && spasm() < 0.97; ++i)
+        for (int i = 0; i < 120 && spasm() < 0.97; ++i) {
             work.node.advance(1s);
+            work.watch.look();
+        }
         QVERIFY2(spasm() >= 0.97, qPrintable(QString::number(spasm())));
         work.goOn(1s);
         QVERIFY(work.noted(IntubationStep::PassedShut).empty());

@@ -31,8 +31,13 @@ template <std::size_t Count> double atAge(const std::array<AtAge, Count>& points
     return points.back().value;
 }
 
-constexpr std::array<AtAge, 6> kHeartRate{
-    {{0.0, 127.0}, {1.0, 123.0}, {2.0, 110.0}, {6.0, 91.0}, {12.0, 80.0}, {18.0, 72.0}}};
+constexpr std::array<AtAge, 7> kHeartRate{{{0.0, 127.0},
+                                           {1.0 / 12.0, 145.0},
+                                           {1.0, 123.0},
+                                           {2.0, 113.0},
+                                           {6.0, 91.0},
+                                           {12.0, 80.0},
+                                           {18.0, 72.0}}};
 constexpr std::array<AtAge, 4> kSystolic{
     {{0.0, 65.0}, {1.0 / 12.0, 80.0}, {1.0, 92.0}, {15.0, 120.0}}};
 constexpr std::array<AtAge, 5> kHaemoglobin{

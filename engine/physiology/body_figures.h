@@ -34,8 +34,8 @@ struct BodyFigures {
 /// - Cardiac output: 20 times the oxygen used awake, or 50 ml/L between artery and vein [t].
 /// - Blood: 70 ml/kg [t], infants 80; fat adds 20 ml/kg (ours).
 /// - Haemoglobin: 150 g/L in men, 135 in women, 115 at one year, 165 at birth [t].
-/// - Heart rate at 0, 1, 2, 6, 12 and 18 years: 127, 123, 110, 91, 80, 72 per minute (after
-///   Fleming, Lancet 2011;377:1011).
+/// - Heart rate at 0, 1/12, 1, 2, 6, 12 and 18 years: 127, 145, 123, 113, 91, 80, 72 per minute
+///   (after Fleming, Lancet 2011;377:1011).
 /// - Blood pressure: systolic 90 + 2 per year (APLS), 65 at birth and 80 at one month [t], up to
 ///   120 mmHg; diastolic two thirds of it.
 /// - Airways close within the resting volume of a child below six years (Mansell et al., J Appl

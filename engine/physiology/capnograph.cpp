@@ -12,15 +12,14 @@ namespace
 /// Carbon dioxide of the stomach's gas at the connector.
 double fromStomach(CapnographState& state, double rate_perS, double seconds)
 {
-    constexpr double kInspiration = 1.0 / 3.0;
     state.stomachPhase += rate_perS * seconds;
     if (state.stomachPhase >= 1.0) {
         state.stomachPhase -= std::floor(state.stomachPhase);
         state.stomach_mmHg *= std::exp(-1.0 / kStomachBreaths);
     }
-    if (rate_perS == 0.0 || state.stomachPhase < kInspiration)
+    if (rate_perS == 0.0 || state.stomachPhase < kStomachInspiration)
         return 0.0;
-    const double through = (state.stomachPhase - kInspiration) / (1.0 - kInspiration);
+    const double through = (state.stomachPhase - kStomachInspiration) / (1.0 - kStomachInspiration);
     return std::exp(-1.0 / kStomachBreaths) * state.stomach_mmHg
            * std::sin(std::numbers::pi * through);
 }

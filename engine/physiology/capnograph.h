@@ -36,6 +36,8 @@ inline constexpr double kWashTime = 30.0;     ///< s, ours
 inline constexpr double kBreathAt_mmHg = 3.0; ///< ours
 inline constexpr double kNoBreathTime = 20.0; ///< s, as alarms of apnoea are set
 inline constexpr double kStomachBreaths = 1.5;
+/// Share of a breath in which it is blown into the stomach: as from a bag, 1:2.
+inline constexpr double kStomachInspiration = 1.0 / 3.0;
 /// A0: carbon dioxide in the stomach at first (0 to 15 are reported; the value is ours).
 inline constexpr double kStomachAtFirst_mmHg = 12.0;
 

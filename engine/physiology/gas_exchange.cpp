@@ -50,11 +50,12 @@ void constrict(BloodGas& blood, std::size_t lung, double oxygen_mmHg, double sec
     blood.constriction[lung] += seconds / kConstrictionTime * (target - blood.constriction[lung]);
 }
 
-/// Tissues use less where the blood brings too little (ours: below 30 ml/L in venous blood).
-double usedNow(double use_mlPerS, double venous_mlPerL)
+/// Share of their turnover that tissues keep up: less where the blood brings too little oxygen
+/// (ours: below 30 ml/L in venous blood).
+double keptUp(double venous_mlPerL)
 {
     constexpr double kScarce_mlPerL = 30.0;
-    return use_mlPerS * std::clamp(venous_mlPerL / kScarce_mlPerL, 0.0, 1.0);
+    return std::clamp(venous_mlPerL / kScarce_mlPerL, 0.0, 1.0);
 }
 
 /// Tissue and blood within a lung give carbon dioxide to its gas, or take it.
@@ -69,15 +70,15 @@ void buffer(LungGas& gas, double& tissue_mmHg, double alveolar_mmHg, double rest
 }
 
 /// Arteries, veins and slow vessels after a step in which the lungs gave blood of this content.
+/// @param use share of the quiet turnover
 void circulate(BloodGas& blood, const BodyFigures& body, const ExchangeConditions& conditions,
-               double fromLungs_mlPerL, double seconds)
+               double use, double fromLungs_mlPerL, double seconds)
 {
     const double mixing_ml = kMixing * body.bloodVolume_ml;
     const double arterial_ml = kArterialShare * mixing_ml;
     const double flow_ml = conditions.cardiacOutput_mlPerS * seconds;
     const double slow_ml = kSlowFlow * flow_ml;
-    const double used_ml =
-        usedNow(conditions.use * body.oxygenUse_mlPerS, blood.venousOxygen_mlPerL) * seconds;
+    const double used_ml = use * body.oxygenUse_mlPerS * seconds;
     const double arterial = blood.arterialOxygen_mlPerL;
     const double venous = blood.venousOxygen_mlPerL;
     const double resting = blood.restingOxygen_mlPerL;
@@ -129,13 +130,14 @@ void exchange(AirwayGas& gas, BloodGas& blood, const BodyFigures& body,
         buffer(lung, blood.lungCarbonDioxide_mmHg[i], alveolar.carbonDioxide_mmHg, resting_ml,
                seconds);
     }
-    circulate(blood, body, conditions, mixedO2, seconds);
+    const double use = conditions.use * keptUp(venousO2);
+    circulate(blood, body, conditions, use, mixedO2, seconds);
     constexpr double kWithoutLungs = 0.9; // of the store, whose lungs are counted above
     const double store_mlPerMmHg =
         kWithoutLungs * body.carbonDioxide_mlPerS * kStoreTime / kQuietCarbonDioxide_mmHg;
     blood.arterialCarbonDioxide_mmHg = mixedCO2;
     blood.tissueCarbonDioxide_mmHg +=
-        (conditions.use * body.carbonDioxide_mlPerS * seconds - exhaledCO2_ml) / store_mlPerMmHg;
+        (use * body.carbonDioxide_mlPerS * seconds - exhaledCO2_ml) / store_mlPerMmHg;
 }
 
 GasShares quietAlveolar()

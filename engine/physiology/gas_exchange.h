@@ -25,7 +25,9 @@ struct ExchangeConditions {
 /// time constant kStoreTime of ventilatory_drive.h. Its content is taken as proportional to the
 /// tension, so that a flow of quiet size needs kVenousExcess between vein and lung. Tissue and
 /// blood within the lungs hold as much as kLungTissue times their resting gas does, and damp its
-/// swing from breath to breath.
+/// swing from breath to breath. It is made of oxygen: where the tissues lack that, as after the
+/// heart has stopped, no more is made. What lactic acid then sets free from bicarbonate is not in
+/// the model.
 void exchange(AirwayGas& gas, BloodGas& blood, const BodyFigures& body,
               const ExchangeConditions& conditions, double seconds);
 

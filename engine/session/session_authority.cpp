@@ -39,7 +39,7 @@ bool takesEffectLater(const FactBody& body)
                    fact::BodyPositionSet, fact::BreathingStopped, fact::BagSqueezed,
                    fact::ManikinBreathed, fact::AirwayEventsSet, fact::HeadPositionSet,
                    fact::GasSupplySet, fact::DrugGiven, fact::CuffSet, fact::StyletDrawn,
-                   fact::IntubationNoted>(body);
+                   fact::IntubationNoted, fact::TubeObstructed>(body);
 }
 
 /// The id of the entry that is the same, else the next free one; 0 where none is left.

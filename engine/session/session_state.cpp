@@ -332,6 +332,12 @@ struct SessionState::Applier {
     {
         forStations([&](Station& station) { station.respiration.drawStylet(around.effect); });
     }
+    void operator()(const fact::TubeObstructed& body) const
+    {
+        forStations([&](Station& station) {
+            station.respiration.setObstruction(around.effect, body.share);
+        });
+    }
     void operator()(const fact::IntubationNoted& body) const
     {
         forStations([&](Station& station) {

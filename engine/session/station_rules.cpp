@@ -23,7 +23,8 @@ bool changesPatient(const FactBody& body)
                    fact::InspiratoryFractionSet, fact::PatientBuildSet, fact::LungConditionsSet,
                    fact::VentilatorSet, fact::TubePlaced, fact::BodyPositionSet,
                    fact::BreathingStopped, fact::BagSqueezed, fact::AirwayEventsSet,
-                   fact::HeadPositionSet, fact::GasSupplySet, fact::DrugGiven, fact::CuffSet>(body);
+                   fact::HeadPositionSet, fact::GasSupplySet, fact::DrugGiven, fact::CuffSet,
+                   fact::TubeObstructed>(body);
 }
 
 bool isOfNoStation(const FactBody& body)

@@ -38,6 +38,7 @@ private:
 struct GasFact {
     FactBody operator()(const GasSupply& gas) const { return fact::GasSupplySet{gas}; }
     FactBody operator()(bool inflated) const { return fact::CuffSet{inflated}; }
+    FactBody operator()(double share) const { return fact::TubeObstructed{share}; }
 };
 
 } // namespace
@@ -58,7 +59,8 @@ GasModel::Changes::Quantities GasModel::quantities()
             [this](StationId station, std::size_t thing, SessionTime t) {
                 const Decided timeline{m_session, station};
                 const std::array<Decision, kThings> decisions{timeline->gasAt(t),
-                                                              timeline->tube().cuffInflatedAt(t)};
+                                                              timeline->tube().cuffInflatedAt(t),
+                                                              timeline->tube().obstructionAt(t)};
                 return decisions[thing];
             },
         .propose =
@@ -85,6 +87,13 @@ void GasModel::setForAll(bool all)
 
 GasSupply GasModel::gas() const { return std::get<GasSupply>(m_changes.shown(0)); }
 bool GasModel::isCuffInflated() const { return std::get<bool>(m_changes.shown(1)); }
+double GasModel::obstruction() const { return std::get<double>(m_changes.shown(2)); }
+
+bool GasModel::hasTube() const
+{
+    const Decided timeline{m_session, m_changes.stations().shown};
+    return timeline->tubePlaceAt(SessionTime::max()).innerDiameter.si > 0.0;
+}
 
 bool GasModel::hasStylet() const
 {
@@ -163,6 +172,9 @@ QString GasModel::textOf(const Decision& decision)
 {
     if (const auto* gas = std::get_if<GasSupply>(&decision))
         return tr("Gas → %1").arg(gasText(*gas));
+    if (const auto* obstructed = std::get_if<double>(&decision))
+        return *obstructed > 0.0 ? tr("Tube → obstructed by %1\u00a0%").arg(100.0 * *obstructed)
+                                 : tr("Tube → open");
     return std::get<bool>(decision) ? tr("Cuff → inflated") : tr("Cuff → empty");
 }
 
@@ -186,6 +198,7 @@ void GasModel::refresh()
     now.obstacle = obstacle();
     now.obstacleToTube = obstacleToTube();
     now.weight_kg = weight_kg();
+    now.hasTube = hasTube();
     now.hasStylet = hasStylet();
     now.canUndo = canUndo();
     if (std::exchange(m_shown, now) != now)

@@ -12,13 +12,13 @@
 namespace carina
 {
 
-/// The gas, the cuff and the drugs of one station's patient, as people see and give them.
+/// The gas, the tube and the drugs of one station's patient, as people see, set and give them.
 ///
 /// A change is sent to every site before it takes effect; until then the getters already return it
 /// and `travellingText` lists it. While one change of a quantity is pending, only the latest
-/// further one is kept. Only instructors change gas and give drugs; cuff and stylet are for
-/// trainees at the station, too. What others set is ignored. Gas and cuff can be undone; a drug
-/// that was given cannot be taken back.
+/// further one is kept. Only instructors change gas, obstruct the tube and give drugs; cuff and
+/// stylet are for trainees at the station, too. What others set is ignored. Gas, cuff and
+/// obstruction can be undone; a drug that was given cannot be taken back.
 class GasModel : public QObject
 {
     Q_OBJECT
@@ -33,16 +33,21 @@ public:
     /// Adds its changes to a history from now on, by which alone they are to be undone.
     void setHistory(ChangeHistory& history) { m_changes.setHistory(history); }
     [[nodiscard]] bool hasHistory() const { return m_changes.hasHistory(); }
-    /// Whether a change is for the patients of all open stations: gas and cuff by one fact with one
+    /// Whether a change is for the patients of all open stations: gas and tube by one fact with one
     /// effect time, a drug by one for each patient, with what it is for that weight.
     void setForAll(bool all);
 
     // The value requested or, if no change is pending, in force.
     [[nodiscard]] GasSupply gas() const;
     [[nodiscard]] bool isCuffInflated() const;
+    /// Share of the tube's lumen that a kink, a bite or secretions take, 0 to 1.
+    [[nodiscard]] double obstruction() const;
     void setGas(const GasSupply& gas) { set(gas); }
     void setCuff(bool inflated) { set(inflated); }
+    void setObstruction(double share) { set(share); }
 
+    /// Whether there is a tube: of the console, or one that a monitor follows.
+    [[nodiscard]] bool hasTube() const;
     /// Whether a stylet is in the tube that a monitor follows at the station.
     [[nodiscard]] bool hasStylet() const;
     void drawStylet();
@@ -71,8 +76,8 @@ public:
     }
 
     [[nodiscard]] bool canUndo() const { return m_changes.canUndo(); }
-    /// Reverts the last change of gas or cuff, at each station where nobody decided otherwise
-    /// since.
+    /// Reverts the last change of gas, cuff or obstruction, at each station where nobody decided
+    /// otherwise since.
     void undo() { m_changes.undo(); }
 
     static constexpr Duration kShownDoses = std::chrono::minutes{1};
@@ -83,18 +88,19 @@ Q_SIGNALS:
 
 private:
     /// One of the quantities; its index in the variant says which.
-    using Decision = std::variant<GasSupply, bool>;
+    using Decision = std::variant<GasSupply, bool, double>;
     static constexpr std::size_t kThings = std::variant_size_v<Decision>;
     using Changes = PatientChanges<Decision, kThings>;
 
     struct Shown {
-        std::array<Decision, kThings> decisions{GasSupply{}, false};
+        std::array<Decision, kThings> decisions{GasSupply{}, false, 0.0};
         std::array<bool, kThings> pending{};
         QString given;
         QString tube;
         QString obstacle;
         QString obstacleToTube;
         double weight_kg = 0.0;
+        bool hasTube = false;
         bool hasStylet = false;
         bool canUndo = false;
 

@@ -114,10 +114,8 @@ void TryWatch::take(const IntubationEvent& event)
     m_course.add(event);
     if (!isUnderWay())
         return;
-    if (event.seat != m_latest.seat) {
-        m_seatedAt = event.at;
+    if (event.seat != m_latest.seat)
         m_hasBreathed = false;
-    }
     m_hasBreathed = m_hasBreathed || event.step == IntubationStep::FirstBreath;
     m_latest = event;
     if (wasUnderWay)
@@ -148,6 +146,7 @@ void TryWatch::begin(SessionTime now)
     m_begun = now;
     m_latest = {};
     m_hasBreathed = false;
+    m_breaths = {};
     m_isCuffInflated = false;
     m_vitalsAt = {};
     m_posesAt.reset();
@@ -162,24 +161,17 @@ void TryWatch::takeVitals(const Station& station, SessionTime now)
         return;
     const PatientRun& run = m_patient.at(station.respiration, now);
     m_course.addVitals(now, run.vitals());
-    takeBreath(run, now);
+    takeBreath(run);
 }
 
-/// Through a tube in the oesophagus nothing reaches the lungs, and the stomach is blown up.
-void TryWatch::takeBreath(const PatientRun& run, SessionTime now)
+void TryWatch::takeBreath(const PatientRun& run)
 {
-    if (m_hasBreathed || m_latest.seat == TubeSeat::None)
-        return;
-    const std::chrono::duration<double> since{double(run.fold().breath().steps) * kRespiratoryStep};
-    const SessionTime began = run.at() - std::chrono::duration_cast<Duration>(since);
-    const bool isOfStomach = m_latest.seat == TubeSeat::Oesophagus;
-    const bool isThere = isOfStomach ? run.body().settings().stomachBreaths.si > 0.0
-                                     : run.fold().isVentilated() && began >= m_seatedAt;
-    if (!isThere)
+    const std::optional<SessionTime> began = m_breaths.take(run, m_latest.seat);
+    if (!began || m_hasBreathed)
         return;
     IntubationEvent breath = m_latest;
     breath.step = IntubationStep::FirstBreath;
-    breath.at = isOfStomach ? now : began;
+    breath.at = *began;
     take(breath);
 }
 

@@ -1,8 +1,11 @@
 #include "models/scoring/try_words.h"
 
 #include "engine/scoring/score/literature.h"
+#include "models/station/intubation_timeline.h"
 
 #include <QCoreApplication>
+
+#include <cmath>
 
 namespace carina
 {
@@ -36,7 +39,11 @@ QString depthText(const TryReport& report)
     const TryMetrics& metrics = report.metrics;
     if (!metrics.depth)
         return measuredText(metrics, Metric::DepthError);
-    const QString depth = valueText(inMillimetres(metrics.depth->atTeeth), MetricUnit::Millimetres);
+    QString depth = valueText(inMillimetres(metrics.depth->atTeeth), MetricUnit::Millimetres);
+    if (metrics.depth->confidence < IntubationTimeline::kUncertain)
+        depth = tryWords(QT_TRANSLATE_NOOP("Try", "%1 (uncertain: %2\u00a0%)"))
+                    .arg(depth)
+                    .arg(std::lround(100.0 * metrics.depth->confidence));
     if (!metrics.depthWanted)
         return depth;
     return tryWords(QT_TRANSLATE_NOOP("Try", "%1; %2 by the rule %3"))

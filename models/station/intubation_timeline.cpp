@@ -88,6 +88,8 @@ QString happenedText(const IntubationEvent& event)
         return IntubationTimeline::tr("Real and virtual tube together again");
     case IntubationStep::PassedShut:
         return IntubationTimeline::tr("▲ The real tube passed cords that are shut");
+    case IntubationStep::AtRest:
+        return IntubationTimeline::tr("Tube at rest");
     }
     return {};
 }
@@ -105,6 +107,7 @@ bool hasDepth(IntubationStep step)
     case IntubationStep::CuffInflated:
     case IntubationStep::StyletOut:
     case IntubationStep::FirstBreath:
+    case IntubationStep::AtRest:
         return true;
     case IntubationStep::BladeIn:
     case IntubationStep::BladeOut:

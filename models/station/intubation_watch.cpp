@@ -16,6 +16,8 @@ namespace
 constexpr Duration kLongestSkip = std::chrono::milliseconds{500};
 /// A step can be concluded long after it happened; the session takes it as long as it is news.
 constexpr Duration kStillNews = kLongestNews - std::chrono::seconds{1};
+/// A step that was not taken, and is older than this with the answer, came too late.
+constexpr Duration kTooLate = kLongestNews - std::chrono::milliseconds{500};
 constexpr double kShutSpasm = 0.95; ///< severity from which no tube passes the cords; of ours
 
 SessionTime wholeMultiple(SessionTime t)
@@ -53,10 +55,13 @@ void IntubationWatch::lieIn(const PatientModel& patient)
 void IntubationWatch::forget()
 {
     m_monitor = IntubationMonitor{};
+    m_rest = {};
     m_taken.reset();
     m_controls.reset();
-    m_wasVentilated = false;
+    m_breathing = {};
+    m_breaths = {};
     m_queued.clear();
+    m_sent.reset();
     m_noted.clear();
 }
 
@@ -85,21 +90,25 @@ void IntubationWatch::look()
     while (*m_taken < until) {
         *m_taken += kEach;
         for (const IntubationEvent& event : m_monitor.take(airwayAt(*m_taken)))
-            queue(event, *now);
+            queue(event);
+        if (const auto rest = m_rest.take(m_monitor))
+            queue(*rest);
     }
     takeControls(*now);
+    takeBreath(*m_taken);
     propose(*now);
 }
 
 /// What moves tube, blade and tissue; the chest does not.
-StationMoment IntubationWatch::momentAt(SessionTime t) const
+StationMoment IntubationWatch::momentAt(SessionTime t)
 {
     StationMoment moment;
     moment.time = t;
     const auto state = m_node.state();
     const auto station = state->stations().find(m_station);
     if (station != state->stations().end()) {
-        moment.airwayEvents = station->second.airwayEvents.at(t);
+        const PatientRun& run = m_breathing.at(station->second.respiration, t);
+        moment.airwayEvents = airwayEventsAt(station->second, run, t);
         moment.headPosition = headPositionAt(station->second, t);
     }
     moment.worker = state->atWork(m_station);
@@ -149,48 +158,80 @@ IntubationWatch::Controls IntubationWatch::controlsAt(SessionTime t) const
     const auto station = state->stations().find(m_station);
     if (station == state->stations().end())
         return {};
-    const RespirationTimeline& respiration = station->second.respiration;
-    const RespiratorySettings settings = respiration.settingsAt(t);
-    return {.isCuffInflated = respiration.tube().cuffInflatedAt(t),
-            .isStyletIn = respiration.tube().styletInAt(t),
-            .isVentilated = settings.bag.rate > Frequency{}
-                            || settings.ventilator.mode != VentilationMode::Spontaneous};
+    const TubeTimeline& tube = station->second.respiration.tube();
+    return {.isCuffInflated = tube.cuffInflatedAt(t), .isStyletIn = tube.styletInAt(t)};
 }
 
 void IntubationWatch::takeControls(SessionTime now)
 {
     const Controls present = controlsAt(now);
     const Controls before = std::exchange(m_controls, present).value_or(present);
-    const auto tell = [&](IntubationStep step) { queue(m_monitor.told(step, now), now); };
+    const auto tell = [&](IntubationStep step) { queue(m_monitor.told(step, now)); };
     if (present.isCuffInflated != before.isCuffInflated)
         tell(present.isCuffInflated ? IntubationStep::CuffInflated : IntubationStep::CuffDeflated);
     if (before.isStyletIn && !present.isStyletIn)
         tell(IntubationStep::StyletOut);
-    if (course().seat == TubeSeat::None)
-        m_wasVentilated = false;
-    else if (present.isVentilated && !std::exchange(m_wasVentilated, true))
-        tell(IntubationStep::FirstBreath);
 }
 
-/// As the session takes it: no older than news are, and at a distance from the last of its kind.
-void IntubationWatch::queue(IntubationEvent event, SessionTime now)
+void IntubationWatch::takeBreath(SessionTime t)
 {
-    event.at = std::max(event.at, now - kStillNews);
-    const auto last = m_noted.find(event.step);
-    if (last != m_noted.end())
-        event.at = std::max(event.at, last->second + kShortestStep);
-    m_noted[event.step] = event.at;
+    const auto state = m_node.state();
+    const auto station = state->stations().find(m_station);
+    if (station == state->stations().end())
+        return;
+    const PatientRun& run = m_breathing.at(station->second.respiration, t);
+    if (const auto began = m_breaths.take(run, course().seat))
+        queue(m_monitor.told(IntubationStep::FirstBreath, *began));
+}
+
+void IntubationWatch::queue(const IntubationEvent& event)
+{
+    m_rest.note(event);
     m_queued.push_back(event);
 }
 
-/// In the order in which they were concluded, also where one has to wait. With the size of the tube
-/// that lies there: of the site where it is calibrated, else the patient's usual one.
+bool IntubationWatch::isTaken(const IntubationEvent& event) const
+{
+    const auto state = m_node.state();
+    const auto station = state->stations().find(m_station);
+    return station != state->stations().end()
+           && std::ranges::any_of(station->second.respiration.tube().notes(),
+                                  [&](const NotedStep& note) { return note.event == event; });
+}
+
+/// Of the session to what was proposed, once there is one.
+void IntubationWatch::takeAnswer(SessionTime now)
+{
+    const auto isStep = [](const FactBody& body) {
+        return std::holds_alternative<fact::IntubationNoted>(body);
+    };
+    if (!m_sent || std::ranges::any_of(m_node.pending(), isStep))
+        return;
+    const bool wasLate = !isTaken(*m_sent) && now - m_sent->at > kTooLate;
+    if (!wasLate) {
+        m_noted[m_sent->step] = m_sent->at;
+        m_queued.pop_front();
+    }
+    m_sent.reset();
+}
+
+/// In the order in which they were concluded, also where one has to wait, and as the session takes
+/// them: no older than news are, and at a distance from the last of the kind. With the size of the
+/// tube that lies there: of the site where it is calibrated, else the patient's usual one.
 void IntubationWatch::propose(SessionTime now)
 {
-    while (!m_queued.empty() && m_queued.front().at <= now) {
-        m_node.propose(m_station,
-                       fact::IntubationNoted{m_queued.front(), m_patient->tube().innerDiameter});
-        m_queued.pop_front();
+    takeAnswer(now);
+    while (!m_sent && !m_queued.empty()) {
+        IntubationEvent event = m_queued.front();
+        event.at = std::max(event.at, now - kStillNews);
+        const auto last = m_noted.find(event.step);
+        if (last != m_noted.end())
+            event.at = std::max(event.at, last->second + kShortestStep);
+        if (event.at > now)
+            return;
+        m_sent = event;
+        m_node.propose(m_station, fact::IntubationNoted{event, m_patient->tube().innerDiameter});
+        takeAnswer(now);
     }
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
-#include "engine/airway/monitor/intubation_monitor.h"
+#include "engine/airway/monitor/rest_watch.h"
 #include "engine/anatomy/laryngoscopy/glottic_view.h"
+#include "engine/session/respiration/respiration_follower.h"
+#include "engine/session/respiration/tube_breath_watch.h"
 #include "models/station/drawn_ways.h"
 #include "models/station/laryngoscope_sight.h"
 #include "models/station/station_view.h"
@@ -26,8 +28,14 @@ namespace carina
 /// where poses are interpolated between samples and not predicted. Patient, neck, jaw and tissue
 /// are as they are drawn then.
 ///
-/// What no sensor feels follows from what people set: cuff and stylet, and that bag or ventilator
-/// breathe for the first time with the tip past the cords, in the trachea or the oesophagus.
+/// What no sensor feels follows from what people set, cuff and stylet, and from the mechanics: the
+/// first breath that bag or ventilator deliver with the tip past the cords, in the trachea or the
+/// oesophagus (TubeBreathWatch).
+///
+/// Steps are proposed one after another, the next once the session has answered: one that it does
+/// not take because it came too late, as after a host was away, is proposed again, and so are those
+/// behind it, dated as far back as the session lets them be. One that is not taken for another
+/// reason, as of who is muted, is lost.
 class IntubationWatch : public QObject
 {
     Q_OBJECT
@@ -64,17 +72,19 @@ private:
     struct Controls {
         bool isCuffInflated = false;
         bool isStyletIn = true;
-        bool isVentilated = false;
     };
 
     void forget();
     [[nodiscard]] bool isAtWork() const;
-    [[nodiscard]] StationMoment momentAt(SessionTime t) const;
+    [[nodiscard]] StationMoment momentAt(SessionTime t);
     [[nodiscard]] AirwayMoment airwayAt(SessionTime t);
     [[nodiscard]] BladeSeen bladeIn(const StationMoment& moment, const LaryngoscopeSight& sight);
     [[nodiscard]] Controls controlsAt(SessionTime t) const;
     void takeControls(SessionTime now);
-    void queue(IntubationEvent event, SessionTime now);
+    void takeBreath(SessionTime t);
+    void queue(const IntubationEvent& event);
+    [[nodiscard]] bool isTaken(const IntubationEvent& event) const;
+    void takeAnswer(SessionTime now);
     void propose(SessionTime now);
 
     SessionNode& m_node;
@@ -85,10 +95,13 @@ private:
     const PatientModel* m_patient = nullptr;
     std::optional<StationLaryngoscope> m_laryngoscope;
     IntubationMonitor m_monitor;
+    RestWatch m_rest;
     std::optional<SessionTime> m_taken; ///< the latest moment
     std::optional<Controls> m_controls; ///< at the latest look
-    bool m_wasVentilated = false;       ///< through the tube as it lies
-    std::deque<IntubationEvent> m_queued;
+    RespirationFollower m_breathing;
+    TubeBreathWatch m_breaths;
+    std::deque<IntubationEvent> m_queued;          ///< in the order in which they were concluded
+    std::optional<IntubationEvent> m_sent;         ///< the first of them, as it was proposed
     std::map<IntubationStep, SessionTime> m_noted; ///< when each step was noted last
     QTimer m_timer;
 };

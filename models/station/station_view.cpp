@@ -7,6 +7,13 @@
 namespace carina
 {
 
+AirwayEvents airwayEventsAt(const Station& station, const PatientRun& run, SessionTime t)
+{
+    AirwayEvents events = station.airwayEvents.at(t);
+    worsen(events, {AirwayEventKind::Laryngospasm, run.spasm()});
+    return events;
+}
+
 bool isAway(const StationMoment& moment)
 {
     return moment.patient && !isInItsPlace(moment.patient->acted);
@@ -43,7 +50,7 @@ StationMoment StationView::at(SessionTime t, std::size_t level) const
         moment.breathing = run.shape();
         moment.inspiration = run.fold().inspiration();
         moment.position = station->second.respiration.settingsAt(t).position;
-        moment.airwayEvents = station->second.airwayEvents.at(t);
+        moment.airwayEvents = airwayEventsAt(station->second, run, t);
         moment.headPosition = headPositionAt(station->second, t);
         moment.exaggeration = m_exaggeration;
         const ChestPose drawn = drawnPose(m_lungs, moment.breathing, level);

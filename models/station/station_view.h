@@ -39,6 +39,12 @@ struct StationMoment {
     std::optional<Duration> sampleAge;    ///< of the tube's newest sample at `time`
 };
 
+/// The events of a patient's airway at a time: those that are decided, and a laryngospasm that is
+/// at least as severe as that by which the patient answers blade or tube.
+/// @param run of the patient, at that time
+[[nodiscard]] AirwayEvents airwayEventsAt(const Station& station, const PatientRun& run,
+                                          SessionTime t);
+
 /// Whether the virtual patient is displaced from its original pose.
 [[nodiscard]] bool isAway(const StationMoment& moment);
 

@@ -13,19 +13,29 @@ constexpr double kSaturationBack = 0.01;
 constexpr Frequency kRateBack = perMinute(2.0);
 constexpr Pressure kPressureBack = mmHg(3.0);
 constexpr double kGrown_years = 18.0;
+constexpr double kFirstWeek_years = 7.0 / 365.0;
 
-/// 1st and 99th centile of heart rate up to an age (Fleming et al. 2011), per minute.
+/// 1st and 99th centile of heart rate up to an age (Fleming et al. 2011), per minute. Those of
+/// birth are taken for the first week.
 struct RateCentiles {
     double before_years;
     double first;
     double ninetyNinth;
 };
-constexpr std::array kRateCentiles{
-    RateCentiles{0.25, 107, 181},       RateCentiles{0.5, 104, 175}, RateCentiles{0.75, 98, 168},
-    RateCentiles{1.0, 93, 161},         RateCentiles{1.5, 88, 156},  RateCentiles{2.0, 82, 149},
-    RateCentiles{3.0, 76, 142},         RateCentiles{4.0, 70, 136},  RateCentiles{6.0, 65, 131},
-    RateCentiles{8.0, 59, 123},         RateCentiles{12.0, 52, 115}, RateCentiles{15.0, 47, 108},
-    RateCentiles{kGrown_years, 43, 104}};
+constexpr std::array kRateCentiles{RateCentiles{kFirstWeek_years, 90, 164},
+                                   RateCentiles{0.25, 107, 181},
+                                   RateCentiles{0.5, 104, 175},
+                                   RateCentiles{0.75, 98, 168},
+                                   RateCentiles{1.0, 93, 161},
+                                   RateCentiles{1.5, 88, 156},
+                                   RateCentiles{2.0, 82, 149},
+                                   RateCentiles{3.0, 76, 142},
+                                   RateCentiles{4.0, 70, 136},
+                                   RateCentiles{6.0, 65, 131},
+                                   RateCentiles{8.0, 59, 123},
+                                   RateCentiles{12.0, 52, 115},
+                                   RateCentiles{15.0, 47, 108},
+                                   RateCentiles{kGrown_years, 43, 104}};
 
 Pressure lowestSystolic(double age_years)
 {

@@ -44,7 +44,10 @@ struct AlarmLimits {
 /// The limits for a patient of an age.
 ///
 /// Heart rate: below 18 years the 1st and 99th centile (Fleming et al., Lancet 2011;377:1011), 50
-/// and 120 /min from then on. Lowest systolic pressure: hypotension of the American Heart
+/// and 120 /min from then on. The heart of a newborn is slower than that of an infant of a month,
+/// so those of birth, 90 and 164 /min, hold for the first week (of ours); the 2nd to 98th centile
+/// of the first day, 96 to 162 /min (Tveiten et al., Arch Dis Child Fetal Neonatal Ed
+/// 2021;106:489), lie within. Lowest systolic pressure: hypotension of the American Heart
 /// Association's paediatric life support, 60 mmHg in the newborn, 70 in the first year, then 70 + 2
 /// age, and 90 from ten years on. Of ours: the saturations, the grown person's rates, the time of
 /// apnoea, 15 s in the first year and then 20 s, and the highest pressure, 100 mmHg at birth, 4

@@ -1,6 +1,7 @@
 #include "apps/lab/intubation/intubation_trial.h"
 
 #include "apps/lab/intubation/watched_airway.h"
+#include "engine/airway/monitor/rest_watch.h"
 #include "engine/tracking/pose_history.h"
 
 #include <algorithm>
@@ -75,6 +76,8 @@ public:
         for (const IntubationEvent& event :
              m_monitor.take(m_airway.take({*X_AE, *X_AL, *X_AJ, head})))
             note(tube.time, event);
+        if (const auto rest = m_rest.take(m_monitor))
+            note(tube.time, *rest);
         measure(*X_AL, head);
     }
     void finish()
@@ -98,6 +101,7 @@ private:
     }
     void note(SessionTime now, const IntubationEvent& event)
     {
+        m_rest.note(event);
         m_trial.noted.push_back({now, event});
         m_trial.measured.add(event);
     }
@@ -115,6 +119,7 @@ private:
     IntubationTrial& m_trial;
     WatchedAirway m_airway;
     IntubationMonitor m_monitor;
+    RestWatch m_rest;
     PoseHistory m_tube;
     PoseHistory m_laryngoscope;
     PoseHistory m_jaw;

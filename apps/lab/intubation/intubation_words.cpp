@@ -11,11 +11,13 @@ namespace
 constexpr std::array kSeatWords{"none", "trachea", "right_main", "left_main", "oesophagus"};
 static_assert(kSeatWords.size() == kTubeSeats.size());
 
-constexpr std::array kStepWords{
-    "blade_in",          "blade_out",        "glottis_seen",  "tube_past_teeth",   "tube_out",
-    "through_cords",     "back_above_cords", "in_oesophagus", "out_of_oesophagus", "past_carina",
-    "back_above_carina", "cuff_inflated",    "cuff_deflated", "stylet_out",        "first_breath",
-    "shapes_apart",      "shapes_together",  "passed_shut"};
+constexpr std::array kStepWords{"blade_in",         "blade_out",         "glottis_seen",
+                                "tube_past_teeth",  "tube_out",          "through_cords",
+                                "back_above_cords", "in_oesophagus",     "out_of_oesophagus",
+                                "past_carina",      "back_above_carina", "cuff_inflated",
+                                "cuff_deflated",    "stylet_out",        "first_breath",
+                                "shapes_apart",     "shapes_together",   "passed_shut",
+                                "at_rest"};
 static_assert(kStepWords.size() == static_cast<std::size_t>(kLastIntubationStep) + 1);
 
 } // namespace

@@ -30,8 +30,9 @@ enum class IntubationStep : std::uint8_t {
     ShapesApart, ///< measured and constrained tube part: the depth is no longer claimed
     ShapesTogether,
     PassedShut, ///< the real tube passed where the virtual airway is shut
+    AtRest,     ///< the tip, in trachea or bronchus, rests at another depth than was noted last
 };
-inline constexpr IntubationStep kLastIntubationStep = IntubationStep::PassedShut;
+inline constexpr IntubationStep kLastIntubationStep = IntubationStep::AtRest;
 
 /// One entry of an intubation's course, with what it rests on. Poses are those of one station.
 struct IntubationEvent {

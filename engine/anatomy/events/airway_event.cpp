@@ -50,6 +50,17 @@ double severityOf(const AirwayEvents& events, AirwayEventKind kind)
     return found == events.end() ? 0.0 : found->severity;
 }
 
+void worsen(AirwayEvents& events, const AirwayEvent& by)
+{
+    if (by.severity <= 0.0)
+        return;
+    const auto place = std::ranges::lower_bound(events, by.kind, {}, &AirwayEvent::kind);
+    if (place == events.end() || place->kind != by.kind)
+        events.insert(place, by);
+    else
+        place->severity = std::max(place->severity, by.severity);
+}
+
 bool areProper(const AirwayEvents& events)
 {
     const auto unordered = std::ranges::adjacent_find(

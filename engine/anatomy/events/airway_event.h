@@ -54,6 +54,9 @@ using AirwayEvents = std::vector<AirwayEvent>;
 /// How severe one of them is; 0 where it is not there.
 [[nodiscard]] double severityOf(const AirwayEvents& events, AirwayEventKind kind);
 
+/// Adds one to proper ones: of two of a kind the worse counts. One of severity 0 adds nothing.
+void worsen(AirwayEvents& events, const AirwayEvent& by);
+
 /// Whether each kind is there once at most, in order, with a severity of 0 to 1.
 [[nodiscard]] bool areProper(const AirwayEvents& events);
 

@@ -157,8 +157,7 @@ void blockBehindTube(LungMechanics& lung, double severity)
 /// the last hundredth of the section closed nothing passes to either lung.
 void narrowTrachea(RespiratorySystem& system, double severity)
 {
-    constexpr double kDensity = 1.2;           // kg/m^3
-    constexpr double kTracheaSection = 2.0e-4; // m^2
+    constexpr double kDensity = 1.2; // kg/m^3
     constexpr double kLeastOpen = 0.01;
     const double open = 1.0 - severity;
     const double jet = (1.0 / std::max(kLeastOpen, open) - 1.0) / kTracheaSection;

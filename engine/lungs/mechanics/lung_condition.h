@@ -63,6 +63,9 @@ inline constexpr std::size_t kMostConditions = 6;
 /// that overlap, and a tube in one main bronchus at most.
 [[nodiscard]] bool canCoexist(const LungConditions& conditions);
 
+/// Cross section of the trachea that an Obstruction of both lungs narrows, m^2.
+inline constexpr double kTracheaSection = 2.0e-4;
+
 /// A healthy system, tube included, with conditions applied. Parameters as functions of the
 /// severity s are piecewise linear through the values of Pulse at 0.3, 0.6 and 0.9, where Pulse has
 /// them (docs/mechanics.md names each source):

@@ -128,22 +128,27 @@ std::optional<double> RespiratoryFold::inspiration() const
     return std::clamp(m_state.muscle / m_state.effort, 0.0, 1.0); // the effort may have lessened
 }
 
-Pressure RespiratoryFold::muscleAt(double breaths) const
+/// @param seconds since the beginning of the step
+Pressure RespiratoryFold::muscleAt(double breaths, double seconds) const
 {
     const double share =
         muscleShare(breaths - std::floor(breaths), m_state.breath.inspiratoryFraction);
-    return share * m_state.effort;
+    if (m_settings.cough == 0.0)
+        return share * m_state.effort;
+    const double time = static_cast<double>(m_state.steps) * kRespiratoryStep + seconds;
+    const double hardest = m_settings.cough * std::min(1.0, m_state.system.strength);
+    return share * m_state.effort - hardest * coughShare(time) * kCoughPressure;
 }
 
 /// The muscle's pressure when the step has gone on for so long: of its breath, and what is still
-/// above or below it where the effort was changed.
+/// above or below it where the effort was changed, or a cough came or went in its midst.
 Pressure RespiratoryFold::relaxedTo(double breaths, double before, double seconds) const
 {
-    const Pressure aim = muscleAt(breaths);
+    const Pressure aim = muscleAt(breaths, seconds);
     const double most = cmH2O(kMuscleSlew_cmH2OPerS).si * seconds;
     if (std::abs(aim.si - m_state.muscle.si) <= most)
         return aim;
-    const double left = (m_state.muscle - muscleAt(before)).si;
+    const double left = (m_state.muscle - muscleAt(before, 0.0)).si;
     return {aim.si + left - std::clamp(left, -most, most)};
 }
 

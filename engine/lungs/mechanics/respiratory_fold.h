@@ -25,6 +25,7 @@ struct RespiratorySettings {
     BodyPosition position = BodyPosition::Supine;
     double ownBreathing = 1.0; ///< share of the patient's own breathing that is left; 0: apnoea
     HandBag bag;
+    double cough = 0.0; ///< how hard the patient coughs, as a share of the hardest; 0: not at all
 
     friend bool operator==(const RespiratorySettings&, const RespiratorySettings&) = default;
 };
@@ -71,7 +72,7 @@ struct RespiratoryState {
     VentilatorState ventilator;
     BreathingPattern breath; ///< in force since the present breath began
     Pressure effort;         ///< peak muscle pressure of the present breath
-    Pressure muscle;         ///< at the end of the last step
+    Pressure muscle;         ///< at the end of the last step; below 0 in a cough
     AirwayOpening opening;   ///< in the last step
     BreathTally tally;
     BreathFigures last; ///< the latest whole breath; all 0 before the first
@@ -99,6 +100,9 @@ struct RespiratoryState {
 /// kSlowestOwn. At 0 the patient does not breathe: the muscles let go, the present breath is not
 /// counted, and there is none until breathing goes on or something ventilates. A bag takes the
 /// place of the ventilator while its rate is above 0.
+///
+/// A patient who coughs does so on top of all that, with or without breath of its own: the
+/// expiratory muscles press with coughShare() of kCoughPressure, less in who is weak.
 class RespiratoryFold
 {
 public:
@@ -126,6 +130,7 @@ public:
     [[nodiscard]] const BreathFigures& lastBreath() const { return m_state.last; }
     /// Running values of the present breath.
     [[nodiscard]] const BreathTally& breath() const { return m_state.tally; }
+    /// Of the inspiratory muscles, less that of the expiratory ones in a cough.
     [[nodiscard]] Pressure muscle() const { return m_state.muscle; }
     /// How far the inspiratory muscles have risen to their peak in the present breath, 0 to 1;
     /// nothing where the patient makes no effort.
@@ -142,7 +147,7 @@ private:
         Pressure effort;
     };
 
-    [[nodiscard]] Pressure muscleAt(double breaths) const;
+    [[nodiscard]] Pressure muscleAt(double breaths, double seconds) const;
     [[nodiscard]] Pressure relaxedTo(double breaths, double before, double seconds) const;
     [[nodiscard]] bool ventilatorBegins() const;
     [[nodiscard]] bool inspires() const;

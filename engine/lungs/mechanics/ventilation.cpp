@@ -73,6 +73,13 @@ double muscleShare(double phase, double inspiratoryFraction)
     return 1.0 - halfSine(std::min(1.0, (phase - inspiratoryFraction) / fall));
 }
 
+double coughShare(double seconds)
+{
+    CARINA_EXPECTS(seconds >= 0.0);
+    const double within = std::fmod(seconds, kCoughEvery);
+    return within < kCoughBurst ? std::sin(std::numbers::pi * within / kCoughBurst) : 0.0;
+}
+
 double meanMuscleShare(double inspiratoryFraction)
 {
     const double fall = std::min(kFallShare * inspiratoryFraction, 1.0 - inspiratoryFraction);

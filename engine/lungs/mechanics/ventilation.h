@@ -45,6 +45,17 @@ inline constexpr double kBagInspiration = 1.0 / 3.0;
 /// @pre 0 <= phase < 1, the fraction within 0.1..0.9.
 [[nodiscard]] double muscleShare(double phase, double inspiratoryFraction);
 
+/// Pressure of the expiratory muscles of who coughs without a pause, at a time, as a share of its
+/// peak: half a sine over kCoughBurst, and again after kCoughEvery.
+/// @pre seconds are not negative
+[[nodiscard]] double coughShare(double seconds);
+
+// All of ours: in anaesthesia that is too light some coughs come in a breath, each of them less
+// than the 100 cmH2O and more that awake people reach.
+inline constexpr double kCoughEvery = 1.2; ///< s
+inline constexpr double kCoughBurst = 0.4; ///< s
+inline constexpr Pressure kCoughPressure = cmH2O(60.0);
+
 /// Mean of muscleShare over a breath.
 [[nodiscard]] double meanMuscleShare(double inspiratoryFraction);
 

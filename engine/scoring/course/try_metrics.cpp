@@ -125,7 +125,7 @@ void CourseReader::readPlace(const IntubationEvent& event)
         m_lastPlace = m_seat;
     m_course.depth.reset();
     if (isInAirway(m_seat) && !m_areApart)
-        m_course.depth = {event.at, event.depthAtTeeth, event.tipAboveCarina};
+        m_course.depth = {event.at, event.depthAtTeeth, event.tipAboveCarina, event.confidence};
 }
 
 TryMetrics CourseReader::endedAt(SessionTime ended)

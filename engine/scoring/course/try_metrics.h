@@ -47,9 +47,10 @@ inline constexpr std::size_t kTryChecks = 5;
 
 /// The place of the tube at the end of a try, where it lies in the airway.
 struct TubeDepth {
-    SessionTime at{};     ///< when it was measured
-    Length atTeeth{};     ///< of the tip, along the tube
-    Length aboveCarina{}; ///< of the tip, along the airway; negative beyond
+    SessionTime at{};        ///< when it was measured
+    Length atTeeth{};        ///< of the tip, along the tube
+    Length aboveCarina{};    ///< of the tip, along the airway; negative beyond
+    double confidence = 1.0; ///< that the tip was there, 0 to 1
 
     friend bool operator==(const TubeDepth&, const TubeDepth&) = default;
 };
@@ -100,7 +101,8 @@ struct TryMetrics {
 /// What follows from the events of a try; all that rests on other measurements is left out.
 ///
 /// The tube's passage through the cords is the last one that was not undone. The depth is that of
-/// the last event with the tip in trachea or bronchus; there is none where measured and constrained
+/// the last event with the tip in trachea or bronchus: a tube that comes to rest at another depth
+/// is an event of its own (IntubationStep::AtRest). There is none where measured and constrained
 /// tube had parted by then. A monitor may conclude otherwise later, and then notes with its time
 /// that the tip has left where it was taken to be: an oesophagus that it left when it came there
 /// does not count.

@@ -30,6 +30,12 @@ struct CuffSet {
 struct StyletDrawn {
     friend bool operator==(const StyletDrawn&, const StyletDrawn&) = default;
 };
+/// The tube of the station's patient is kinked, bitten on or blocked, from 0, open, to 1, shut.
+struct TubeObstructed {
+    double share = 0.0; ///< of its lumen that is lost
+
+    friend bool operator==(const TubeObstructed&, const TubeObstructed&) = default;
+};
 /// The monitor of an intubation notes what happened at the station.
 struct IntubationNoted {
     IntubationEvent event;

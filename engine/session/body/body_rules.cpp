@@ -190,6 +190,11 @@ Result<void> checkPatientBody(const fact::DrugGiven& fact)
     return checkNumber("dose", fact.dose.milligrams, 0.0, most, " mg");
 }
 
+Result<void> checkPatientBody(const fact::TubeObstructed& fact)
+{
+    return checkNumber("obstruction of a tube", fact.share, 0.0, 1.0, "");
+}
+
 Result<void> checkPatientBody(const fact::IntubationNoted& fact)
 {
     const IntubationEvent& event = fact.event;

@@ -21,6 +21,7 @@ inline constexpr Length kLongestTubeWay = metres(1.0);
 /// @returns OutOfRange or NotFinite, with the value and its range.
 [[nodiscard]] Result<void> checkPatientBody(const fact::GasSupplySet& fact);
 [[nodiscard]] Result<void> checkPatientBody(const fact::DrugGiven& fact);
+[[nodiscard]] Result<void> checkPatientBody(const fact::TubeObstructed& fact);
 [[nodiscard]] Result<void> checkPatientBody(const fact::IntubationNoted& fact);
 [[nodiscard]] Result<void> checkPatientBody(const fact::CapnographCheckpoint& fact);
 [[nodiscard]] Result<void> checkPatientBody(const fact::BodyCheckpoint& fact);

@@ -26,6 +26,8 @@ void TubeTimeline::note(SessionTime from, const IntubationEvent& event, Length i
         return;
     case IntubationStep::TubeOut:
         m_stylet.set(from, true);
+        m_cuff.set(from, false);
+        m_obstruction.set(from, 0.0);
         break;
     default:
         break;
@@ -39,25 +41,26 @@ void TubeTimeline::forgetBefore(SessionTime t)
     m_noted.forgetBefore(t);
     m_blade.forgetBefore(t);
     m_cuff.forgetBefore(t);
+    m_obstruction.forgetBefore(t);
     m_stylet.forgetBefore(t);
 }
 
 TubePlace TubeTimeline::placeAt(SessionTime t, const PatientBuild& build) const
 {
     if (const Length set = m_override.at(t); set.si > 0.0)
-        return {TubeSeat::Trachea, set};
+        return {TubeSeat::Trachea, set, 0.0, m_obstruction.at(t)};
     const NotedTube noted = m_noted.at(t);
     if (!noted.isWatched)
         return {};
     const Length diameter =
         noted.innerDiameter.si > 0.0 ? noted.innerDiameter : usualTube(build.ageInYears, build.sex);
-    return {noted.seat, diameter, m_cuff.at(t) ? 0.0 : kEmptyCuffLeak};
+    return {noted.seat, diameter, m_cuff.at(t) ? 0.0 : kEmptyCuffLeak, m_obstruction.at(t)};
 }
 
 SessionTime TubeTimeline::changeAfter(SessionTime t) const
 {
     return std::min({m_override.changeAfter(t), m_noted.changeAfter(t), m_blade.changeAfter(t),
-                     m_cuff.changeAfter(t)});
+                     m_cuff.changeAfter(t), m_obstruction.changeAfter(t)});
 }
 
 } // namespace carina

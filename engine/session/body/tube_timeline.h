@@ -44,8 +44,11 @@ public:
     /// An entry about the tube (from IntubationStep::TubePastTeeth on) says where its tip is.
     /// @param innerDiameter 0 where it is not known
     void note(SessionTime from, const IntubationEvent& event, Length innerDiameter);
+    /// Until the tube is out of the mouth again: a cuff is emptied to take it out.
     void setCuff(SessionTime from, bool inflated) { m_cuff.set(from, inflated); }
-    /// Until the tube is out of the mouth again: for the next try it has its stylet back.
+    /// Likewise, of a tube of the console, too: of its lumen the share that is lost.
+    void setObstruction(SessionTime from, double share) { m_obstruction.set(from, share); }
+    /// Likewise: for the next try the tube has its stylet back.
     void drawStylet(SessionTime from) { m_stylet.set(from, false); }
     /// As ParameterTimeline; entries stay.
     void forgetBefore(SessionTime t);
@@ -61,12 +64,13 @@ public:
     /// A watched tube whose tip is above the cords, or out of the mouth, has the seat None and an
     /// inner diameter above 0; where nobody has set or noted a tube, the diameter is 0. A tube
     /// that the console has set does not leak; a noted one leaks kEmptyCuffLeak until its cuff is
-    /// inflated.
+    /// inflated. Both are obstructed as it was set.
     /// @param build for the diameter of a tube of which it is not known (usualTube)
     [[nodiscard]] TubePlace placeAt(SessionTime t, const PatientBuild& build) const;
     /// Whether the last entry about the blade said that it is in the mouth.
     [[nodiscard]] bool bladeInMouthAt(SessionTime t) const { return m_blade.at(t); }
     [[nodiscard]] bool cuffInflatedAt(SessionTime t) const { return m_cuff.at(t); }
+    [[nodiscard]] double obstructionAt(SessionTime t) const { return m_obstruction.at(t); }
     [[nodiscard]] bool styletInAt(SessionTime t) const { return m_stylet.at(t); }
     /// The first change after t of what placeAt or bladeInMouthAt tells; SessionTime::max() where
     /// there is none.
@@ -79,6 +83,7 @@ private:
     ParameterTimeline<NotedTube> m_noted{NotedTube{}};
     ParameterTimeline<bool> m_blade{false};
     ParameterTimeline<bool> m_cuff{false};
+    ParameterTimeline<double> m_obstruction{0.0};
     ParameterTimeline<bool> m_stylet{true};
     std::vector<NotedStep> m_notes;
 };

@@ -3,6 +3,7 @@
 #include "engine/session/facts/fact_rules.h"
 
 #include <algorithm>
+#include <numbers>
 
 namespace carina
 {
@@ -36,6 +37,19 @@ void intubateOneSide(LungConditions& conditions, TubeSeat seat)
     if (!isSet)
         add(conditions, {ConditionKind::MainstemIntubation, 1.0,
                          seat == TubeSeat::RightMain ? ConditionSide::Right : ConditionSide::Left});
+}
+
+/// The severity of an Obstruction with a jet as fast, above the flow that is there, as that of a
+/// tube of which this share is lost: the jet of a narrow place is its flow times
+/// (1 / open share - 1) / section.
+double severityInTrachea(const TubePlace& tube)
+{
+    const double radius = 0.5 * tube.innerDiameter.si;
+    const double section = std::numbers::pi * radius * radius;
+    if (tube.obstruction >= 1.0 || section <= 0.0)
+        return tube.obstruction;
+    const double jet = tube.obstruction / (1.0 - tube.obstruction) * kTracheaSection / section;
+    return jet / (1.0 + jet);
 }
 
 Volume leftOf(Volume delivered, double leak)
@@ -85,7 +99,7 @@ RespiratorySettings ventilatedThrough(const RespiratorySettings& settings, const
         return through;
     if (tube.seat != TubeSeat::Trachea)
         intubateOneSide(through.conditions, tube.seat);
-    obstruct(through.conditions, tube.obstruction);
+    obstruct(through.conditions, severityInTrachea(tube));
     through.bag.tidalVolume = leftOf(through.bag.tidalVolume, tube.leak);
     if (through.ventilator.mode == VentilationMode::VolumeControl)
         through.pattern.tidalVolume = leftOf(through.pattern.tidalVolume, tube.leak);

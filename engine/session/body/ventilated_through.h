@@ -22,7 +22,8 @@ namespace carina
 /// - Where nothing reaches the lungs, as without bag and ventilator: the patient breathes alone.
 /// - A leak takes its share of the volume that a bag, or a ventilator in volume control, delivers,
 ///   down to kSmallestTidalVolume; pressure control makes up for it.
-/// - Of an obstruction: Obstruction of both lungs with its severity.
+/// - Of an obstruction: Obstruction of both lungs, as severe as loses as much pressure in the
+///   trachea, which is wider than the tube. A tube that is wholly shut lets nothing through.
 [[nodiscard]] RespiratorySettings ventilatedThrough(const RespiratorySettings& settings,
                                                     const TubePlace& tube, const GasSupply& gas);
 

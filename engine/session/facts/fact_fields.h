@@ -152,6 +152,7 @@ inline constexpr std::tuple kFields<GasSupply>{&GasSupply::inspiredOxygen, &GasS
 template <> inline constexpr std::tuple kFields<fact::DrugGiven>{&fact::DrugGiven::dose};
 template <> inline constexpr std::tuple kFields<DrugDose>{&DrugDose::kind, &DrugDose::milligrams};
 template <> inline constexpr std::tuple kFields<fact::CuffSet>{&fact::CuffSet::inflated};
+template <> inline constexpr std::tuple kFields<fact::TubeObstructed>{&fact::TubeObstructed::share};
 template <>
 inline constexpr std::tuple kFields<fact::IntubationNoted>{&fact::IntubationNoted::event,
                                                            &fact::IntubationNoted::innerDiameter};

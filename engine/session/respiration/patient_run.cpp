@@ -1,5 +1,6 @@
 #include "engine/session/respiration/patient_run.h"
 
+#include "engine/physiology/capnograph.h"
 #include "engine/session/body/ventilated_through.h"
 
 #include <algorithm>
@@ -33,6 +34,7 @@ PatientRun::Settings PatientRun::settingsAt(const RespirationTimeline& timeline,
 
 PatientRun::PatientRun(const RespirationTimeline& timeline, const RespirationState* checkpoint)
     : m_at{checkpoint ? checkpoint->at : kBeforeAll},
+      m_heardTo{m_at},
       m_settings{settingsAt(timeline, m_at)},
       m_body{checkpoint ? BodyFold{m_settings.body, checkpoint->body} : BodyFold{m_settings.body}},
       m_influence{influence()},
@@ -40,13 +42,20 @@ PatientRun::PatientRun(const RespirationTimeline& timeline, const RespirationSta
                         : RespiratoryFold{influenced()}}
 {
     if (checkpoint)
-        forgetBreaths(timeline);
+        forgetBreaths();
 }
 
 PatientRun::Influence PatientRun::influence() const
 {
     const bool isOpen = isThroughCords(m_settings.body.tube.seat);
-    return {inBodyShares(m_body.breathingLeft()), isOpen ? 0.0 : inBodyShares(m_body.spasm())};
+    return {inBodyShares(m_body.breathingLeft()), isOpen ? 0.0 : inBodyShares(m_body.spasm()),
+            coughs() ? inBodyShares(m_body.tone()) : 0.0};
+}
+
+bool PatientRun::coughs() const
+{
+    const bool hasDrugs = m_body.state().drugs != DrugsInBody{};
+    return hasDrugs && m_body.coughs();
 }
 
 RespiratorySettings PatientRun::influenced() const
@@ -54,6 +63,7 @@ RespiratorySettings PatientRun::influenced() const
     RespiratorySettings breathing = m_settings.breathing;
     breathing.ownBreathing *= m_influence.breathingLeft;
     obstruct(breathing.conditions, m_influence.spasm);
+    breathing.cough = m_influence.cough;
     return breathing;
 }
 
@@ -75,16 +85,11 @@ void PatientRun::give(const RespirationTimeline& timeline, SessionTime from)
 void PatientRun::skipTo(const RespirationTimeline& timeline, SessionTime t)
 {
     passTo(timeline, m_at + (t - m_at) / kFoldStep * kFoldStep);
-    forgetBreaths(timeline);
+    forgetBreaths();
 }
 
 /// The last step began with all that had been heard by then.
-void PatientRun::forgetBreaths(const RespirationTimeline& timeline)
-{
-    const auto breaths = timeline.breaths();
-    m_heard = std::size_t(std::ranges::count_if(
-        breaths, [this](const HeardBreath& breath) { return breath.heard <= m_at - kFoldStep; }));
-}
+void PatientRun::forgetBreaths() { m_heardTo = m_at - kFoldStep; }
 
 void PatientRun::advanceTo(const RespirationTimeline& timeline, SessionTime t)
 {
@@ -150,9 +155,22 @@ void PatientRun::followBody()
 
 void PatientRun::hear(const RespirationTimeline& timeline)
 {
-    const auto breaths = timeline.breaths();
-    for (; m_heard < breaths.size() && breaths[m_heard].heard <= m_at; ++m_heard)
-        m_fold.trigger(toSeconds(m_at - breaths[m_heard].began));
+    for (const HeardBreath& breath : timeline.breathsHeard(m_heardTo, m_at))
+        m_fold.trigger(toSeconds(m_at - breath.began));
+    m_heardTo = m_at;
+}
+
+std::optional<SessionTime> PatientRun::deliveredBreath() const
+{
+    if (const Frequency blown = m_settings.body.stomachBreaths; blown.si > 0.0) {
+        const double phase = m_body.state().capnograph.stomachPhase;
+        return phase < kStomachInspiration ? std::nullopt
+                                           : std::optional{m_at - fromSeconds(phase / blown.si)};
+    }
+    const BreathTally& breath = m_fold.breath();
+    if (!m_fold.isVentilated() || breath.inspired <= m_fold.system().anatomicalDeadSpace)
+        return std::nullopt;
+    return m_at - breath.steps * kFoldStep;
 }
 
 ChestShape PatientRun::shape() const

@@ -6,6 +6,7 @@
 #include "engine/session/respiration/respiration_timeline.h"
 
 #include <array>
+#include <optional>
 
 namespace carina
 {
@@ -19,8 +20,12 @@ namespace carina
 ///
 /// The lungs are ventilated through tube and gas as they are then (ventilatedThrough). Of the
 /// patient's own breathing drugs leave a share, and cords that are shut by spasm obstruct the
-/// airway of a patient whose tube is not through them; both act in steps of kBodyShare, so that the
-/// lungs do not get other settings with each step of the body.
+/// airway of a patient whose tube is not through them. Who coughs does so the harder the more tone
+/// drugs leave. All three act in steps of kBodyShare, so that the lungs do not get other settings
+/// with each step of the body.
+///
+/// A patient whom nobody gave a drug does not cough: a session about lungs, ventilator or the way
+/// of a tube needs none, and its patient is taken for anaesthetised by other means.
 class PatientRun
 {
 public:
@@ -41,6 +46,13 @@ public:
     [[nodiscard]] SessionTime at() const { return m_at; }
     [[nodiscard]] const RespiratoryFold& fold() const { return m_fold; }
     [[nodiscard]] const BodyFold& body() const { return m_body; }
+    /// How far the cords are shut by spasm, 0 to 1, in steps of kBodyShare; 0 where a tube is
+    /// through them.
+    [[nodiscard]] double spasm() const { return m_influence.spasm; }
+    /// When the present breath of bag or ventilator began, once it was delivered: more gas than
+    /// the anatomical dead space has come in; with a tube in the oesophagus, whose gas no lung
+    /// tells of, the time has passed in which it is blown in.
+    [[nodiscard]] std::optional<SessionTime> deliveredBreath() const;
     /// What a bedside monitor measures.
     [[nodiscard]] Vitals vitals() const { return m_body.vitals(); }
     /// The state to draw.
@@ -58,6 +70,7 @@ private:
     struct Influence {
         double breathingLeft = 1.0;
         double spasm = 0.0; ///< 0 where a tube is through the cords
+        double cough = 0.0; ///< by the tone that is left
 
         friend bool operator==(const Influence&, const Influence&) = default;
     };
@@ -66,6 +79,7 @@ private:
 
     [[nodiscard]] static Settings settingsAt(const RespirationTimeline& timeline, SessionTime t);
     [[nodiscard]] Influence influence() const;
+    [[nodiscard]] bool coughs() const;
     [[nodiscard]] RespiratorySettings influenced() const;
     void passTo(const RespirationTimeline& timeline, SessionTime t);
     void skipTo(const RespirationTimeline& timeline, SessionTime t);
@@ -75,10 +89,10 @@ private:
     void followBody();
     void step(const RespirationTimeline& timeline);
     void hear(const RespirationTimeline& timeline);
-    void forgetBreaths(const RespirationTimeline& timeline);
+    void forgetBreaths();
 
     SessionTime m_at;
-    std::size_t m_heard = 0; ///< number of manikin breaths applied
+    SessionTime m_heardTo; ///< breaths of the manikin that were heard by then are applied
     Settings m_settings;
     BodyFold m_body; ///< it has the doses from before m_at
     Influence m_influence;

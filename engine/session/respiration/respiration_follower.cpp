@@ -1,7 +1,5 @@
 #include "engine/session/respiration/respiration_follower.h"
 
-#include <algorithm>
-
 namespace carina
 {
 namespace
@@ -18,18 +16,15 @@ SessionTime checkpointTime(const RespirationTimeline& timeline, SessionTime t)
 RespirationFollower::Place RespirationFollower::begun(const RespirationTimeline& timeline,
                                                       SessionTime t)
 {
-    return {PatientRun{timeline, t}, checkpointTime(timeline, t), timeline.decisions().size()};
+    return {PatientRun{timeline, t}, checkpointTime(timeline, t), timeline.decisions()};
 }
 
 /// Whether the run can continue to t: no decision since then has an earlier effect time.
 bool RespirationFollower::holds(const Place& place, const RespirationTimeline& timeline,
                                 SessionTime t)
 {
-    const auto decisions = timeline.decisions();
     return place.run.at() <= t && place.checkpoint == checkpointTime(timeline, t)
-           && place.decisions <= decisions.size()
-           && std::ranges::all_of(decisions.subspan(place.decisions),
-                                  [&](SessionTime from) { return from >= place.run.at(); });
+           && timeline.effectSince(place.decisions) >= place.run.at();
 }
 
 const PatientRun& RespirationFollower::at(const RespirationTimeline& timeline, SessionTime t)
@@ -40,7 +35,7 @@ const PatientRun& RespirationFollower::at(const RespirationTimeline& timeline, S
     if (!m_before || m_before->run.at() > from || m_before->run.at() + kStepBack < from)
         m_before = m_now;
     m_now->run.advanceTo(timeline, t);
-    m_now->decisions = timeline.decisions().size();
+    m_now->decisions = timeline.decisions();
     return m_now->run;
 }
 

@@ -92,7 +92,7 @@ Result<void> checkDrive(const RespiratoryState& state)
 {
     return checkNumbers({
         {"effort", state.effort.si, 0.0, kGreatestPressure, " Pa"},
-        {"pressure of muscles", state.muscle.si, -1.0, kGreatestPressure, " Pa"},
+        {"pressure of muscles", state.muscle.si, -kGreatestPressure, kGreatestPressure, " Pa"},
         {"pressure at the opening", inCmH2O(state.opening.pressure), 0.0,
          inCmH2O(kHighestPressureLimit), " cmH2O"},
         {"flow at the opening", inLitresPerSecond(state.opening.flow), 0.0, 1000.0, " L/s"},

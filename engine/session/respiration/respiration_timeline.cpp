@@ -10,6 +10,10 @@ namespace carina
 
 void RespirationTimeline::decide(SessionTime from)
 {
+    if (m_decisions.size() == kMostDecisions) {
+        m_decisions.erase(m_decisions.begin());
+        ++m_forgotten;
+    }
     m_decisions.push_back(from);
     while (!m_checkpoints.empty() && m_checkpoints.back().at > from)
         m_checkpoints.pop_back();
@@ -84,6 +88,12 @@ void RespirationTimeline::give(SessionTime from, const DrugDose& dose)
 {
     m_doses.insert(std::ranges::upper_bound(m_doses, from, {}, &GivenDose::from),
                    GivenDose{from, dose});
+    decide(from);
+}
+
+void RespirationTimeline::setObstruction(SessionTime from, double share)
+{
+    m_tube.setObstruction(from, share);
     decide(from);
 }
 
@@ -179,6 +189,9 @@ void RespirationTimeline::forgetBefore(SessionTime t)
     m_bag.forgetBefore(t);
     m_running.forgetBefore(t);
     m_doses.erase(m_doses.begin(), std::ranges::lower_bound(m_doses, t, {}, &GivenDose::from));
+    // Who goes on from there still hears what was heard in the step before.
+    m_breaths.erase(m_breaths.begin(),
+                    std::ranges::lower_bound(m_breaths, t - kLongestNews, {}, &HeardBreath::heard));
 }
 
 RespiratorySettings RespirationTimeline::settingsAt(SessionTime t) const
@@ -198,6 +211,22 @@ std::span<const GivenDose> RespirationTimeline::dosesWithin(SessionTime from,
 {
     const auto first = std::ranges::lower_bound(m_doses, from, {}, &GivenDose::from);
     return {first, std::ranges::lower_bound(first, m_doses.end(), before, {}, &GivenDose::from)};
+}
+
+std::span<const HeardBreath> RespirationTimeline::breathsHeard(SessionTime after,
+                                                               SessionTime until) const
+{
+    const auto first = std::ranges::upper_bound(m_breaths, after, {}, &HeardBreath::heard);
+    return {first,
+            std::ranges::upper_bound(first, m_breaths.end(), until, {}, &HeardBreath::heard)};
+}
+
+SessionTime RespirationTimeline::effectSince(std::size_t known) const
+{
+    if (known < m_forgotten || known > decisions())
+        return SessionTime::min();
+    const auto added = std::span{m_decisions}.subspan(known - m_forgotten);
+    return added.empty() ? SessionTime::max() : *std::ranges::min_element(added);
 }
 
 SessionTime RespirationTimeline::changeAfter(SessionTime t) const

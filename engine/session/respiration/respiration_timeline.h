@@ -53,6 +53,9 @@ class RespirationTimeline
 {
 public:
     static constexpr std::size_t kMostCheckpoints = 8;
+    /// Effect times of changes and breaths that are kept; of ours: far more than come between two
+    /// looks of who follows a patient.
+    static constexpr std::size_t kMostDecisions = 256;
 
     /// @pre rate is finite and not negative.
     void setRate(SessionTime from, Frequency rate);
@@ -66,6 +69,7 @@ public:
     void setTube(SessionTime from, Length innerDiameter);
     void noteIntubation(SessionTime from, const IntubationEvent& event, Length innerDiameter);
     void setCuff(SessionTime from, bool inflated);
+    void setObstruction(SessionTime from, double share);
     void drawStylet(SessionTime from) { m_tube.drawStylet(from); }
     void setGas(SessionTime from, const GasSupply& gas);
     void give(SessionTime from, const DrugDose& dose);
@@ -85,7 +89,7 @@ public:
     /// Ignored where it is not later than the last. A change with an earlier effect time that is
     /// added afterwards invalidates it. Only the last kMostCheckpoints are kept, and of the changes
     /// of settings those that have an effect from the first of these on: the state of a session is
-    /// copied with each fact, and who draws looks back for seconds.
+    /// copied with each fact, and who draws looks back for seconds. So it is with breaths.
     void addCheckpoint(const RespirationState& checkpoint);
 
     /// Nobody looks back further than to this time: the first checkpoint that is kept, once earlier
@@ -116,13 +120,19 @@ public:
     /// The first dose or change of a setting or of running after t; SessionTime::max() where there
     /// is none.
     [[nodiscard]] SessionTime changeAfter(SessionTime t) const;
-    /// In ascending order of `heard`.
+    /// In ascending order of `heard`; those of before the first checkpoint that is kept are gone.
     [[nodiscard]] std::span<const HeardBreath> breaths() const { return m_breaths; }
+    /// Those that were heard after one time and until another, this one included.
+    [[nodiscard]] std::span<const HeardBreath> breathsHeard(SessionTime after,
+                                                            SessionTime until) const;
     /// The last valid checkpoint at or before t; nullptr where none is kept.
     [[nodiscard]] const RespirationState* checkpointBefore(SessionTime t) const;
-    /// The effect time of each change and each breath, in the order in which they were added: a
-    /// reader that stores how many there were finds out from when on new ones have an effect.
-    [[nodiscard]] std::span<const SessionTime> decisions() const { return m_decisions; }
+    /// How many changes and breaths were added so far.
+    [[nodiscard]] std::size_t decisions() const { return m_forgotten + m_decisions.size(); }
+    /// From when on those have an effect that were added after the first `known` of them, of which
+    /// a reader keeps the number; SessionTime::max() where there are none, and SessionTime::min()
+    /// where so many were added since that not all are kept.
+    [[nodiscard]] SessionTime effectSince(std::size_t known) const;
 
 private:
     /// Of a checkpoint of which the body is still to come.
@@ -152,7 +162,8 @@ private:
     std::vector<GivenDose> m_doses; ///< in ascending order
     std::vector<RespirationState> m_checkpoints;
     std::optional<CheckpointParts> m_parts;
-    std::vector<SessionTime> m_decisions;
+    std::vector<SessionTime> m_decisions; ///< effect times of the latest, in the order of adding
+    std::size_t m_forgotten = 0;          ///< number of those before
 };
 
 /// Longest time over which breathing may stop or go on again, and the steps in which it does.

@@ -14,6 +14,7 @@ private Q_SLOTS:
     void usesOxygenAsMeasured();
     void pumpsBloodByItsUse();
     void changesEvenlyWithAge();
+    void hasTheFastestHeartAtOneMonth();
 };
 
 // Asleep. Lindahl 1989: 5.0 kg + 19.8 ml/min in children; Brody: 10 kg^0.75 awake.
@@ -53,6 +54,24 @@ void TestBodyFigures::changesEvenlyWithAge()
         QVERIFY(now.mean_mmHg - before.mean_mmHg < 0.5);
         before = now;
     }
+}
+
+// Medians of 143,346 children: 127 per minute at birth, most at one month, 145, and 113 at two
+// years (Fleming, Lancet 2011;377:1011).
+void TestBodyFigures::hasTheFastestHeartAtOneMonth()
+{
+    constexpr double kRate_perMin = 1.0;
+    const auto rateAt = [](double years) {
+        PatientBuild build = test::kNewborn;
+        build.ageInYears = years;
+        return bodyFiguresOf(build).heartRate_perMin;
+    };
+    constexpr double kMonth = 1.0 / 12.0;
+    VERIFY_WITHIN(rateAt(0.0), 127.0, kRate_perMin);
+    VERIFY_WITHIN(rateAt(kMonth), 145.0, kRate_perMin);
+    VERIFY_WITHIN(rateAt(2.0), 113.0, kRate_perMin);
+    for (double years = 0.0; years < 18.0; years += kMonth)
+        QVERIFY(rateAt(years) <= rateAt(kMonth));
 }
 
 CARINA_TEST(TestBodyFigures)

@@ -47,6 +47,7 @@ private Q_SLOTS:
     void risesInApnoea_data();
     void risesInApnoea();
     void fallsWithLargeBreaths();
+    void isMadeOfNoMoreOxygenThanTheBloodHeldAtAnArrest();
 };
 
 void TestCarbonDioxide::risesInApnoea_data()
@@ -85,6 +86,29 @@ void TestCarbonDioxide::fallsWithLargeBreaths()
     QVERIFY2(bed.endTidal_mmHg() < 0.75 * usual,
              qPrintable(QString::number(bed.endTidal_mmHg() / usual)));
     QVERIFY(bed.endTidal_mmHg() > 0.45 * usual);
+}
+
+// Whoever has no circulation makes carbon dioxide of the oxygen that is left in the blood; without
+// an end it would rise by 4 mmHg a minute.
+void TestCarbonDioxide::isMadeOfNoMoreOxygenThanTheBloodHeldAtAnArrest()
+{
+    constexpr double kWithoutOxygen_mmHg = 0.1; // in half an hour
+    Bed bed{test::kLeanAdult};
+    bed.stopBreathing();
+    bed.runWhile(1200.0, [&] { return !bed.body.state().circulation.arrested; });
+    QVERIFY(bed.body.state().circulation.arrested);
+    const BloodGas& blood = bed.body.state().blood;
+    const BodyFigures body = bodyFiguresOf(test::kLeanAdult);
+    const double atArrest = blood.tissueCarbonDioxide_mmHg;
+    const double left_ml = 1e-3 * blood.restingOxygen_mlPerL * body.bloodVolume_ml;
+    bed.run(300.0);
+    const double later = blood.tissueCarbonDioxide_mmHg;
+    const double made_mlPerMmHg = body.carbonDioxide_mlPerS * 600.0 / 40.0; // for each mmHg
+    const double most = left_ml * body.carbonDioxide_mlPerS / body.oxygenUse_mlPerS;
+    QVERIFY2(later >= atArrest && (later - atArrest) * made_mlPerMmHg <= most,
+             qPrintable(QString::number(later - atArrest)));
+    bed.run(1800.0);
+    expectWithin(blood.tissueCarbonDioxide_mmHg - later, 0.0, kWithoutOxygen_mmHg);
 }
 
 CARINA_TEST(TestCarbonDioxide)

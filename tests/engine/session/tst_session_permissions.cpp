@@ -127,6 +127,7 @@ void TestSessionPermissions::permitsByRole_data()
     });
     row("inflates the cuff", "yyynnn", [](auto) { return fact::CuffSet{true}; });
     row("draws the stylet", "yyynnn", [](auto) { return fact::StyletDrawn{}; });
+    row("kinks the tube", "yynnnn", [](auto) { return fact::TubeObstructed{0.5}; });
     // Who is at work in this session is the trainee.
     row("squeezes a bag", "yyynnn", [](auto) { return fact::BagSqueezed{}; });
     row("notes a step of the intubation", "ynynnn",
@@ -273,6 +274,7 @@ void TestSessionPermissions::takesOnlyPeopleAndObjectsAfterTheEnd_data()
     row("drug", fact::DrugGiven{{DrugKind::Propofol, 100.0}}, "session ended");
     row("cuff", fact::CuffSet{true}, "session ended");
     row("stylet", fact::StyletDrawn{}, "session ended");
+    row("kink", fact::TubeObstructed{0.5}, "session ended");
     row("step of an intubation", notedNow(IntubationStep::BladeIn), "session ended");
 }
 

@@ -390,6 +390,7 @@ void TestStations::changeTogetherInThePatientOnly_data()
     row("gas", fact::GasSupplySet{}, "fine");
     row("drug", fact::DrugGiven{{DrugKind::Propofol, 100.0}}, "fine");
     row("cuff", fact::CuffSet{}, "fine");
+    row("kink", fact::TubeObstructed{0.5}, "fine");
     row("stylet", fact::StyletDrawn{}, "station unknown");
     row("intubation", fact::IntubationNoted{{IntubationStep::BladeIn, kNow}}, "station unknown");
     row("anatomy", fact::AnatomyChosen{"aa", "A"}, "fine");

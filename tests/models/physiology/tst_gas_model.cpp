@@ -22,6 +22,7 @@ private Q_SLOTS:
     void showsWhatIsInForce();
     void setsAndTellsWhatTravels();
     void undoesGasAndCuff();
+    void obstructsTheTubeThatThereIs();
     void changesAllStationsAndUndoesEach();
     void givesByTheWeightOfEachPatient();
     void offersNoMoreThanAllCanBeGiven();
@@ -124,6 +125,26 @@ void TestGasModel::undoesGasAndCuff()
     console.model.give(DrugKind::Propofol, 2.0);
     console.settle();
     QVERIFY(!console.model.canUndo()); // what is in the body stays there
+}
+
+void TestGasModel::obstructsTheTubeThatThereIs()
+{
+    Console console;
+    QVERIFY(!console.model.hasTube());
+    console.note(IntubationStep::ThroughCords, TubeSeat::Trachea);
+    QVERIFY(console.model.hasTube());
+    console.model.setObstruction(0.6);
+    QCOMPARE(console.model.travellingText(), QStringLiteral("Tube → obstructed by 60\u00a0%"));
+    console.settle();
+    QCOMPARE(console.model.obstruction(), 0.6);
+    const auto state = console.node.state();
+    const RespirationTimeline& patient =
+        state->stations().at(FakeSessionNode::kStation).respiration;
+    QCOMPARE(patient.tubePlaceAt(*console.node.now()).obstruction, 0.6);
+    console.model.undo();
+    QCOMPARE(console.model.travellingText(), QStringLiteral("Tube → open"));
+    console.settle();
+    QCOMPARE(console.model.obstruction(), 0.0);
 }
 
 void TestGasModel::changesAllStationsAndUndoesEach()

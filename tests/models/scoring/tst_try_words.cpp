@@ -34,6 +34,7 @@ class TestTryWords : public QObject
 private Q_SLOTS:
     void haveATextForEachOfAll();
     void tellAGoodTryWithItsUnits();
+    void tellThatADepthIsUncertain();
     void tellWhatWasNotMeasured();
     void tellWhatNeverHappened();
     void explainALostPointWithItsMoment();
@@ -77,6 +78,16 @@ void TestTryWords::tellAGoodTryWithItsUnits()
     QCOMPARE(valueNamed(lines, "Attempts"), QStringLiteral("1"));
     QCOMPARE(scoreText(reportOfGoodTry().score), QStringLiteral("100 of 100 points"));
     QVERIFY(notMeasuredText(goodTry()).isEmpty());
+}
+
+void TestTryWords::tellThatADepthIsUncertain()
+{
+    TryMetrics metrics = goodTry();
+    metrics.depth->confidence = 0.62;
+    metrics.depthWanted.reset();
+    const TryReport report = reportOf(metrics, DepthRule::TenthOfHeight, publishedRubric());
+    QCOMPARE(valueNamed(tryLines(report), "Depth at the teeth"),
+             QStringLiteral("200\u00a0mm (uncertain: 62\u00a0%)"));
 }
 
 void TestTryWords::tellWhatWasNotMeasured()

@@ -133,6 +133,24 @@ private Q_SLOTS:
         QCOMPARE(inMillimetres(work.place().innerDiameter), 7.5);
     }
 
+    /// 10 mm further after it was noted, and nothing else happens.
+    void notesHowDeepTheTubeLiesInTheEnd()
+    {
+        Work work;
+        work.runs();
+        const SessionTime begin = *work.node.now();
+        work.tube = [begin](SessionTime t) {
+            return pushed(std::clamp(0.01 * (secondsFrom(begin, t) - 3.0), 0.0, 0.01));
+        };
+        work.goOn(8s);
+        const auto rests = work.noted(IntubationStep::AtRest);
+        QCOMPARE(rests.size(), 1U); // before it lay where it was noted
+        const IntubationCourse& course = work.watch.course();
+        const Length off = rests.back().depthAtTeeth - course.tip.depthAtTeeth;
+        QVERIFY(std::abs(off.si) < RestWatch::kStill.si);
+        QCOMPARE(rests.back().seat, TubeSeat::Trachea);
+    }
+
     void notesATubeThatIsPushedPastTheCarina()
     {
         Work work;
@@ -195,7 +213,8 @@ private Q_SLOTS:
         QVERIFY(work.noted(IntubationStep::FirstBreath).empty());
     }
 
-    /// A mask's breaths before are not through the tube.
+    /// A mask's breaths before are not through the tube, nor is the one that goes on as it comes
+    /// there.
     void notesTheFirstBreathThroughTheTube()
     {
         Work work;
@@ -207,11 +226,42 @@ private Q_SLOTS:
                 return std::nullopt;
             return pushed(0.0);
         };
-        work.goOn(5s);
+        work.goOn(4s); // the bag has been at work with the tube in place
+        QVERIFY(work.noted(IntubationStep::FirstBreath).empty());
+        work.goOn(6s);
         const auto first = work.noted(IntubationStep::FirstBreath);
         QCOMPARE(first.size(), 1U);
-        QVERIFY(secondsFrom(begin, first.front().at) > 2.0);
+        const auto through = work.noted(IntubationStep::ThroughCords);
+        QVERIFY(through.size() == 1 && first.front().at > through.front().at);
         QCOMPARE(first.front().seat, TubeSeat::Trachea);
+    }
+
+    /// The patient's own spasm shuts the cords: too little of a hypnotic, and a blade.
+    void notesATubeThatPassesCordsInSpasm()
+    {
+        Work work;
+        work.runs();
+        work.node.decide(fact::GasSupplySet{{1.0, true, true}});
+        work.node.decide(fact::DrugGiven{{DrugKind::Propofol, 40.0}}); // 1 mg/kg
+        work.node.decide(
+            fact::IntubationNoted{{.step = IntubationStep::BladeIn, .at = *work.node.now()}, {}});
+        RespirationFollower follower;
+        const auto spasm = [&] {
+            const auto state = work.node.state();
+            const Station& station = state->stations().at(FakeSessionNode::kStation);
+            return follower.at(station.respiration, *work.node.now()).spasm();
+        };
+        for (int i = 0; i < 120 && spasm() < 0.97; ++i) {
+            work.node.advance(1s);
+            work.watch.look();
+        }
+        QVERIFY2(spasm() >= 0.97, qPrintable(QString::number(spasm())));
+        work.goOn(1s);
+        QVERIFY(work.noted(IntubationStep::PassedShut).empty());
+        work.tube = [](SessionTime) { return pushed(0.0); };
+        work.goOn(2s);
+        QCOMPARE(work.noted(IntubationStep::PassedShut).size(), 1U);
+        QCOMPARE(spasm(), 0.0); // the tube holds them open
     }
 
     void notesNothingWhileTheSessionDoesNotRun()
@@ -256,6 +306,27 @@ private Q_SLOTS:
         for (int step = 0; step <= int(kLastIntubationStep); ++step)
             steps += work.noted(IntubationStep(step)).size();
         QCOMPARE(int(steps), work.node.proposed);
+    }
+
+    /// What happened meanwhile would be too old for the session.
+    void losesNoStepWhileTheHostIsAway()
+    {
+        Work work;
+        work.runs();
+        work.goOn(1s);
+        work.node.hostGoesAway();
+        work.tube = [](SessionTime) { return pushed(0.0); };
+        work.goOn(2s);
+        work.tube = [](SessionTime) { return pushed(0.055); };
+        work.goOn(10s);
+        QCOMPARE(work.node.proposed, 1); // the next waits for the answer
+        work.node.hostComesBack();
+        QVERIFY(work.noted(IntubationStep::TubePastTeeth).empty()); // it came too late
+        work.goOn(1s);
+        QCOMPARE(work.noted(IntubationStep::TubePastTeeth).size(), 1U);
+        QCOMPARE(work.noted(IntubationStep::ThroughCords).size(), 1U);
+        QCOMPARE(work.noted(IntubationStep::PastCarina).size(), 1U);
+        QVERIFY(work.place().seat == work.watch.course().seat);
     }
 };
 

@@ -68,6 +68,7 @@ private Q_SLOTS:
     void nobodysTubeIsThePatientsWhileNobodyIsAtWork();
     void breathesAtTheTimeOfLight();
     void hasTheAirwayOfTheTimeOfLight();
+    void shutsTheCordsOfWhoSleepsTooLightly();
     void hasTheHeadAsItLiesAtTheTimeOfLight();
     void exaggeratesOnlyWhereAsked();
     void showsRestBeforeTheClockIsSet();
@@ -162,6 +163,44 @@ void TestStationView::hasTheAirwayOfTheTimeOfLight()
 
 /// Half of the way to the sniffing position after half of 10 s; a neck that is half as stiff as can
 /// be is flexed by half of 35 degrees at most.
+/// By the patient's own spasm, as in the mechanics, until a relaxant acts.
+void TestStationView::shutsTheCordsOfWhoSleepsTooLightly()
+{
+    FakeSessionNode node;
+    const LungPair pair = lungs();
+    const StationView view{node, FakeSessionNode::kStation, pair};
+    const auto spasmNow = [&] {
+        return severityOf(view.at(*node.now(), 0).airwayEvents, AirwayEventKind::Laryngospasm);
+    };
+    RespirationFollower follower;
+    const auto mechanicsNow = [&] {
+        const auto state = node.state();
+        const Station& station = state->stations().at(FakeSessionNode::kStation);
+        return follower.at(station.respiration, *node.now()).spasm();
+    };
+    const auto goOn = [&](int seconds) {
+        for (int i = 0; i < seconds; ++i) {
+            node.advance(std::chrono::seconds{1});
+            QVERIFY(spasmNow() >= mechanicsNow());
+        }
+    };
+    node.decide(fact::PhaseChanged{SessionPhase::Running});
+    node.decide(fact::DrugGiven{{DrugKind::Propofol, 40.0}}); // 1 mg/kg: too little
+    goOn(75);
+    QCOMPARE(spasmNow(), 0.0);
+    node.decide(fact::IntubationNoted{{.step = IntubationStep::BladeIn, .at = *node.now()}, {}});
+    goOn(15);
+    QVERIFY2(spasmNow() > 0.5, qPrintable(QString::number(spasmNow())));
+    QCOMPARE(spasmNow(), mechanicsNow());
+    node.decide(fact::AirwayEventsSet{{{AirwayEventKind::Laryngospasm, 1.0}}, {}});
+    goOn(1);
+    QCOMPARE(spasmNow(), 1.0); // the worse of both
+    node.decide(fact::AirwayEventsSet{});
+    node.decide(fact::DrugGiven{{DrugKind::Suxamethonium, 60.0}});
+    goOn(60);
+    QVERIFY2(spasmNow() < 0.1, qPrintable(QString::number(spasmNow())));
+}
+
 void TestStationView::hasTheHeadAsItLiesAtTheTimeOfLight()
 {
     constexpr double kRounding = 1e-12; // radians

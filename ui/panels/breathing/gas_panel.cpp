@@ -23,6 +23,7 @@ constexpr int kDoseDecimals = 2;
 constexpr double kLeastDose = 0.01; ///< of the unit of a drug, per kilogram
 constexpr int kGivenLines = 2;
 constexpr double kOxygenStep = 10.0; ///< per cent
+constexpr double kObstructionStep = 10.0;
 
 /// Shows a value without telling it back to the model; not while a person is typing into it.
 void showValue(CheckedDoubleSpinBox& box, double value)
@@ -56,6 +57,7 @@ GasPanel::GasPanel(QWidget* parent)
       m_tube{new PlainLabel},
       m_cuff{new QCheckBox{tr("Cuff inflated")}},
       m_stylet{new QPushButton{tr("Draw the stylet")}},
+      m_obstruction{new CheckedDoubleSpinBox},
       m_drug{new QComboBox},
       m_dose{new CheckedDoubleSpinBox},
       m_whole{new PlainLabel},
@@ -90,6 +92,7 @@ void GasPanel::layOut()
     layTube(*rows);
     layDrugs(*rows);
     m_refused->watch(*m_oxygen);
+    m_refused->watch(*m_obstruction);
     m_refused->watch(*m_dose);
     m_obstacle->setObjectName(QStringLiteral("obstacle"));
     m_obstacle->setWordWrap(true);
@@ -116,8 +119,16 @@ void GasPanel::layTube(QFormLayout& rows)
     auto* row = new QHBoxLayout;
     row->addWidget(m_cuff, 1);
     row->addWidget(m_stylet);
+    m_obstruction->setObjectName(QStringLiteral("obstruction"));
+    m_obstruction->setAccessibleName(tr("Obstruction of the tube, per cent"));
+    m_obstruction->setRange(0.0, 100.0);
+    m_obstruction->setDecimals(0);
+    m_obstruction->setSingleStep(kObstructionStep);
+    m_obstruction->setSuffix(tr(" %"));
+    m_obstruction->setAlignment(Qt::AlignRight);
     rows.addRow(m_tube);
     rows.addRow(row);
+    rows.addRow(tr("Tube obstructed"), m_obstruction);
 }
 
 void GasPanel::layDrugs(QFormLayout& rows)
@@ -157,8 +168,10 @@ void GasPanel::explain()
     m_cuff->setToolTip(tr("Without it a quarter of each breath escapes beside a tube that is "
                           "followed"));
     m_stylet->setToolTip(tr("It is back in the tube for the next try"));
+    m_obstruction->setToolTip(tr("How much of its lumen a kink, a bite or secretions take, until "
+                                 "it is taken out; 100 % let nothing through"));
     m_give->setToolTip(tr("Gives the dose at once; a drug that was given cannot be taken back"));
-    m_undo->setToolTip(tr("Undoes the last change of gas or cuff"));
+    m_undo->setToolTip(tr("Undoes the last change of gas or tube"));
 }
 
 void GasPanel::setModel(GasModel& model)
@@ -180,6 +193,8 @@ void GasPanel::setModel(GasModel& model)
     });
     connect(m_cuff, &QCheckBox::toggled, &model, &GasModel::setCuff);
     connect(m_stylet, &QPushButton::clicked, &model, &GasModel::drawStylet);
+    connect(m_obstruction, &QDoubleSpinBox::valueChanged, &model,
+            [&model](double percent) { model.setObstruction(0.01 * percent); });
     connectDrugs();
     connect(m_undo, &QPushButton::clicked, &model, &GasModel::undo);
     connect(&model, &GasModel::changed, this, &GasPanel::refresh);
@@ -239,6 +254,8 @@ void GasPanel::refresh()
     m_tube->setText(tube);
     m_tube->setVisible(!tube.isEmpty());
     m_stylet->setEnabled(m_model->hasStylet());
+    showValue(*m_obstruction, 100.0 * m_model->obstruction());
+    m_obstruction->setEnabled(m_model->hasTube());
     const DrugKind kind = drug();
     m_dose->setMaximum(unitsPerMilligram(kind) * m_model->mostDose_mgPerKg(kind));
     refreshDose();

@@ -16,10 +16,10 @@ namespace carina
 class CheckedDoubleSpinBox;
 class RefusalLine;
 
-/// Shows and sets what the patient breathes and the cuff of the tube, and gives drugs by the
-/// patient's weight. A control shows the value in force or, while a change is pending, the
-/// requested value; pending changes are listed below. For a person without permission the panel
-/// states the reason.
+/// Shows and sets what the patient breathes, the cuff of the tube and how far it is obstructed, and
+/// gives drugs by the patient's weight. A control shows the value in force or, while a change is
+/// pending, the requested value; pending changes are listed below. For a person without permission
+/// the panel states the reason.
 class GasPanel : public QWidget
 {
     Q_OBJECT
@@ -51,6 +51,7 @@ private:
     QLabel* m_tube; ///< where it is
     QCheckBox* m_cuff;
     QPushButton* m_stylet;
+    CheckedDoubleSpinBox* m_obstruction;
     QComboBox* m_drug;
     CheckedDoubleSpinBox* m_dose;
     QLabel* m_whole; ///< the dose for this patient

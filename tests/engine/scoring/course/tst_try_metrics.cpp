@@ -24,6 +24,7 @@ class TestTryMetrics : public QObject
 private Q_SLOTS:
     void tellTheTimesOfAGoodTry();
     void tellWhereTheTubeLies();
+    void takeTheDepthAtWhichTheTubeRestsInTheEnd();
     void claimNoDepthWhereTheShapesParted();
     void tellASideAndThatItWasPulledBack();
     void tellAnOesophagusThatWasRecognisedLate();
@@ -58,6 +59,17 @@ void TestTryMetrics::tellWhereTheTubeLies()
     QCOMPARE(inMillimetres(depth.atTeeth), 200.0);
     QCOMPARE(inMillimetres(depth.aboveCarina), 30.0);
     QCOMPARE(depth.at, courseTime(30.0));
+}
+
+void TestTryMetrics::takeTheDepthAtWhichTheTubeRestsInTheEnd()
+{
+    HandWrittenCourse course = goodCourse();
+    course.deep(214.0, 16.0).sure(0.9).at(41.0, IntubationStep::AtRest, TubeSeat::Trachea);
+    const TubeDepth depth = courseUntil(course, 50.0).depth.value();
+    QCOMPARE(inMillimetres(depth.atTeeth), 214.0);
+    QCOMPARE(inMillimetres(depth.aboveCarina), 16.0);
+    QCOMPARE(depth.confidence, 0.9);
+    QCOMPARE(depth.at, courseTime(41.0));
 }
 
 void TestTryMetrics::claimNoDepthWhereTheShapesParted()

@@ -74,6 +74,7 @@ void TestBodyRules::boundsNumbers_data()
     rows("oxygen", 0.21, 1.0, [](double v) -> FactBody {
         return fact::GasSupplySet{{v, false, true}};
     });
+    rows("obstruction", 0.0, 1.0, [](double v) -> FactBody { return fact::TubeObstructed{v}; });
     rows("confidence", 0.0, 1.0, noted([](IntubationEvent& e, double v) { e.confidence = v; }));
     rows("glottis", 0.0, 1.0, noted([](IntubationEvent& e, double v) { e.glotticOpening = v; }));
     rows("depth in m", 0.0, 1.0,

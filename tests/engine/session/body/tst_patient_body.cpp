@@ -82,6 +82,7 @@ private Q_SLOTS:
     void breathesAloneWhileTheTubeIsInTheOesophagus();
     void letsTheConsoleOverrideTheMonitor();
     void losesItsOwnBreathingByDrugs();
+    void coughsAgainstATubeInTooLightASleep();
     void doesNotDependOnHowOftenItIsAsked();
     void isTheSameForALateJoiner_data();
     void isTheSameForALateJoiner();
@@ -228,6 +229,26 @@ void TestPatientBody::losesItsOwnBreathingByDrugs()
     }
     QCOMPARE(run.fold().settings().ownBreathing, 0.0);
     QVERIFY(run.fold().isStill());
+}
+
+/// By the tone that is left, until a relaxant takes it.
+void TestPatientBody::coughsAgainstATubeInTooLightASleep()
+{
+    LogWriter writer = runningAdult();
+    writer.add(atSeconds(3.0), fact::BagSqueezed{{perMinute(15.0), millilitres(450.0)}});
+    note(writer, 5.0, IntubationStep::ThroughCords, TubeSeat::Trachea);
+    writer.add(atSeconds(20.0), fact::DrugGiven{{DrugKind::Propofol, 80.0}});
+    writer.add(atSeconds(60.0), fact::DrugGiven{{DrugKind::Suxamethonium, 100.0}});
+    const SessionState state = stateOf(writer);
+    const PatientRun before = ranTo(state, 19.0);
+    QVERIFY(before.body().coughs());
+    QCOMPARE(before.fold().settings().cough, 0.0); // nobody gave a drug
+    const PatientRun light = ranTo(state, 58.0);
+    QVERIFY(light.body().coughs());
+    QVERIFY(std::abs(light.fold().settings().cough - light.body().tone()) <= 0.5 * kBodyShare);
+    QVERIFY(light.fold().settings().cough > 0.2 && light.fold().settings().cough < 1.0);
+    QVERIFY(light.fold().lastBreath().peak > before.fold().lastBreath().peak + cmH2O(3.0));
+    QCOMPARE(ranTo(state, 150.0).fold().settings().cough, 0.0);
 }
 
 void TestPatientBody::doesNotDependOnHowOftenItIsAsked()

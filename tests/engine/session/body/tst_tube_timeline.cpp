@@ -102,6 +102,33 @@ private Q_SLOTS:
         QCOMPARE(placeAt(tube, 4.0).leak, 0.0); // it is said to be as it should
     }
 
+    void emptiesTheCuffOfATubeThatIsTakenOut()
+    {
+        TubeTimeline tube;
+        tube.note(atSeconds(1.0), noted(IntubationStep::InOesophagus, TubeSeat::Oesophagus), {});
+        tube.setCuff(atSeconds(2.0), true);
+        tube.note(atSeconds(3.0), noted(IntubationStep::TubeOut, TubeSeat::None), {});
+        QVERIFY(tube.cuffInflatedAt(atSeconds(2.9)));
+        QVERIFY(!tube.cuffInflatedAt(atSeconds(3.0)));
+        tube.note(atSeconds(4.0), noted(IntubationStep::ThroughCords, TubeSeat::Trachea), {});
+        QCOMPARE(placeAt(tube, 4.0).leak, kEmptyCuffLeak);
+    }
+
+    void isObstructedUntilTheTubeIsTakenOut()
+    {
+        TubeTimeline tube;
+        tube.note(atSeconds(1.0), noted(IntubationStep::ThroughCords, TubeSeat::Trachea), {});
+        tube.setObstruction(atSeconds(2.0), 0.6);
+        QCOMPARE(placeAt(tube, 1.9).obstruction, 0.0);
+        QCOMPARE(placeAt(tube, 2.0).obstruction, 0.6);
+        QVERIFY(tube.changeAfter(atSeconds(1.0)) == atSeconds(2.0));
+        tube.setOverride(atSeconds(3.0), millimetres(6.0));
+        QCOMPARE(placeAt(tube, 3.0).obstruction, 0.6);
+        tube.setOverride(atSeconds(4.0), {});
+        tube.note(atSeconds(5.0), noted(IntubationStep::TubeOut, TubeSeat::None), {});
+        QCOMPARE(placeAt(tube, 5.0).obstruction, 0.0);
+    }
+
     void knowsBladeAndStylet()
     {
         TubeTimeline tube;

@@ -4,6 +4,8 @@
 #include "tests/support/test_class.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace carina::ventilated_through_test
 {
@@ -122,11 +124,43 @@ private Q_SLOTS:
                  kSmallestTidalVolume);
     }
 
-    void isObstructedAsTheTubeIs()
+    /// Borda and Carnot: at a narrow place half of the density times the square of how much faster
+    /// the gas is there is lost.
+    void losesThePressureOfAKinkInTheTube()
     {
+        constexpr double kDensity = 1.2; // kg/m^3
+        constexpr double kLoss = 1e-9;   // relative
+        const TubePlace open{TubeSeat::Trachea, kSize};
         const TubePlace kinked{TubeSeat::Trachea, kSize, 0.0, 0.7};
-        QVERIFY(ventilatedThrough(onVentilator(), kinked, kRoomAir).conditions
-                == (LungConditions{{ConditionKind::Obstruction, 0.7, ConditionSide::Both}}));
+        const auto lossOf = [](const TubePlace& tube) {
+            return systemOf(ventilatedThrough(onVentilator(), tube, kRoomAir)).upperTurbulent;
+        };
+        const double section = std::numbers::pi / 4.0 * kSize.si * kSize.si;
+        const double faster = (1.0 / 0.3 - 1.0) / section;
+        const double ought = 0.5 * kDensity * faster * faster;
+        QVERIFY(std::abs(lossOf(kinked) - lossOf(open) - ought) < kLoss * ought);
+    }
+
+    void letsNothingThroughATubeThatIsShut()
+    {
+        const TubePlace shut{TubeSeat::Trachea, kSize, 0.0, 1.0};
+        const RespiratorySystem system =
+            systemOf(ventilatedThrough(onVentilator(), shut, kRoomAir));
+        QVERIFY(system.lungs[0].bronchi < kShut && system.lungs[1].bronchi < kShut);
+    }
+
+    void raisesThePressureOfTheVentilatorBehindAKink()
+    {
+        const auto peakThrough = [](double obstruction) {
+            const TubePlace tube{TubeSeat::Trachea, kSize, 0.0, obstruction};
+            RespiratoryFold fold{ventilatedThrough(onVentilator(), tube, kRoomAir)};
+            for (int i = 0; i < 30 * 500; ++i)
+                fold.step();
+            return inCmH2O(fold.lastBreath().peak);
+        };
+        const double open = peakThrough(0.0);
+        const double kinked = peakThrough(0.9);
+        QVERIFY2(kinked > open + 5.0, qPrintable(QString::number(kinked)));
     }
 
     void addsAnObstructionToThoseThereAre()

@@ -91,7 +91,7 @@ void TestCheckpointRules::refusesACheckpointThatNoFoldCanTake_data()
     row("dead space", [](RespiratoryState& s) { s.system.anatomicalDeadSpace.si = -1e-6; });
     row("strength", [](RespiratoryState& s) { s.system.effort = 11.0; });
     row("effort", [](RespiratoryState& s) { s.effort.si = 1e7; });
-    row("muscle", [](RespiratoryState& s) { s.muscle.si = -2.0; });
+    row("muscle", [](RespiratoryState& s) { s.muscle.si = -2e6; });
     row("opening", [](RespiratoryState& s) { s.opening.pressure = cmH2O(101.0); });
     row("driven flow", [](RespiratoryState& s) { s.opening.flow.si = 2.0; });
     row("inspired", [](RespiratoryState& s) { s.tally.inspired.si = -1e-6; });

@@ -60,6 +60,8 @@ private Q_SLOTS:
     void keepsCheckpointsInOrder();
     void keepsTheLatestCheckpoints();
     void keepsTheSettingsSinceTheFirstCheckpoint();
+    void keepsTheBreathsSinceTheFirstCheckpoint();
+    void saysFromWhenOnNewDecisionsHaveAnEffect();
     void namesTheNextChange();
 };
 
@@ -225,6 +227,43 @@ void TestPatientRun::keepsTheSettingsSinceTheFirstCheckpoint()
         QCOMPARE(timeline.settingsAt(atSeconds(10.0 * i)).pattern.rate.si, rateOf(i).si);
         QVERIFY(timeline.runsAt(atSeconds(10.0 * i)));
     }
+}
+
+/// A manikin breathes for hours.
+void TestPatientRun::keepsTheBreathsSinceTheFirstCheckpoint()
+{
+    constexpr int kCheckpoints = 100;
+    constexpr int kOldest = kCheckpoints - int(RespirationTimeline::kMostCheckpoints) + 1;
+    RespirationTimeline timeline;
+    for (int i = 1; i <= kCheckpoints; ++i) {
+        for (const double after : {1.0, 4.0, 7.0})
+            timeline.addBreath({atSeconds(10.0 * i + after), atSeconds(10.0 * i + after - 0.2)});
+        timeline.addCheckpoint({atSeconds(10.0 * i), RespiratoryState{.steps = i}});
+    }
+    QVERIFY(timeline.breaths().size() <= 3 * (RespirationTimeline::kMostCheckpoints + 1));
+    const auto kept =
+        timeline.breathsHeard(atSeconds(10.0 * kOldest), atSeconds(10.0 * kCheckpoints + 4.0));
+    QCOMPARE(kept.size(), 3 * RespirationTimeline::kMostCheckpoints - 1);
+    QVERIFY(kept.front().heard == atSeconds(10.0 * kOldest + 1.0));
+    QVERIFY(kept.back().heard == atSeconds(10.0 * kCheckpoints + 4.0));
+}
+
+void TestPatientRun::saysFromWhenOnNewDecisionsHaveAnEffect()
+{
+    RespirationTimeline timeline;
+    timeline.setRate(atSeconds(5.0), perMinute(12.0));
+    const std::size_t known = timeline.decisions();
+    QVERIFY(timeline.effectSince(known) == SessionTime::max());
+    timeline.setRate(atSeconds(9.0), perMinute(13.0));
+    timeline.setRate(atSeconds(7.0), perMinute(14.0));
+    QVERIFY(timeline.effectSince(known) == atSeconds(7.0));
+    QVERIFY(timeline.effectSince(known + 2) == SessionTime::max());
+    QVERIFY(timeline.effectSince(known + 3) == SessionTime::min()); // of another patient
+    for (std::size_t i = 0; i < RespirationTimeline::kMostDecisions; ++i)
+        timeline.setRate(atSeconds(10.0), perMinute(15.0));
+    QCOMPARE(timeline.decisions(), known + 2 + RespirationTimeline::kMostDecisions);
+    QVERIFY(timeline.effectSince(known) == SessionTime::min()); // not all are kept
+    QVERIFY(timeline.effectSince(known + 2) == atSeconds(10.0));
 }
 
 void TestPatientRun::namesTheNextChange()

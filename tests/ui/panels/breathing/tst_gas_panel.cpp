@@ -9,6 +9,8 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include <cmath>
+
 namespace carina::gas_panel_test
 {
 
@@ -24,6 +26,7 @@ private Q_SLOTS:
     void givesADrugByKeyboardAlone();
     void offersTheUsualDoseOfEachDrug();
     void changesCuffAndStylet();
+    void obstructsTheTube();
     void tellsWhereTheTubeIs();
     void refusesATypedNumberWithItsRange();
     void changesNothingForAnObserver();
@@ -157,6 +160,16 @@ void TestGasPanel::changesCuffAndStylet()
     QVERIFY(!desk.find<QPushButton>("stylet").isEnabled());
 }
 
+void TestGasPanel::obstructsTheTube()
+{
+    Desk desk;
+    QVERIFY(!desk.find<QWidget>("obstruction").isEnabled()); // there is no tube
+    desk.note(IntubationStep::ThroughCords, TubeSeat::Trachea);
+    QVERIFY(desk.find<QWidget>("obstruction").isEnabled());
+    desk.enter("obstruction", QStringLiteral("70"));
+    QVERIFY(std::abs(desk.timeline().tube().obstructionAt(SessionTime::max()) - 0.7) < 1e-9);
+}
+
 void TestGasPanel::tellsWhereTheTubeIs()
 {
     Desk desk;
@@ -185,8 +198,8 @@ void TestGasPanel::changesNothingForAnObserver()
     Desk desk{FakeSessionNode::kObserver};
     QCOMPARE(desk.find<QLabel>("obstacle").text(),
              QStringLiteral("Only an instructor changes the patient."));
-    for (const char* name :
-         {"oxygen", "mask", "probe", "cuff", "stylet", "drug", "dose", "give", "undoGas"})
+    for (const char* name : {"oxygen", "mask", "probe", "cuff", "stylet", "obstruction", "drug",
+                             "dose", "give", "undoGas"})
         QVERIFY2(!desk.find<QWidget>(name).isEnabled(), name);
     desk.node.decide(fact::GasSupplySet{{0.6, true, true}});
     desk.settle();
@@ -206,7 +219,8 @@ void TestGasPanel::undoesFromItsButton()
 void TestGasPanel::namesEveryControlForAScreenReader()
 {
     const Desk desk;
-    for (const char* name : {"oxygen", "stylet", "drug", "dose", "give", "given", "wholeDose"})
+    for (const char* name :
+         {"oxygen", "stylet", "obstruction", "drug", "dose", "give", "given", "wholeDose"})
         QVERIFY2(!desk.find<QWidget>(name).accessibleName().isEmpty(), name);
     for (const char* name : {"mask", "probe", "cuff"})
         QVERIFY2(!desk.find<QCheckBox>(name).text().isEmpty(), name);

@@ -1,0 +1,60 @@
+#include "engine/airway/monitor/rest_watch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carina
+{
+namespace
+{
+
+bool isDeepInAirway(TubeSeat seat)
+{
+    return seat == TubeSeat::Trachea || seat == TubeSeat::RightMain || seat == TubeSeat::LeftMain;
+}
+
+/// Along the tube, or above the carina: a neck that is flexed moves the tip by the second alone.
+Length apart(const TipReading& a, const TipReading& b)
+{
+    return metres(std::max(std::abs((a.depthAtTeeth - b.depthAtTeeth).si),
+                           std::abs((a.aboveCarina - b.aboveCarina).si)));
+}
+
+/// Of a mean over one sample less.
+void add(Length& mean, Length sample, int samples)
+{
+    mean = mean + (1.0 / samples) * (sample - mean);
+}
+
+} // namespace
+
+std::optional<IntubationEvent> RestWatch::take(const IntubationMonitor& monitor)
+{
+    const IntubationCourse& course = monitor.course();
+    if (!isDeepInAirway(course.seat) || course.shapes.isIn) {
+        m_place.reset();
+        return std::nullopt;
+    }
+    const TipReading& tip = course.tip;
+    if (!m_place || apart(*m_place, tip) > kStill) {
+        m_place = tip;
+        m_samples = 0;
+    }
+    ++m_samples;
+    add(m_mean.depthAtTeeth, tip.depthAtTeeth, m_samples);
+    add(m_mean.aboveCarina, tip.aboveCarina, m_samples);
+    if (tip.at - m_place->at < kRest || apart(m_noted, m_mean) <= kElsewhere)
+        return std::nullopt;
+    IntubationEvent event = monitor.told(IntubationStep::AtRest, tip.at);
+    event.depthAtTeeth = m_mean.depthAtTeeth;
+    event.tipAboveCarina = m_mean.aboveCarina;
+    note(event);
+    return event;
+}
+
+void RestWatch::note(const IntubationEvent& event)
+{
+    m_noted = {event.at, event.depthAtTeeth, event.tipAboveCarina, event.besides};
+}
+
+} // namespace carina

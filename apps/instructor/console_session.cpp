@@ -1,9 +1,9 @@
 #include "apps/instructor/console_session.h"
 
-#include "apps/program/entry_option.h"
-#include "apps/program/openigtlink_option.h"
+#include "apps/program/options/entry_option.h"
+#include "apps/program/options/openigtlink_option.h"
+#include "apps/program/options/try_option.h"
 #include "apps/program/site_blade.h"
-#include "apps/program/try_option.h"
 #include "engine/session/station_rules.h"
 #include "models/session/session_summary.h"
 #include "models/vitals/stethoscope.h"

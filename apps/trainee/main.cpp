@@ -285,7 +285,8 @@ Result<Left> takePart(const QCommandLineParser& parser, Outfit& outfit, program:
         return tl::unexpected(judged.error());
     SessionPatient sessionPatient{station.node(), place.id(), outfit.patient,
                                   AnatomyCache::defaultFolder()};
-    StationVitals vitals{session, place.id(), KeptSounds{program::dataFolder(parser)}};
+    StationVitals vitals{session, place.id(),
+                         KeptSounds{program::dataFolder(parser), QStringLiteral("trainee")}};
     const SoundOutput sound{
         [&vitals](std::span<float> samples) { vitals.model().sounds().render(samples); }};
     HandsModel hands{session, place.id()};

@@ -168,8 +168,8 @@ private Q_SLOTS:
         shown.tries.watch();
         QVERIFY(soon([&] { return panel->isVisible(); }));
         QVERIFY(!panel->isAncestorOf(shown.window.focusWidget()));
-        const auto* figures = panel->findChild<QLabel*>(QStringLiteral("tryFigures"));
-        QVERIFY(figures->text().contains(QStringLiteral("Given up")));
+        const auto* outcome = panel->findChild<QLabel*>(QStringLiteral("tryOutcome"));
+        QVERIFY(outcome->text().contains(QStringLiteral("Given up")));
     }
 
     /// Also while the picture has the keyboard, and without the panel.

@@ -81,4 +81,35 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>Try</name>
+    <message numerus="yes">
+        <source>%1 of %2 points</source>
+        <translation>
+            <numerusform>%1 of %2 point</numerusform>
+            <numerusform>%1 of %2 points</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>✓ %1 of %2 points</source>
+        <translation>
+            <numerusform>✓ %1 of %2 point</numerusform>
+            <numerusform>✓ %1 of %2 points</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>▲ %1 points: %2</source>
+        <translation>
+            <numerusform>▲ %1 point: %2</numerusform>
+            <numerusform>▲ %1 points: %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>▲ %1 of %2 points: %3</source>
+        <translation>
+            <numerusform>▲ %1 of %2 point: %3</numerusform>
+            <numerusform>▲ %1 of %2 points: %3</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

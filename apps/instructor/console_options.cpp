@@ -2,11 +2,11 @@
 
 #include "apps/program/control_script.h"
 #include "apps/program/journal.h"
-#include "apps/program/openigtlink_option.h"
-#include "apps/program/patient_option.h"
-#include "apps/program/site_option.h"
-#include "apps/program/tracker_option.h"
-#include "apps/program/try_option.h"
+#include "apps/program/options/openigtlink_option.h"
+#include "apps/program/options/patient_option.h"
+#include "apps/program/options/site_option.h"
+#include "apps/program/options/tracker_option.h"
+#include "apps/program/options/try_option.h"
 #include "engine/anatomy/patient/patient_name.h"
 #include "engine/sync/strategies/strategy.h"
 

@@ -1,9 +1,9 @@
 #include "apps/instructor/console_session.h"
 
-#include "apps/program/entry_option.h"
-#include "apps/program/openigtlink_option.h"
+#include "apps/program/options/entry_option.h"
+#include "apps/program/options/openigtlink_option.h"
+#include "apps/program/options/try_option.h"
 #include "apps/program/site_blade.h"
-#include "apps/program/try_option.h"
 #include "engine/session/station_rules.h"
 #include "models/session/session_summary.h"
 #include "models/vitals/stethoscope.h"
@@ -56,7 +56,7 @@ ConsoleSession::ConsoleSession(HostedSession hosted, const program::ChosenPatien
       m_tries{m_session, m_stations.shown(), m_tools.posesOnScreen()},
       m_attention{m_session},
       m_intubation{m_session, m_stations.shown()},
-      m_vitals{m_session, m_stations.shown(), KeptSounds{folder}},
+      m_vitals{m_session, m_stations.shown(), KeptSounds{folder, QStringLiteral("console")}},
       m_sound{[this](std::span<float> samples) { m_vitals.model().sounds().render(samples); }},
       m_checkpoints{*m_hosted.node},
       m_shown{*m_hosted.node, m_stations.shown(), patient.model, m_lesson.poses(), m_tools},

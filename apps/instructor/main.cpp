@@ -1,8 +1,8 @@
 #include "apps/instructor/console.h"
 #include "apps/instructor/scripted_console.h"
 #include "apps/program/measurement.h"
-#include "apps/program/site_option.h"
-#include "apps/program/tracker_option.h"
+#include "apps/program/options/site_option.h"
+#include "apps/program/options/tracker_option.h"
 #include "apps/program/tracker_question.h"
 #include "engine/io/site/site_file.h"
 

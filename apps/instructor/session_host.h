@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/instructor/console_options.h"
-#include "apps/program/patient_option.h"
+#include "apps/program/options/patient_option.h"
 #include "engine/net/discovery/session_beacon.h"
 
 #include <memory>

@@ -1,6 +1,6 @@
 #include "apps/program/tracker_change.h"
 
-#include "apps/program/site_option.h"
+#include "apps/program/options/site_option.h"
 #include "apps/program/tracker_question.h"
 #include "models/errors/error_text.h"
 #include "models/text/shown_as_is.h"

@@ -1,7 +1,7 @@
 #include "apps/program/tracker_question.h"
 
-#include "apps/program/site_option.h"
-#include "apps/program/tracker_option.h"
+#include "apps/program/options/site_option.h"
+#include "apps/program/options/tracker_option.h"
 #include "models/tracker/background_work.h"
 #include "models/tracker/kept_trackers.h"
 #include "ui/tracker/tracker_dialog.h"

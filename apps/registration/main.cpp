@@ -1,5 +1,5 @@
+#include "apps/program/options/tracker_option.h"
 #include "apps/program/program.h"
-#include "apps/program/tracker_option.h"
 #include "apps/program/tracker_question.h"
 #include "apps/registration/patient_landmarks.h"
 #include "apps/registration/registration_journal.h"

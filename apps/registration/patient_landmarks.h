@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/program/patient_option.h"
+#include "apps/program/options/patient_option.h"
 #include "engine/registration/landmarks/landmark_catalogue.h"
 
 #include <vector>

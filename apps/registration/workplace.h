@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/program/patient_option.h"
+#include "apps/program/options/patient_option.h"
 #include "apps/registration/simulated_workplace.h"
 #include "models/tracker/tracker_choice.h"
 

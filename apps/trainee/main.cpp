@@ -1,17 +1,17 @@
 #include "apps/program/control_script.h"
-#include "apps/program/entry_option.h"
 #include "apps/program/join_question.h"
 #include "apps/program/journal.h"
 #include "apps/program/measurement.h"
-#include "apps/program/openigtlink_option.h"
-#include "apps/program/patient_option.h"
+#include "apps/program/options/entry_option.h"
+#include "apps/program/options/openigtlink_option.h"
+#include "apps/program/options/patient_option.h"
+#include "apps/program/options/site_option.h"
+#include "apps/program/options/tracker_option.h"
+#include "apps/program/options/try_option.h"
 #include "apps/program/program.h"
 #include "apps/program/site_blade.h"
-#include "apps/program/site_option.h"
 #include "apps/program/tracker_change.h"
-#include "apps/program/tracker_option.h"
 #include "apps/program/tracker_question.h"
-#include "apps/program/try_option.h"
 #include "apps/trainee/trainee_station.h"
 #include "engine/io/anatomy_set/anatomy_cache.h"
 #include "models/patient/shared_patient.h"
@@ -285,7 +285,8 @@ Result<Left> takePart(const QCommandLineParser& parser, Outfit& outfit, program:
         return tl::unexpected(judged.error());
     SessionPatient sessionPatient{station.node(), place.id(), outfit.patient,
                                   AnatomyCache::defaultFolder()};
-    StationVitals vitals{session, place.id(), KeptSounds{program::dataFolder(parser)}};
+    StationVitals vitals{session, place.id(),
+                         KeptSounds{program::dataFolder(parser), QStringLiteral("trainee")}};
     const SoundOutput sound{
         [&vitals](std::span<float> samples) { vitals.model().sounds().render(samples); }};
     HandsModel hands{session, place.id()};

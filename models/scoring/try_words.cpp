@@ -14,11 +14,28 @@ namespace
 
 QString tryWords(const char* text) { return QCoreApplication::translate("Try", text); }
 
-/// "2:05" of the try.
+/// In the form for so many points. Parts of a point take the plural.
+QString pointWords(const char* text, double points)
+{
+    const double count = std::abs(points);
+    return QCoreApplication::translate("Try", text, nullptr,
+                                       count == std::floor(count) ? int(count) : 2);
+}
+
+/// "2:05 min" of the try.
 QString momentText(SessionTime moment, SessionTime begun)
 {
     const auto seconds = std::chrono::floor<std::chrono::seconds>(moment - begun).count();
-    return QStringLiteral("%1:%2").arg(seconds / 60).arg(seconds % 60, 2, 10, QLatin1Char('0'));
+    return tryWords(QT_TRANSLATE_NOOP("Try", "%1:%2\u00a0min"))
+        .arg(seconds / 60)
+        .arg(seconds % 60, 2, 10, QLatin1Char('0'));
+}
+
+/// To the millimetre, in the unit of the marks on a tube.
+QString centimetresText(Length length)
+{
+    return tryWords(QT_TRANSLATE_NOOP("Try", "%1\u00a0cm"))
+        .arg(0.1 * inMillimetres(length), 0, 'f', 1);
 }
 
 QString measuredText(const TryMetrics& metrics, Metric metric)
@@ -39,7 +56,7 @@ QString depthText(const TryReport& report)
     const TryMetrics& metrics = report.metrics;
     if (!metrics.depth)
         return measuredText(metrics, Metric::DepthError);
-    QString depth = valueText(inMillimetres(metrics.depth->atTeeth), MetricUnit::Millimetres);
+    QString depth = centimetresText(metrics.depth->atTeeth);
     if (metrics.depth->confidence < IntubationTimeline::kUncertain)
         depth = tryWords(QT_TRANSLATE_NOOP("Try", "%1 (uncertain: %2\u00a0%)"))
                     .arg(depth)
@@ -47,8 +64,18 @@ QString depthText(const TryReport& report)
     if (!metrics.depthWanted)
         return depth;
     return tryWords(QT_TRANSLATE_NOOP("Try", "%1; %2 by the rule %3"))
-        .arg(depth, valueText(inMillimetres(*metrics.depthWanted), MetricUnit::Millimetres),
-             ruleText(report.rule));
+        .arg(depth, centimetresText(*metrics.depthWanted), ruleText(report.rule));
+}
+
+/// A tip that is too deep is told by how far it is beyond.
+SummaryLine carinaLine(const TryMetrics& metrics)
+{
+    if (!metrics.depth || metrics.depth->aboveCarina.si >= 0.0)
+        return measured(metrics, Metric::AboveCarina);
+    return {
+        tryWords(QT_TRANSLATE_NOOP("Try", "Tip beyond the carina")),
+        tryWords(QT_TRANSLATE_NOOP("Try", "▲ %1"))
+            .arg(valueText(-inMillimetres(metrics.depth->aboveCarina), MetricUnit::Millimetres))};
 }
 
 QString viewText(const TryMetrics& metrics)
@@ -64,9 +91,12 @@ QString oxygenText(const TryMetrics& metrics)
     const QString lowest = measuredText(metrics, Metric::LowestSaturation);
     if (!metrics.oxygen)
         return lowest;
-    return tryWords(QT_TRANSLATE_NOOP("Try", "%1, at %2; below 90\u00a0% for %3"))
-        .arg(lowest, momentText(metrics.oxygen->lowestAt, metrics.begun),
-             measuredText(metrics, Metric::TimeBelow90));
+    const QString moment = momentText(metrics.oxygen->lowestAt, metrics.begun);
+    if (valueOf(metrics, Metric::TimeBelow90) == 0.0)
+        return tryWords(QT_TRANSLATE_NOOP("Try", "%1, at %2; never below 90\u00a0%"))
+            .arg(lowest, moment);
+    return tryWords(QT_TRANSLATE_NOOP("Try", "▲ %1, at %2; below 90\u00a0% for %3"))
+        .arg(lowest, moment, measuredText(metrics, Metric::TimeBelow90));
 }
 
 QString pointsText(double points) { return QString::number(points, 'g', 4); }
@@ -103,13 +133,16 @@ QString judgementText(const Judgement& judged, SessionTime begun)
     const bool isPenalty = judged.criterion.points == 0.0;
     switch (judged.verdict) {
     case ItemVerdict::Met:
-        return isPenalty
-                   ? tryWords(QT_TRANSLATE_NOOP("Try", "✓ no penalty"))
-                   : tryWords(QT_TRANSLATE_NOOP("Try", "✓ %1 of %2 points")).arg(got, possible);
+        return isPenalty ? tryWords(QT_TRANSLATE_NOOP("Try", "✓ no penalty"))
+                         : pointWords(QT_TRANSLATE_N_NOOP("Try", "✓ %1 of %2 points"),
+                                      judged.criterion.points)
+                               .arg(got, possible);
     case ItemVerdict::Missed:
     case ItemVerdict::Never:
-        return (isPenalty ? tryWords(QT_TRANSLATE_NOOP("Try", "▲ %1 points: %2")).arg(got)
-                          : tryWords(QT_TRANSLATE_NOOP("Try", "▲ %1 of %2 points: %3"))
+        return (isPenalty ? pointWords(QT_TRANSLATE_N_NOOP("Try", "▲ %1 points: %2"), judged.points)
+                                .arg(got)
+                          : pointWords(QT_TRANSLATE_N_NOOP("Try", "▲ %1 of %2 points: %3"),
+                                       judged.criterion.points)
                                 .arg(got, possible))
             .arg(reasonText(judged, begun));
     case ItemVerdict::NotMeasured:
@@ -126,11 +159,9 @@ QString groupText(const GroupFigure& figure, MetricUnit unit)
                             : mean;
 }
 
-} // namespace
-
-QString outcomeText(const TryMetrics& metrics)
+QString placeText(TryOutcome outcome)
 {
-    switch (metrics.outcome) {
+    switch (outcome) {
     case TryOutcome::Trachea:
         return tryWords(QT_TRANSLATE_NOOP("Try", "✓ In the trachea"));
     case TryOutcome::RightMain:
@@ -146,6 +177,18 @@ QString outcomeText(const TryMetrics& metrics)
         return tryWords(QT_TRANSLATE_NOOP("Try", "■ Given up: no tube in place"));
     }
     return {};
+}
+
+} // namespace
+
+QString outcomeText(const TryMetrics& metrics)
+{
+    const QString outcome = placeText(metrics.outcome);
+    if (metrics.confidence >= IntubationTimeline::kUncertain)
+        return outcome;
+    return tryWords(QT_TRANSLATE_NOOP("Try", "%1 (uncertain: %2\u00a0%)"))
+        .arg(outcome)
+        .arg(std::lround(100.0 * metrics.confidence));
 }
 
 QString ruleText(DepthRule rule)
@@ -169,10 +212,9 @@ std::vector<SummaryLine> tryLines(const TryReport& report)
 {
     const TryMetrics& metrics = report.metrics;
     std::vector<SummaryLine> lines{
-        {tryWords(QT_TRANSLATE_NOOP("Try", "Outcome")), outcomeText(metrics)},
         measured(metrics, Metric::TimeToBreath),
         {tryWords(QT_TRANSLATE_NOOP("Try", "Depth at the teeth")), depthText(report)},
-        measured(metrics, Metric::AboveCarina),
+        carinaLine(metrics),
         {metricText(Metric::LowestSaturation), oxygenText(metrics)},
         {tryWords(QT_TRANSLATE_NOOP("Try", "View")), viewText(metrics)},
         measured(metrics, Metric::Attempts)};
@@ -185,7 +227,7 @@ std::vector<SummaryLine> tryLines(const TryReport& report)
 
 QString scoreText(const Score& score)
 {
-    const QString points = tryWords(QT_TRANSLATE_NOOP("Try", "%1 of %2 points"))
+    const QString points = pointWords(QT_TRANSLATE_N_NOOP("Try", "%1 of %2 points"), score.possible)
                                .arg(pointsText(score.points), pointsText(score.possible));
     if (score.possible >= score.ofAll)
         return points;

@@ -9,7 +9,8 @@
 namespace carina
 {
 
-/// "✓ In the trachea", "▲ In the right main bronchus", "▲ In the oesophagus, not recognised".
+/// "✓ In the trachea", "▲ In the right main bronchus", "▲ In the oesophagus, not recognised"; with
+/// the confidence where that is low, as IntubationTimeline tells it.
 [[nodiscard]] QString outcomeText(const TryMetrics& metrics);
 [[nodiscard]] QString metricText(Metric metric);
 /// A value with its unit: "12.4 s", "yes".
@@ -18,8 +19,8 @@ namespace carina
 /// One sentence on what to do next.
 [[nodiscard]] QString adviceText(Advice advice);
 
-/// The main figures of a try: outcome, time, depth, side, lowest oxygen, view and others, each with
-/// its unit; of what was not measured, that.
+/// The main figures of a try beside its outcome: time, depth, lowest oxygen, view and others, each
+/// with its unit; of what was not measured, that.
 [[nodiscard]] std::vector<SummaryLine> tryLines(const TryReport& report);
 /// "40 of 50 points; 50 more could not be judged".
 [[nodiscard]] QString scoreText(const Score& score);

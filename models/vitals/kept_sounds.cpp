@@ -12,6 +12,8 @@ namespace carina
 namespace
 {
 
+const QString kAllMuted = QStringLiteral("all/muted");
+
 QString nameOfKept(SoundKind kind)
 {
     switch (kind) {
@@ -32,8 +34,9 @@ QString mutedKey(SoundKind kind) { return nameOfKept(kind) + QStringLiteral("/mu
 
 } // namespace
 
-KeptSounds::KeptSounds(const QString& folder)
-    : m_file{folder.isEmpty() ? QString{} : QDir{folder}.filePath(QStringLiteral("sounds.ini"))}
+KeptSounds::KeptSounds(const QString& folder, const QString& program)
+    : m_file{folder.isEmpty() ? QString{}
+                              : QDir{folder}.filePath(QStringLiteral("sounds-%1.ini").arg(program))}
 {
     if (m_file.isEmpty())
         return;
@@ -46,6 +49,7 @@ KeptSounds::KeptSounds(const QString& folder)
             sound.volume_percent = std::clamp(volume, 0, 100);
         sound.isMuted = settings.value(mutedKey(kind), false).toBool();
     }
+    m_isMuted = settings.value(kAllMuted, false).toBool();
 }
 
 KeptSounds::Loudness KeptSounds::of(SoundKind kind) const { return m_sounds[std::size_t(kind)]; }
@@ -59,6 +63,13 @@ void KeptSounds::keep(SoundKind kind, const Loudness& loudness)
     QSettings settings{m_file, QSettings::IniFormat};
     settings.setValue(volumeKey(kind), loudness.volume_percent);
     settings.setValue(mutedKey(kind), loudness.isMuted);
+}
+
+void KeptSounds::keepMuted(bool isMuted)
+{
+    m_isMuted = isMuted;
+    if (!m_file.isEmpty())
+        QSettings{m_file, QSettings::IniFormat}.setValue(kAllMuted, isMuted);
 }
 
 } // namespace carina

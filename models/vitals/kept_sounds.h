@@ -9,8 +9,9 @@
 namespace carina
 {
 
-/// How loud a program plays each kind of sound, and which it does not, remembered from one start to
-/// the next in a file of a folder. What cannot be read there is as if it were not there.
+/// How loud a program plays each kind of sound, which it does not, and whether it plays none at
+/// all, remembered from one start to the next in a file of a folder. What cannot be read there is
+/// as if it were not there.
 class KeptSounds
 {
 public:
@@ -24,15 +25,22 @@ public:
     /// Remembers nothing.
     KeptSounds() = default;
     /// @param folder an empty one: nothing is remembered
-    explicit KeptSounds(const QString& folder);
+    /// @param program its name in the name of the file: programs of one folder are muted each by
+    ///        itself
+    KeptSounds(const QString& folder, const QString& program);
 
     [[nodiscard]] Loudness of(SoundKind kind) const;
     /// @pre the volume is from 0 to 100
     void keep(SoundKind kind, const Loudness& loudness);
 
+    /// Whether none is played, whatever holds of each kind.
+    [[nodiscard]] bool isMuted() const { return m_isMuted; }
+    void keepMuted(bool isMuted);
+
 private:
     QString m_file;
     std::array<Loudness, kSoundKinds.size()> m_sounds;
+    bool m_isMuted = false;
 };
 
 } // namespace carina

@@ -48,8 +48,7 @@ VitalsModel::VitalsModel(VitalsSources sources, double age_years, KeptSounds kep
       m_alarms{alarmLimits(age_years)},
       m_beatEdge{kRWave}
 {
-    for (const SoundKind kind : kSoundKinds)
-        play(kind);
+    playAll();
     auto* timer = new QTimer{this};
     connect(timer, &QTimer::timeout, this, &VitalsModel::look);
     timer->start(kVitalsInterval_ms);
@@ -93,11 +92,32 @@ void VitalsModel::setLoudness(SoundKind kind, const KeptSounds::Loudness& loudne
     Q_EMIT changed();
 }
 
+void VitalsModel::setMuted(bool isMuted)
+{
+    if (m_kept.isMuted() == isMuted)
+        return;
+    m_kept.keepMuted(isMuted);
+    playAll();
+    Q_EMIT changed();
+}
+
+void VitalsModel::setInSight(bool isInSight)
+{
+    if (std::exchange(m_isInSight, isInSight) != isInSight)
+        playAll();
+}
+
 void VitalsModel::play(SoundKind kind)
 {
     const KeptSounds::Loudness loudness = m_kept.of(kind);
     m_sounds.mixer().setVolume(kind, 0.01 * loudness.volume_percent);
-    m_sounds.mixer().setMuted(kind, loudness.isMuted);
+    m_sounds.mixer().setMuted(kind, loudness.isMuted || m_kept.isMuted() || !m_isInSight);
+}
+
+void VitalsModel::playAll()
+{
+    for (const SoundKind kind : kSoundKinds)
+        play(kind);
 }
 
 void VitalsModel::look()

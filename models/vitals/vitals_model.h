@@ -30,7 +30,8 @@ struct VitalsSources {
 ///
 /// Curves are sampled at whole multiples of kSampleEvery in session time and numbers change with
 /// its whole seconds, so that every program shows the same. Sounds are made here and played by
-/// somebody else (SoundOutput); what sounds is also to be seen: pulse(), alarms() and heard().
+/// somebody else (SoundOutput); what sounds is also to be seen: pulse(), alarms() and heard(). So
+/// they are heard only while these marks are in sight.
 class VitalsModel : public QObject
 {
     Q_OBJECT
@@ -94,6 +95,11 @@ public:
 
     [[nodiscard]] KeptSounds::Loudness loudness(SoundKind kind) const { return m_kept.of(kind); }
     void setLoudness(SoundKind kind, const KeptSounds::Loudness& loudness);
+    /// Whether no sound is played; what each kind has by itself is kept meanwhile.
+    [[nodiscard]] bool isMuted() const { return m_kept.isMuted(); }
+    void setMuted(bool isMuted);
+    /// Whether a person can see the marks of the sounds; until it is told, they can.
+    void setInSight(bool isInSight);
     /// What is to be played.
     [[nodiscard]] BedsideSounds& sounds() { return m_sounds; }
 
@@ -104,11 +110,12 @@ Q_SIGNALS:
     void sampled(const carina::VitalsModel::Sample& sample);
     /// The next sample is of another patient.
     void startedAfresh();
-    /// Numbers, alarms, marks or loudness changed.
+    /// Numbers, alarms, marks, loudness or mute changed.
     void changed();
 
 private:
     void play(SoundKind kind);
+    void playAll();
     void take(const Vitals& vitals, SessionTime t);
     void findBeats(const Vitals& vitals, SessionTime t);
     void rest();
@@ -132,6 +139,7 @@ private:
     KeptSounds m_kept;
     VitalAlarms m_alarms;
     BedsideSounds m_sounds;
+    bool m_isInSight = true;
     bool m_isMeasuring = false;
     Numbers m_numbers;
     Heard m_heard;

@@ -63,6 +63,7 @@ InstructorWindow::InstructorWindow(const ConsoleModels& models, KeptConsole& kep
     m_teacher = std::make_unique<SceneTeacher>(m_models.lesson, m_ui->pane->scene());
     connectParts();
     auto* undo = new UndoButton{m_history};
+    addMuteButton();
     m_ui->statusBar->addPermanentWidget(undo);
     m_ui->statusBar->addWidget(m_status, 1);
     fillSessionBar();
@@ -333,6 +334,21 @@ void InstructorWindow::addKeys(const UndoButton& undo)
 {
     m_docks->addKeys(actions());
     m_docks->addKeys({m_ui->start, m_ui->pause, m_ui->end, &undo.undoAction()});
+}
+
+/// In reach whichever panel is in front.
+void InstructorWindow::addMuteButton()
+{
+    QAction* mute = m_ui->monitor->muteAction();
+    auto* button = new QToolButton;
+    button->setObjectName(QStringLiteral("muteOfConsole"));
+    button->setDefaultAction(mute);
+    button->setAccessibleName(mute->text());
+    button->setFocusPolicy(Qt::StrongFocus);
+    m_ui->statusBar->addPermanentWidget(button);
+    m_docks->menu().addSeparator();
+    m_docks->menu().addAction(mute);
+    addAction(mute);
 }
 
 void InstructorWindow::addMenuButton()

@@ -123,6 +123,7 @@ private:
     void connectParts();
     void listParts();
     void followPicture();
+    void addMuteButton();
     void addMenuButton();
     void toggleFullScreen();
     void showProjector(bool shown);

@@ -176,9 +176,10 @@ void TraineeWindow::makeDebriefing(TryWatch& tries)
 
 void TraineeWindow::makeMonitor()
 {
-    addPanel(m_monitor, m_monitorPanel, tr("&Bedside monitor"));
+    addPanel(m_monitor, m_monitorPanel, tr("&Bedside monitor, with its sounds"));
     addDockWidget(Qt::LeftDockWidgetArea, m_monitor); // it is looked at beside each of the others
     m_monitor->hide();
+    addAction(m_monitorPanel->muteAction()); // its key acts while the keyboard is elsewhere
 }
 
 void TraineeWindow::setMonitor(VitalsModel& vitals, const SoundOutput& sound)
@@ -232,6 +233,7 @@ void TraineeWindow::makeMenu()
     m_menu.addAction(m_laryngoscope->toggleViewAction());
     m_menu.addAction(m_debriefing->toggleViewAction());
     m_menu.addAction(m_monitor->toggleViewAction());
+    m_menu.addAction(m_monitorPanel->muteAction());
     m_menu.addSeparator();
     addHands();
     m_menu.addSeparator();

@@ -17,14 +17,14 @@ constexpr double kMonitorMargin = 4.0; ///< pixels
 constexpr double kLeastECG_mV = -0.5;
 constexpr double kMostECG_mV = 1.5;
 constexpr double kPulseRoom = 0.1; ///< of the oximeter's curve, above and below it
-constexpr int kLeastLabel = 12;    ///< pixels
+constexpr int kLeastLabel = 14;    ///< pixels
 constexpr int kMostLabel = 32;
-constexpr int kLinesOfLabels = 18;   ///< in the height of the monitor
-constexpr int kLabelsAcross = 24;    ///< in its width
-constexpr double kNumberShare = 0.3; ///< of the width, beside the curves
-constexpr double kNumberLine = 1.15; ///< height of a line of figures, of its font
-constexpr double kLowerLine = 1.7;   ///< of the words' font: of the line beneath, at most
-constexpr double kFinger = 1.6;      ///< width of the marks' place, of the words' font
+constexpr int kLinesOfLabels = 15;    ///< in the height of the monitor
+constexpr int kLabelsAcross = 26;     ///< in its width
+constexpr double kNumberShare = 0.28; ///< of the width, at most
+constexpr double kNumberLine = 1.15;  ///< height of a line of figures, of its font
+constexpr double kPulseMark = 1.5;    ///< width of the pulse's mark, of the words' font
+constexpr double kLowerLine = 1.7;    ///< of the words' font: of the line beneath, at most
 
 constexpr std::array kAllRows{BedsideMonitor::Row::Electrocardiogram, BedsideMonitor::Row::Pulse,
                               BedsideMonitor::Row::Capnogram};
@@ -158,17 +158,30 @@ QString BedsideMonitor::words() const
     return told.join(QStringLiteral("; "));
 }
 
-QString BedsideMonitor::labelOf(Row row)
+QString BedsideMonitor::nameOf(Row row)
 {
     switch (row) {
     case Row::Electrocardiogram:
-        return tr("HR bpm", "heart rate, beats per minute; as short as that");
+        return tr("HR", "heart rate; as short as that");
     case Row::Pulse:
-        return tr("SpO2 %");
+        return tr("SpO2");
     case Row::Capnogram:
         break;
     }
-    return tr("EtCO2 mmHg");
+    return tr("EtCO2");
+}
+
+QString BedsideMonitor::unitOf(Row row)
+{
+    switch (row) {
+    case Row::Electrocardiogram:
+        return tr("/min");
+    case Row::Pulse:
+        return tr("%");
+    case Row::Capnogram:
+        break;
+    }
+    return tr("mmHg");
 }
 
 std::optional<int> BedsideMonitor::numberOf(Row row) const
@@ -194,7 +207,7 @@ QString BedsideMonitor::pressureText() const
 {
     if (!m_numbers.pressure)
         return tr("BP –\u00a0mmHg", "blood pressure; as short as that");
-    return tr("%1/%2 (%3)\u00a0mmHg", "blood pressure: systolic, diastolic, mean")
+    return tr("BP %1/%2 (%3)\u00a0mmHg", "blood pressure: systolic, diastolic, mean")
         .arg(m_numbers.pressure->systolic_mmHg)
         .arg(m_numbers.pressure->diastolic_mmHg)
         .arg(m_numbers.pressure->mean_mmHg);
@@ -215,6 +228,17 @@ int BedsideMonitor::fitting(const QString& widest, double width, int most) const
     return std::clamp(int(kMeasured * width / wide), 1, most);
 }
 
+/// Of the widest name or unit.
+double BedsideMonitor::wordsWidth(int pixels) const
+{
+    const QFontMetrics metrics{sized(pixels)};
+    int widest = 0;
+    for (const Row row : kAllRows)
+        widest = std::max({widest, metrics.horizontalAdvance(nameOf(row)),
+                           metrics.horizontalAdvance(unitOf(row))});
+    return widest;
+}
+
 BedsideMonitor::Drawing BedsideMonitor::drawing() const
 {
     Drawing drawn;
@@ -222,76 +246,102 @@ BedsideMonitor::Drawing BedsideMonitor::drawing() const
         QRectF{rect()}.adjusted(kMonitorMargin, kMonitorMargin, -kMonitorMargin, -kMonitorMargin);
     drawn.labelPixels = std::clamp(std::min(height() / kLinesOfLabels, width() / kLabelsAcross),
                                    kLeastLabel, kMostLabel);
-    const double line = QFontMetrics{sized(drawn.labelPixels)}.height();
-    drawn.alarm = {all.left(), all.top(), all.width(), line + kMonitorMargin};
-    const double note = QFontMetrics{sized(drawn.labelPixels)}.horizontalAdvance(m_soundNote);
-    drawn.soundNote = drawn.alarm;
-    drawn.soundNote.setLeft(
-        std::max(all.left(), all.right() - (note > 0.0 ? note + 2.0 * kMonitorMargin : 0.0)));
-    const QString lower = tr("RR %1\u00a0/min", "respiratory rate; as short as that").arg(188)
-                          + tr("%1/%2 (%3)\u00a0mmHg", "blood pressure: systolic, diastolic, mean")
-                                .arg(188)
-                                .arg(188)
-                                .arg(188);
-    drawn.lowerPixels =
-        fitting(lower, all.width() - 4.0 * kMonitorMargin, int(kLowerLine * drawn.labelPixels));
-    const double lowerLine = QFontMetrics{sized(drawn.lowerPixels)}.height();
-    const double rateWidth =
-        QFontMetrics{sized(drawn.lowerPixels)}.horizontalAdvance(rateText()) + kMonitorMargin;
-    drawn.respiratoryRate = {all.left(), all.bottom() - lowerLine, rateWidth, lowerLine};
-    drawn.pressure = {all.left() + rateWidth, all.bottom() - lowerLine, all.width() - rateWidth,
-                      lowerLine};
+    placeAlarm(all, drawn);
+    placeLower(all, drawn);
     placeStrips({all.left(), drawn.alarm.bottom() + kMonitorMargin, all.width(),
-                 drawn.pressure.top() - drawn.alarm.bottom() - 2.0 * kMonitorMargin},
+                 drawn.pressure.top() - drawn.alarm.bottom() - kMonitorMargin},
                 drawn);
     return drawn;
 }
 
+void BedsideMonitor::placeAlarm(const QRectF& room, Drawing& drawn) const
+{
+    const QFontMetrics metrics{sized(drawn.labelPixels)};
+    const double line = metrics.height();
+    drawn.alarm = {room.left(), room.top(), room.width(), 2.0 * line};
+    const double wide =
+        m_soundNote.isEmpty() ? 0.0 : metrics.horizontalAdvance(m_soundNote) + kMonitorMargin;
+    drawn.soundNote = drawn.alarm.adjusted(std::max(0.0, room.width() - wide), line, 0.0, 0.0);
+}
+
+void BedsideMonitor::placeLower(const QRectF& room, Drawing& drawn) const
+{
+    const QString widest =
+        tr("RR %1\u00a0/min", "respiratory rate; as short as that").arg(188)
+        + tr("BP %1/%2 (%3)\u00a0mmHg", "blood pressure: systolic, diastolic, mean")
+              .arg(188)
+              .arg(188)
+              .arg(188);
+    drawn.lowerPixels =
+        fitting(widest, room.width() - 4.0 * kMonitorMargin, int(kLowerLine * drawn.labelPixels));
+    const QFontMetrics metrics{sized(drawn.lowerPixels)};
+    const double rate = metrics.horizontalAdvance(rateText()) + kMonitorMargin;
+    const double top = room.bottom() - metrics.height();
+    drawn.respiratoryRate = {room.left(), top, rate, room.bottom() - top};
+    drawn.pressure = {room.left() + rate, top, room.width() - rate, room.bottom() - top};
+}
+
+/// Words at the left of a number rather than above it: both have the height of the curve.
 void BedsideMonitor::placeStrips(const QRectF& room, Drawing& drawn) const
 {
+    const QString widest = QStringLiteral("188");
     const double high = room.height() / kRows;
-    const double label = QFontMetrics{sized(drawn.labelPixels)}.height();
-    const double words =
-        QFontMetrics{sized(drawn.labelPixels)}.horizontalAdvance(labelOf(Row::Capnogram));
-    const double wide = std::max(kNumberShare * room.width(), words + kFinger * drawn.labelPixels);
-    const int most = int((high - label) / kNumberLine);
-    drawn.numberPixels = fitting(QStringLiteral("188"), wide - kMonitorMargin, most);
+    drawn.numberPixels = fitting(widest, kNumberShare * room.width(), int(high / kNumberLine));
+    const double number =
+        QFontMetrics{sized(drawn.numberPixels)}.horizontalAdvance(widest) + kMonitorMargin;
+    const double words = wordsWidth(drawn.labelPixels) + kMonitorMargin;
+    const double curve = room.width() - number - words - kMonitorMargin;
     for (const Row row : kAllRows) {
         Drawing::Strip& strip = drawn.strips[std::size_t(row)];
         const double top = room.top() + double(row) * high;
-        strip.frame = {room.left(), top, room.width() - wide - kMonitorMargin,
-                       high - kMonitorMargin};
-        strip.label = {room.right() - wide, top, wide, label};
-        strip.number = {room.right() - wide, top + label, wide, high - label};
+        strip.frame = {room.left(), top, curve, high - kMonitorMargin};
+        strip.label = {strip.frame.right() + kMonitorMargin, top, words, high};
+        strip.number = {strip.label.right(), top, number, high};
         strip.lines = m_curves[std::size_t(row)].lines(strip.frame);
         strip.bar = m_curves[std::size_t(row)].bar(strip.frame);
     }
     drawn.pulseMark = drawn.strips[std::size_t(Row::Pulse)].label;
-    drawn.pulseMark.setLeft(drawn.pulseMark.right() - kFinger * drawn.labelPixels);
+    drawn.pulseMark.setTop(drawn.pulseMark.center().y());
+    drawn.pulseMark.setLeft(drawn.pulseMark.right() - kPulseMark * drawn.labelPixels);
+}
+
+/// How urgent the first alarm is, and which others there are.
+QString BedsideMonitor::othersText() const
+{
+    QStringList others;
+    for (std::size_t i = 1; i < m_alarms.size(); ++i)
+        others << m_alarms[i].text;
+    const QString priority = m_alarms.front().priority;
+    return others.isEmpty() ? priority
+                            : tr("%1; also: %2", "priority of the first alarm; the other alarms")
+                                  .arg(priority, others.join(QStringLiteral(", ")));
 }
 
 void BedsideMonitor::drawAlarm(QPainter& painter, const Drawing& drawn) const
 {
     painter.setFont(sized(drawn.labelPixels));
-    QRectF room = drawn.alarm;
-    room.setRight(drawn.soundNote.left());
-    painter.setPen(palette().color(QPalette::Text));
-    QString text = m_numbers == Numbers{} ? tr("○ Nothing is measured") : tr("✓ No alarm");
-    if (!m_alarms.empty()) {
-        const Alarm& first = m_alarms.front();
-        painter.fillRect(room, colourOf(first.urgency));
-        painter.setPen(first.urgency == Urgency::High ? Qt::white : Qt::black);
-        text = QStringLiteral("%1 %2, %3").arg(marksOf(first.urgency), first.text, first.priority);
-        if (m_alarms.size() > 1)
-            text = tr("%1 (+%2)", "an alarm; how many others there are")
-                       .arg(text)
-                       .arg(m_alarms.size() - 1);
-    }
-    room.adjust(kMonitorMargin, 0.0, -kMonitorMargin, 0.0);
-    painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
-                     painter.fontMetrics().elidedText(text, Qt::ElideRight, int(room.width())));
+    QRectF first = drawn.alarm;
+    first.setBottom(drawn.soundNote.top());
+    QRectF second = drawn.alarm;
+    second.setTop(first.bottom());
+    second.setRight(drawn.soundNote.left());
     painter.setPen(palette().color(QPalette::Text));
     painter.drawText(drawn.soundNote, Qt::AlignRight | Qt::AlignVCenter, m_soundNote);
+    const auto write = [&painter](QRectF place, const QString& text) {
+        place.adjust(kMonitorMargin, 0.0, -kMonitorMargin, 0.0);
+        painter.drawText(
+            place, Qt::AlignLeft | Qt::AlignVCenter,
+            painter.fontMetrics().elidedText(text, Qt::ElideRight, int(place.width())));
+    };
+    if (m_alarms.empty())
+        return write(first,
+                     m_numbers == Numbers{} ? tr("○ Nothing is measured") : tr("✓ No alarm"));
+    const Alarm& alarm = m_alarms.front();
+    painter.fillRect(first, colourOf(alarm.urgency));
+    painter.fillRect(second, colourOf(alarm.urgency));
+    painter.setPen(alarm.urgency == Urgency::High ? Qt::white : Qt::black);
+    write(first, QStringLiteral("%1 %2").arg(marksOf(alarm.urgency), alarm.text));
+    write(second, othersText());
 }
 
 void BedsideMonitor::drawStrip(QPainter& painter, Row row, const Drawing& drawn) const
@@ -300,16 +350,30 @@ void BedsideMonitor::drawStrip(QPainter& painter, Row row, const Drawing& drawn)
     painter.setPen(palette().color(QPalette::Mid));
     painter.drawLine(strip.frame.bottomLeft(), strip.frame.bottomRight());
     painter.setFont(sized(drawn.labelPixels));
+    QRectF name = strip.label;
+    name.setBottom(name.center().y());
+    QRectF unit = strip.label;
+    unit.setTop(name.bottom());
+    painter.setPen(colourOf(row));
+    painter.drawText(name, Qt::AlignLeft | Qt::AlignBottom, nameOf(row));
+    painter.drawText(unit, Qt::AlignLeft | Qt::AlignTop, unitOf(row));
+    if (row == Row::Pulse && m_pulse)
+        painter.drawText(drawn.pulseMark, Qt::AlignRight | Qt::AlignTop, QStringLiteral("♥"));
+    painter.setFont(sized(drawn.numberPixels));
+    painter.drawText(strip.number, Qt::AlignRight | Qt::AlignVCenter, orDash(numberOf(row)));
+    drawCurve(painter, row, drawn);
+}
+
+/// With the top of the capnogram's scale, which others do not have.
+void BedsideMonitor::drawCurve(QPainter& painter, Row row, const Drawing& drawn) const
+{
+    const Drawing::Strip& strip = drawn.strips[std::size_t(row)];
+    painter.setFont(sized(drawn.labelPixels));
     painter.setPen(palette().color(QPalette::PlaceholderText));
     if (row == Row::Capnogram)
-        painter.drawText(strip.frame, Qt::AlignLeft | Qt::AlignTop,
-                         QString::number(m_curves[std::size_t(row)].top()));
-    painter.setPen(colourOf(row));
-    painter.drawText(strip.label, Qt::AlignLeft | Qt::AlignVCenter, labelOf(row));
-    if (row == Row::Pulse && m_pulse)
-        painter.drawText(drawn.pulseMark, Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("♥"));
-    painter.setFont(sized(drawn.numberPixels));
-    painter.drawText(strip.number, Qt::AlignLeft | Qt::AlignVCenter, orDash(numberOf(row)));
+        painter.drawText(
+            strip.frame, Qt::AlignLeft | Qt::AlignTop,
+            tr("%1\u00a0mmHg", "top of a scale").arg(m_curves[std::size_t(row)].top()));
     painter.setPen({colourOf(row), 2.0});
     for (const QPolygonF& line : strip.lines)
         painter.drawPolyline(line);

@@ -13,8 +13,8 @@ namespace carina
 
 /// A bedside monitor: electrocardiogram, plethysmogram and capnogram, written by a moving bar, with
 /// their numbers beside them in large figures, respiratory rate and blood pressure beneath, and the
-/// most urgent alarm above in words. It is readable from kLeast to the whole screen: figures and
-/// words grow with it.
+/// alarms above in words: the most urgent one in a line of its own, its priority and the others in
+/// the next. It is readable from kLeast to the whole screen: figures and words grow with it.
 class BedsideMonitor : public QWidget
 {
     Q_OBJECT
@@ -56,16 +56,16 @@ public:
     /// Where things are drawn, in pixels.
     struct Drawing {
         struct Strip {
-            QRectF frame;
-            QRectF label;
+            QRectF frame; ///< of the curve
+            QRectF label; ///< two lines: what is measured, and its unit
             QRectF number;
             std::vector<QPolygonF> lines;
             std::optional<double> bar; ///< x of the write bar
         };
-        QRectF alarm;     ///< the whole line
-        QRectF soundNote; ///< at its right end
+        QRectF alarm;     ///< two lines, also without an alarm: nothing beneath moves
+        QRectF soundNote; ///< at the right end of the second one
         std::array<Strip, kRows> strips;
-        QRectF pulseMark;
+        QRectF pulseMark; ///< beside the oximeter's unit
         QRectF respiratoryRate;
         QRectF pressure;
         int labelPixels = 0;  ///< height of the words' font
@@ -73,7 +73,7 @@ public:
         int lowerPixels = 0;  ///< of the line beneath
     };
 
-    static constexpr QSize kLeast{300, 220};
+    static constexpr QSize kLeast{300, 200};
     static constexpr double kFastSweep_s = 6.0;    ///< of the heart's curves: 25 mm/s on 150 mm
     static constexpr double kSlowSweep_s = 12.0;   ///< of the capnogram
     static constexpr double kUsualCO2_mmHg = 60.0; ///< the top of its scale
@@ -87,7 +87,7 @@ public:
     void setNumbers(const Numbers& numbers);
     /// The most urgent first. A screen reader hears when another one comes first.
     void setAlarms(std::vector<Alarm> alarms);
-    /// Shown at the right end of the alarm's line: that something is mute. Empty: nothing is.
+    /// Shown beneath the alarm, at the right: that something is mute. Empty: nothing is.
     void setSoundNote(const QString& note);
     /// A mark that stands for the oximeter's tone.
     void setPulse(bool isOn);
@@ -98,22 +98,29 @@ public:
     /// All that is read off it, as the accessible name has it.
     [[nodiscard]] QString words() const;
 
-    [[nodiscard]] QSize sizeHint() const override { return {420, 300}; }
+    /// As low as it may be: what is beside it gets the room that it needs first.
+    [[nodiscard]] QSize sizeHint() const override { return {420, kLeast.height()}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return kLeast; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    [[nodiscard]] static QString labelOf(Row row);
+    [[nodiscard]] static QString nameOf(Row row);
+    [[nodiscard]] static QString unitOf(Row row);
     [[nodiscard]] std::optional<int> numberOf(Row row) const;
     [[nodiscard]] QString rateText() const;
     [[nodiscard]] QString pressureText() const;
     [[nodiscard]] QFont sized(int pixels) const;
     [[nodiscard]] int fitting(const QString& widest, double width, int most) const;
+    [[nodiscard]] double wordsWidth(int pixels) const;
+    [[nodiscard]] QString othersText() const;
+    void placeAlarm(const QRectF& room, Drawing& drawn) const;
+    void placeLower(const QRectF& room, Drawing& drawn) const;
     void placeStrips(const QRectF& room, Drawing& drawn) const;
     void drawAlarm(QPainter& painter, const Drawing& drawn) const;
     void drawStrip(QPainter& painter, Row row, const Drawing& drawn) const;
+    void drawCurve(QPainter& painter, Row row, const Drawing& drawn) const;
     void drawLower(QPainter& painter, const Drawing& drawn) const;
     void tellChange();
 

@@ -108,7 +108,16 @@ class View:
         return [node.name for node in self.all() if node.name]
 
     def controls(self):
-        return [node for node in self.all() if node.is_control]
+        """What can be used, also where Tab scrolls its panel first. Tabs of panels that are shut lie
+        outside of the window, in no panel."""
+        return [node for node in self.reachable() if node.is_control
+                and (self._is_on_screen(node) or self._is_in_panel(node))]
+
+    @staticmethod
+    def _is_in_panel(node):
+        """Whether a frame within that of its window holds it."""
+        return any(above.role == "frame" and above.parent is not None
+                   and above.parent.role != "application" for above in node.ancestors())
 
     def focused(self, nodes):
         """Whichever has the keyboard. Tabs say so of the page that is in front, whoever has it, and

@@ -4,6 +4,8 @@
 #include "tests/engine/scoring/score/tried.h"
 #include "tests/support/test_class.h"
 
+#include <QTranslator>
+
 #include <algorithm>
 #include <set>
 
@@ -25,6 +27,19 @@ QString valueNamed(const std::vector<SummaryLine>& lines, const char* name)
     return found == lines.end() ? QString{} : found->value;
 }
 
+/// Knows the form of one number for one sentence.
+class OneForm : public QTranslator
+{
+public:
+    [[nodiscard]] bool isEmpty() const override { return false; }
+    [[nodiscard]] QString translate(const char* /*context*/, const char* text,
+                                    const char* /*meaning*/, int number) const override
+    {
+        const bool isIt = number == 1 && qstrcmp(text, "%1 of %2 points") == 0;
+        return isIt ? QStringLiteral("%1 of %2 point") : QString{};
+    }
+};
+
 } // namespace
 
 class TestTryWords : public QObject
@@ -40,6 +55,8 @@ private Q_SLOTS:
     void explainALostPointWithItsMoment();
     void tellThatAPenaltyWasNotGiven();
     void setFiguresOfTheLiteratureBeside();
+    void tellWhatIsUncertainAndTooDeep();
+    void takeTheSingularForOnePoint();
 };
 
 void TestTryWords::haveATextForEachOfAll()
@@ -66,13 +83,13 @@ void TestTryWords::haveATextForEachOfAll()
 void TestTryWords::tellAGoodTryWithItsUnits()
 {
     const auto lines = tryLines(reportOfGoodTry());
-    QCOMPARE(valueNamed(lines, "Outcome"), QStringLiteral("✓ In the trachea"));
+    QCOMPARE(outcomeText(goodTry()), QStringLiteral("✓ In the trachea"));
     QCOMPARE(valueNamed(lines, "Time to the first breath"), QStringLiteral("20.0\u00a0s"));
     QCOMPARE(valueNamed(lines, "Depth at the teeth"),
-             QStringLiteral("200\u00a0mm; 200\u00a0mm by the rule 0.10 × height + 5\u00a0cm"));
+             QStringLiteral("20.0\u00a0cm; 20.0\u00a0cm by the rule 0.10 × height + 5\u00a0cm"));
     QCOMPARE(valueNamed(lines, "Tip above the carina"), QStringLiteral("30\u00a0mm"));
     QCOMPARE(valueNamed(lines, "Lowest oxygen saturation"),
-             QStringLiteral("98\u00a0%, at 0:19; below 90\u00a0% for 0.0\u00a0s"));
+             QStringLiteral("98\u00a0%, at 0:19\u00a0min; never below 90\u00a0%"));
     QCOMPARE(valueNamed(lines, "View"),
              QStringLiteral("80\u00a0% of the glottis, after 4.0\u00a0s"));
     QCOMPARE(valueNamed(lines, "Attempts"), QStringLiteral("1"));
@@ -107,7 +124,7 @@ void TestTryWords::tellWhatNeverHappened()
     const TryReport report =
         reportOf(oesophagealTry(), DepthRule::TenthOfHeight, publishedRubric());
     const auto lines = tryLines(report);
-    QCOMPARE(valueNamed(lines, "Outcome"), QStringLiteral("▲ In the oesophagus, not recognised"));
+    QCOMPARE(outcomeText(report.metrics), QStringLiteral("▲ In the oesophagus, not recognised"));
     QCOMPARE(valueNamed(lines, "Time to the first breath"), QStringLiteral("never"));
     QCOMPARE(valueNamed(lines, "View"), QStringLiteral("never"));
     QCOMPARE(valueNamed(lines, "Time until the oesophagus was recognised"),
@@ -122,7 +139,7 @@ void TestTryWords::explainALostPointWithItsMoment()
     const TryReport report = reportOf(metrics, DepthRule::TenthOfHeight, publishedRubric());
     QCOMPARE(valueNamed(judgementLines(report), "Time to the first breath"),
              QStringLiteral("▲ 0 of 10 points: 190.0\u00a0s, expected: at most 150.0\u00a0s; at "
-                            "2:30"));
+                            "2:30\u00a0min"));
 }
 
 void TestTryWords::tellThatAPenaltyWasNotGiven()
@@ -132,7 +149,7 @@ void TestTryWords::tellThatAPenaltyWasNotGiven()
     const auto failed =
         judgementLines(reportOf(oesophagealTry(), DepthRule::TenthOfHeight, publishedRubric()));
     QCOMPARE(valueNamed(failed, "Failed: not within 150 s, or in the oesophagus"),
-             QStringLiteral("▲ -10 points: yes, expected: no; at 0:10"));
+             QStringLiteral("▲ -10 points: yes, expected: no; at 0:10\u00a0min"));
 }
 
 void TestTryWords::setFiguresOfTheLiteratureBeside()
@@ -142,6 +159,31 @@ void TestTryWords::setFiguresOfTheLiteratureBeside()
     QCOMPARE(valueNamed(lines, "Your head, up and down"),
              QStringLiteral("you 12\u00a0cm, experts 13\u00a0cm (SD 8\u00a0cm), novices 39\u00a0cm "
                             "(SD 8\u00a0cm) (St. Marianna Med J 10(2):51)"));
+}
+
+void TestTryWords::tellWhatIsUncertainAndTooDeep()
+{
+    TryReport report = reportOfGoodTry();
+    report.metrics.outcome = TryOutcome::RightMain;
+    report.metrics.confidence = 0.55;
+    report.metrics.depth->aboveCarina = millimetres(-12.0);
+    report.metrics.oxygen->below = std::chrono::seconds{30};
+    const auto lines = tryLines(report);
+    QCOMPARE(outcomeText(report.metrics),
+             QStringLiteral("▲ In the right main bronchus (uncertain: 55\u00a0%)"));
+    QCOMPARE(valueNamed(lines, "Tip beyond the carina"), QStringLiteral("▲ 12\u00a0mm"));
+    QVERIFY(valueNamed(lines, "Lowest oxygen saturation")
+                .endsWith(QStringLiteral("below 90\u00a0% for 30.0\u00a0s")));
+}
+
+void TestTryWords::takeTheSingularForOnePoint()
+{
+    OneForm translator;
+    QCoreApplication::installTranslator(&translator);
+    QCOMPARE(scoreText({.points = 1.0, .possible = 1.0, .ofAll = 1.0}),
+             QStringLiteral("1 of 1 point"));
+    QCOMPARE(scoreText({.points = 0.5, .possible = 1.5, .ofAll = 1.5}),
+             QStringLiteral("0.5 of 1.5 points"));
 }
 
 CARINA_TEST(TestTryWords)

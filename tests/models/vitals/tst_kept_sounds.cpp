@@ -4,6 +4,12 @@
 
 namespace carina::kept_sounds_test
 {
+namespace
+{
+
+const QString kProgram = QStringLiteral("console");
+
+} // namespace
 
 class TestKeptSounds : public QObject
 {
@@ -13,21 +19,37 @@ private Q_SLOTS:
     void remembersEachKindByItself()
     {
         const test::ScratchFolder folder;
-        KeptSounds sounds{folder.path()};
+        KeptSounds sounds{folder.path(), kProgram};
         sounds.keep(SoundKind::Oximeter, {35, false});
         sounds.keep(SoundKind::Alarm, {80, true});
-        const KeptSounds next{folder.path()};
+        const KeptSounds next{folder.path(), kProgram};
         QCOMPARE(next.of(SoundKind::Oximeter), (KeptSounds::Loudness{35, false}));
         QCOMPARE(next.of(SoundKind::Alarm), (KeptSounds::Loudness{80, true}));
         QCOMPARE(next.of(SoundKind::Breath), KeptSounds::Loudness{});
         QCOMPARE(next.of(SoundKind::Heart), KeptSounds::Loudness{});
     }
 
+    void remembersThatAllAreMuteForEachProgramByItself()
+    {
+        const test::ScratchFolder folder;
+        KeptSounds sounds{folder.path(), kProgram};
+        QVERIFY(!sounds.isMuted());
+        sounds.keepMuted(true);
+        QVERIFY(sounds.isMuted() && !sounds.of(SoundKind::Alarm).isMuted);
+        const KeptSounds next{folder.path(), kProgram};
+        QVERIFY(next.isMuted());
+        const KeptSounds other{folder.path(), QStringLiteral("trainee")};
+        QVERIFY(!other.isMuted());
+        sounds.keepMuted(false);
+        const KeptSounds after{folder.path(), kProgram};
+        QVERIFY(!after.isMuted());
+    }
+
     void soundsAsUsualWhereTheFileIsDamaged()
     {
         const test::ScratchFolder folder;
-        folder.write("sounds.ini", "[oximeter]\nvolume=loud\n[alarm]\nvolume=4000\n");
-        const KeptSounds sounds{folder.path()};
+        folder.write("sounds-console.ini", "[oximeter]\nvolume=loud\n[alarm]\nvolume=4000\n");
+        const KeptSounds sounds{folder.path(), kProgram};
         QCOMPARE(sounds.of(SoundKind::Oximeter), KeptSounds::Loudness{});
         QCOMPARE(sounds.of(SoundKind::Alarm).volume_percent, 100);
     }

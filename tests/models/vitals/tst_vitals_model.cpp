@@ -15,6 +15,7 @@ namespace
 constexpr double kRate_perMin = 75.0; ///< a beat in 0.8 s
 constexpr double kGrown_years = 40.0;
 constexpr double kLook_s = 0.02;
+const QString kProgram = QStringLiteral("trainee");
 
 /// A patient with a curve for each heartbeat, and a monitor beside them.
 struct Bed {
@@ -243,12 +244,45 @@ private Q_SLOTS:
     {
         const test::ScratchFolder folder;
         Bed bed;
-        VitalsModel model{bed.sources(), kGrown_years, KeptSounds{folder.path()}};
+        VitalsModel model{bed.sources(), kGrown_years, KeptSounds{folder.path(), kProgram}};
         model.setLoudness(SoundKind::Breath, {30, true});
         QCOMPARE(model.sounds().mixer().volume(SoundKind::Breath), 0.3);
         QVERIFY(model.sounds().mixer().isMuted(SoundKind::Breath));
-        VitalsModel next{bed.sources(), kGrown_years, KeptSounds{folder.path()}};
+        VitalsModel next{bed.sources(), kGrown_years, KeptSounds{folder.path(), kProgram}};
         QVERIFY(next.sounds().mixer().isMuted(SoundKind::Breath));
+    }
+
+    void mutesAllAndKeepsWhatEachKindHas()
+    {
+        const test::ScratchFolder folder;
+        Bed bed;
+        VitalsModel model{bed.sources(), kGrown_years, KeptSounds{folder.path(), kProgram}};
+        model.setLoudness(SoundKind::Alarm, {40, true});
+        const QSignalSpy changed{&model, &VitalsModel::changed};
+        model.setMuted(true);
+        QCOMPARE(changed.count(), 1);
+        for (const SoundKind kind : kSoundKinds)
+            QVERIFY(model.sounds().mixer().isMuted(kind));
+        VitalsModel next{bed.sources(), kGrown_years, KeptSounds{folder.path(), kProgram}};
+        QVERIFY(next.isMuted() && next.sounds().mixer().isMuted(SoundKind::Oximeter));
+        model.setMuted(false);
+        for (const SoundKind kind : kSoundKinds)
+            QCOMPARE(model.sounds().mixer().isMuted(kind), kind == SoundKind::Alarm);
+        QCOMPARE(model.loudness(SoundKind::Alarm), (KeptSounds::Loudness{40, true}));
+    }
+
+    void isHeardOnlyWhileItIsInSight()
+    {
+        Bed bed;
+        bed.pass(2.0);
+        QVERIFY(bed.sounds());
+        bed.model.setInSight(false);
+        (void)bed.sounds(0.5); // the tone fades
+        bed.pass(2.0);
+        QVERIFY(!bed.sounds());
+        bed.model.setInSight(true);
+        bed.pass(2.0);
+        QVERIFY(bed.sounds());
     }
 
     void hasWordsForEachAlarm()

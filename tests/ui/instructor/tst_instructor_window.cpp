@@ -14,6 +14,7 @@
 #include "widgets/scene/view/scene_view.h"
 #include "widgets/second_press.h"
 #include "widgets/theme/dark_theme.h"
+#include "widgets/vitals/bedside_monitor.h"
 #include "widgets/waveform_plot.h"
 
 #include <QComboBox>
@@ -484,6 +485,44 @@ private Q_SLOTS:
                   view.widget()->minimumSizeHint().height());
             QVERIFY2(view.verticalScrollBar()->maximum() == 0, heading.constData());
         }
+    }
+
+    /// All numbers, in the lowest window, too.
+    void holdsTheBedsideMonitorWithoutScrolling_data()
+    {
+        QTest::addColumn<QSize>("size");
+        QTest::newRow("1280x800") << QSize{1280, 800};
+        QTest::newRow("1920x1080") << QSize{1920, 1080};
+    }
+    void holdsTheBedsideMonitorWithoutScrolling()
+    {
+        QFETCH(const QSize, size);
+        const test::ScratchFolder kept;
+        Shown shown{kept, size};
+        shown.action("showMonitor").trigger();
+        Shown::settle();
+        const auto& view = *qobject_cast<QScrollArea*>(shown.dock("monitorDock").widget());
+        const auto& monitor = *view.widget()->findChild<BedsideMonitor*>();
+        qInfo("the panel has %d pixels of height, its monitor %d", view.viewport()->height(),
+              monitor.height());
+        QCOMPARE(view.verticalScrollBar()->maximum(), 0);
+        QCOMPARE(view.widget()->height(), view.viewport()->height()); // and takes all that there is
+    }
+
+    void mutesAllSoundsWhicheverPanelIsInFront()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        shown.action("showWaveforms").trigger();
+        Shown::settle();
+        auto& button = shown.find<QToolButton>("muteOfConsole");
+        QVERIFY(button.isVisible() && button.isEnabled());
+        button.click();
+        QVERIFY(shown.vitals.model().isMuted());
+        QVERIFY(button.text().contains(QStringLiteral("■")));
+        QApplication::setActiveWindow(&shown.window); // the display has no window manager
+        QTest::keyClick(&shown.window, Qt::Key_F10);
+        QVERIFY(!shown.vitals.model().isMuted());
     }
 
     /// Beside a scroll bar, too, and with everything set and on its way.

@@ -2,6 +2,7 @@
 #include "tests/support/test_class.h"
 #include "tests/ui/trainee/trainee_desk.h"
 #include "ui/panels/airway/try_panel.h"
+#include "ui/vitals/bedside_monitor_panel.h"
 #include "widgets/scene/view/graphics.h"
 #include "widgets/scene/view/scene_view.h"
 
@@ -167,8 +168,8 @@ private Q_SLOTS:
         shown.tries.watch();
         QVERIFY(soon([&] { return panel->isVisible(); }));
         QVERIFY(!panel->isAncestorOf(shown.window.focusWidget()));
-        const auto* figures = panel->findChild<QLabel*>(QStringLiteral("tryFigures"));
-        QVERIFY(figures->text().contains(QStringLiteral("Given up")));
+        const auto* outcome = panel->findChild<QLabel*>(QStringLiteral("tryOutcome"));
+        QVERIFY(outcome->text().contains(QStringLiteral("Given up")));
     }
 
     /// Also while the picture has the keyboard, and without the panel.
@@ -193,6 +194,25 @@ private Q_SLOTS:
         QTest::keyClick(&shown.window, Qt::Key_F9);
         QTest::keyClick(&shown.window, Qt::Key_F7);
         QCOMPARE(tubeAndBag(), (std::pair{false, false}));
+    }
+
+    void soundsWhileTheBedsideMonitorIsOpen()
+    {
+        Shown shown;
+        QApplication::setActiveWindow(&shown.window);
+        auto& model = shown.vitals.model();
+        const auto isHeard = [&model] { return !model.sounds().mixer().isMuted(SoundKind::Alarm); };
+        QVERIFY(!isHeard());
+        auto& panel = *shown.window.findChild<BedsideMonitorPanel*>();
+        auto& dock = *qobject_cast<QDockWidget*>(panel.parentWidget());
+        dock.show();
+        QVERIFY(soon(isHeard));
+        QTest::keyClick(&shown.window, Qt::Key_F10);
+        QVERIFY(model.isMuted() && !isHeard());
+        QTest::keyClick(&shown.window, Qt::Key_F10);
+        QVERIFY(isHeard());
+        dock.hide();
+        QVERIFY(soon([&] { return !isHeard(); }));
     }
 
     void keepsAHeadsetsPictureFree()

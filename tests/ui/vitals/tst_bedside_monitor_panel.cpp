@@ -4,6 +4,7 @@
 #include "widgets/vitals/bedside_monitor.h"
 
 #include <QAbstractButton>
+#include <QAction>
 #include <QCheckBox>
 #include <QLabel>
 #include <QSlider>
@@ -99,19 +100,38 @@ private Q_SLOTS:
         QVERIFY(desk.told().contains(QStringLiteral("alarm of high priority"))); // still shown
     }
 
-    void mutesAllAndAgainNone()
+    void mutesAllAndThenOnlyWhatWasMuteByItself()
     {
         Desk desk;
         desk.pass(0.5);
+        desk.model.setLoudness(SoundKind::Heart, {70, true});
         auto& mute = desk.control<QAbstractButton>("mute");
         mute.click();
-        for (const SoundKind kind : kSoundKinds)
-            QVERIFY(desk.model.loudness(kind).isMuted);
-        QVERIFY(mute.isChecked() && mute.text().contains(QStringLiteral("Muted")));
+        QVERIFY(desk.model.isMuted());
+        QVERIFY(mute.isChecked() && mute.text().contains(QStringLiteral("■")));
         mute.click();
+        QVERIFY(!desk.model.isMuted() && !mute.isChecked());
         for (const SoundKind kind : kSoundKinds)
-            QVERIFY(!desk.model.loudness(kind).isMuted);
-        QVERIFY(!mute.isChecked());
+            QCOMPARE(desk.model.loudness(kind).isMuted, kind == SoundKind::Heart);
+        desk.panel.muteAction()->trigger(); // by key or menu
+        QVERIFY(desk.model.isMuted() && mute.isChecked());
+    }
+
+    void isHeardWhileItIsInSight()
+    {
+        Desk desk;
+        const auto isHeard = [&desk] {
+            return !desk.model.sounds().mixer().isMuted(SoundKind::Alarm);
+        };
+        QVERIFY(!isHeard());
+        desk.panel.show();
+        QVERIFY(isHeard());
+        desk.panel.setEnabled(false); // behind other panels
+        QVERIFY(!isHeard());
+        desk.panel.setEnabled(true);
+        QVERIFY(isHeard());
+        desk.panel.hide();
+        QVERIFY(!isHeard());
     }
 
     void setsTheVolumeOfEachSound()
@@ -158,6 +178,8 @@ private Q_SLOTS:
         Desk desk;
         desk.panel.show();
         const auto& obstacle = desk.control<QLabel>("noSound");
+        QVERIFY(!obstacle.isVisible());
+        desk.control<QAbstractButton>("volumes").click();
         QCOMPARE(obstacle.isVisible(), !desk.output.obstacle().isEmpty());
         QCOMPARE(obstacle.text(), desk.output.obstacle());
     }

@@ -12,6 +12,7 @@ namespace
 {
 
 constexpr int kClock_ms = 500;
+constexpr double kOutcomeSize = 1.4; ///< as a multiple of the words' size
 
 QString linesText(const std::vector<SummaryLine>& lines)
 {
@@ -45,7 +46,10 @@ QString pointsLines(const TryReport& report)
 } // namespace
 
 TryPanel::TryPanel(QWidget* parent)
-    : QWidget{parent}, m_state{new PlainLabel}, m_finish{new QPushButton{tr("End this try")}}
+    : QWidget{parent},
+      m_state{new PlainLabel},
+      m_outcome{new PlainLabel},
+      m_finish{new QPushButton{tr("End this try")}}
 {
     auto* column = new QVBoxLayout{this};
     m_state->setObjectName(QStringLiteral("tryState"));
@@ -53,7 +57,14 @@ TryPanel::TryPanel(QWidget* parent)
     m_finish->setObjectName(QStringLiteral("finishTry"));
     m_finish->setToolTip(tr("A try ends by itself some breaths after the first one, or once tube "
                             "and blade are out for 10 s"));
+    m_outcome->setObjectName(QStringLiteral("tryOutcome"));
+    m_outcome->setAccessibleName(tr("Outcome"));
+    m_outcome->setWordWrap(true);
+    QFont large = m_outcome->font();
+    large.setPointSizeF(kOutcomeSize * large.pointSizeF());
+    m_outcome->setFont(large);
     column->addWidget(m_state);
+    column->addWidget(m_outcome);
     column->addWidget(m_finish);
     m_figures = addPart("tryFigures", tr("How it went"));
     m_advice = addPart("tryAdvice", tr("What to do next"));
@@ -107,6 +118,7 @@ void TryPanel::refresh()
     refreshState();
     if (m_tries && m_tries->report())
         return showReport(*m_tries->report());
+    m_outcome->hide();
     for (const Part& part : {m_figures, m_advice, m_points, m_literature, m_missing})
         tell(part, {});
 }
@@ -126,6 +138,8 @@ void TryPanel::refreshState()
 
 void TryPanel::showReport(const TryReport& report)
 {
+    m_outcome->setText(outcomeText(report.metrics));
+    m_outcome->show();
     tell(m_figures, linesText(tryLines(report)));
     tell(m_advice, adviceLines(report.advice));
     tell(m_points, pointsLines(report));

@@ -13,11 +13,11 @@ class QPushButton;
 namespace carina
 {
 
-/// Tells how the last try at intubating went: its main figures, three sentences on what to do next,
-/// the points of a rubric with the reason for each that was lost and its moment, figures of the
-/// literature beside, and what was not measured. Before it, whether a try is under way, which a
-/// button ends. Each part is one text, which has a heading, can be selected, and is read out as a
-/// whole.
+/// Tells how the last try at intubating went: its outcome in large letters, its main figures, three
+/// sentences on what to do next, the points of a rubric with the reason for each that was lost and
+/// its moment, figures of the literature beside, and what was not measured. Before it, whether a
+/// try is under way, which a button ends. Each part is one text, which has a heading, can be
+/// selected, and is read out as a whole.
 class TryPanel : public QWidget
 {
     Q_OBJECT
@@ -42,6 +42,7 @@ private:
 
     TryWatch* m_tries = nullptr;
     QLabel* m_state;
+    QLabel* m_outcome;
     QPushButton* m_finish;
     Part m_figures;
     Part m_advice;

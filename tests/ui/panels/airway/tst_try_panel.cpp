@@ -90,10 +90,11 @@ void TestTryPanel::tellsHowATryWent()
     desk.intubate();
     desk.tries.finish();
     const QString figures = desk.label("tryFigures").text();
-    for (const char* told :
-         {"Outcome: ✓ In the trachea", "Time to the first breath: never", "Depth at the teeth: 200",
-          "Lowest oxygen saturation: ", "View: 60", "Attempts: 1"})
+    for (const char* told : {"Time to the first breath: never", "Depth at the teeth: 20.0",
+                             "Lowest oxygen saturation: ", "View: 60", "Attempts: 1"})
         QVERIFY2(figures.contains(QString::fromUtf8(told)), qPrintable(figures));
+    QCOMPARE(desk.label("tryOutcome").text(), QStringLiteral("✓ In the trachea"));
+    QVERIFY(desk.label("tryOutcome").isVisible());
     const QString advice = desk.label("tryAdvice").text();
     QCOMPARE(advice.count(QLatin1Char('\n')), qsizetype(kAdviceGiven) - 1);
     QVERIFY(advice.startsWith(QStringLiteral("1. ")));
@@ -111,6 +112,7 @@ void TestTryPanel::forgetsItWhenTheNextOneBegins()
     desk.tries.finish();
     desk.note(IntubationStep::TubeOut);
     desk.note(IntubationStep::BladeIn);
+    QVERIFY(!desk.label("tryOutcome").isVisible());
     for (const char* part : kParts)
         QVERIFY(!desk.label(part).isVisible());
 }

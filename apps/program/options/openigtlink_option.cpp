@@ -1,4 +1,4 @@
-#include "apps/program/openigtlink_option.h"
+#include "apps/program/options/openigtlink_option.h"
 
 #include <QCoreApplication>
 

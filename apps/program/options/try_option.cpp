@@ -1,4 +1,4 @@
-#include "apps/program/try_option.h"
+#include "apps/program/options/try_option.h"
 
 #include "engine/io/scoring/rubric_file.h"
 

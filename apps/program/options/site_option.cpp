@@ -1,4 +1,4 @@
-#include "apps/program/site_option.h"
+#include "apps/program/options/site_option.h"
 
 #include "engine/io/site/site_file.h"
 

@@ -1,4 +1,4 @@
-#include "apps/program/patient_option.h"
+#include "apps/program/options/patient_option.h"
 
 #include "engine/anatomy/patient/patient_name.h"
 #include "engine/io/anatomy_set/anatomy_set.h"

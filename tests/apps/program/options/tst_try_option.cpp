@@ -1,4 +1,4 @@
-#include "apps/program/try_option.h"
+#include "apps/program/options/try_option.h"
 
 #include "tests/models/scoring/tried_session.h"
 #include "tests/support/scratch_folder.h"

@@ -1,4 +1,4 @@
-#include "apps/program/entry_option.h"
+#include "apps/program/options/entry_option.h"
 
 #include "apps/program/program.h"
 #include "engine/io/files/whole_file.h"

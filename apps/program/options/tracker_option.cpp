@@ -1,4 +1,4 @@
-#include "apps/program/tracker_option.h"
+#include "apps/program/options/tracker_option.h"
 
 #include "apps/program/played_intubation.h"
 

@@ -65,7 +65,8 @@ double median(std::vector<double> values)
     return *middle;
 }
 
-/// Side to side and front to back over the middle half of a trachea.
+/// Side to side and front to back over the middle half of a trachea: of its outside, not of the
+/// lumen within a wall.
 void measureDiameters(const TriangleMesh& trachea, const TubeLine& line, const Vec3& carina,
                       AirwayMeasures& measures)
 {
@@ -75,11 +76,12 @@ void measureDiameters(const TriangleMesh& trachea, const TubeLine& line, const V
     std::vector<double> sagittal;
     for (int i = 0; i < 4 * kPlaces; ++i) {
         const double along = (0.25 + 0.5 * i / (4.0 * kPlaces)) * measures.trachea.si;
-        for (const Outline& o :
-             outlinesOf(trachea, carina + along * line.direction, line.direction)) {
-            coronal.push_back(o.extentAlong(left));
-            sagittal.push_back(o.extentAlong(back));
-        }
+        const auto outlines = outlinesOf(trachea, carina + along * line.direction, line.direction);
+        if (outlines.empty())
+            continue;
+        const Outline& outside = std::ranges::max(outlines, {}, &Outline::area);
+        coronal.push_back(outside.extentAlong(left));
+        sagittal.push_back(outside.extentAlong(back));
     }
     if (!coronal.empty()) {
         measures.coronal = metres(median(std::move(coronal)));

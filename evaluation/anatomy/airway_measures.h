@@ -25,7 +25,8 @@ struct TubeLine {
 struct AirwayMeasures {
     Length trachea; ///< along its line, from the carina to the lower border of the cricoid
                     ///< cartilage, or to its upper end if no part is named so
-    Length coronal; ///< lateral diameter, median of the sections over the middle half
+    Length coronal; ///< lateral diameter of the outside, median of the sections over the middle
+                    ///< half
     Length sagittal;
     Angle rightBronchus; ///< from the extended line of the trachea
     Angle leftBronchus;

@@ -140,7 +140,9 @@ void measureTrachea(const Anatomy& anatomy, const Axes& axes, Dimensions& found)
         return;
     found["trachea_lumen_coronal_mm"] = 1e3 * medianOf(coronal);
     found["trachea_lumen_sagittal_mm"] = 1e3 * medianOf(sagittal);
-    found["trachea_lumen_ml"] = 1e6 * medianOf(areas) * airway->trachea.si;
+    const double area = medianOf(areas);
+    found["trachea_lumen_mm2"] = 1e6 * area;
+    found["trachea_lumen_ml"] = 1e6 * area * airway->trachea.si;
 }
 
 void measureGlottis(const Anatomy& anatomy, const UpperAirway& airway, Dimensions& found)

@@ -14,8 +14,8 @@ namespace carina
 /// - trachea_length_mm, right_bronchus_deg, left_bronchus_deg, teeth_to_carina_mm: AirwayMeasures;
 ///   subcarinal_deg is the sum of both angles
 /// - trachea_lumen_coronal_mm, trachea_lumen_sagittal_mm: medians over the middle half of the
-///   trachea of what its wall encloses; trachea_lumen_ml: the median of its area there times
-///   the length
+///   trachea of what its wall encloses; trachea_lumen_mm2: of its area; trachea_lumen_ml: that
+///   area times the length
 /// - cords_to_carina_mm: along the trachea, from the middle between commissure and interarytenoid
 ///   notch; glottis_mm: between these two; vocal_fold_mm: extent of a fold along this line
 /// - epiglottis_length_mm: from its lowest to its highest place in the midplane;

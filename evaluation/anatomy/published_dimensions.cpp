@@ -12,19 +12,30 @@ constexpr std::string_view kLee = "CT of 100: Lee et al., J Korean Radiol Soc 19
 constexpr std::string_view kBreatnach =
     "radiographs of 808: Breatnach, Abbott, Fraser, AJR 1984;142:903; mean and deviation from "
     "the limits, which are three deviations away";
+constexpr std::string_view kSternInspired =
+    "CT of 10 men lying, after a full inspiration: Stern et al., Radiology 1993;187:27";
+constexpr std::string_view kSternExpired =
+    "CT of 10 men lying, after a forced expiration: Stern et al., Radiology 1993;187:27";
 constexpr std::string_view kAngles =
     "quoted with ranges of 11.4 to 41.8 and 24.8 to 64.8 degrees; the paper was not found";
 constexpr std::string_view kCords = "Caucasian adults: Br J Anaesth 2006";
 constexpr std::string_view kCricoid = "31 larynges: Int J Otorhinolaryngol Head Neck Surg, doi "
                                       "10.18203/issn.2454-5929.ijohns20175054";
+constexpr std::string_view kCricoidIndia =
+    "50 larynges, sexes not told apart: Morphometric study of cricoid cartilages in Western "
+    "India, PMID 23386865";
 constexpr std::string_view kEpiglottis =
     "22 adults, embalmed: Vadgaonkar, F1000Research 2024;13:115";
+constexpr std::string_view kEpiglottisKorea =
+    "ultrasound of 100: Paik et al., J Korean Soc Emerg Med 2006;17:471";
 constexpr std::string_view kFold =
     "whole fold at microlaryngeal surgery, 73 adults: Jibi Inkoka Keibu 125(6)";
 constexpr std::string_view kGlottis = "Miller's Anesthesia, 6th edition";
 constexpr std::string_view kLarynx =
     "50 larynges: Poornima, Dakshayini, Int J Anat Res 2017;5(2.1):3713";
 constexpr std::string_view kTongue = "MRI of 70: Liegeois, Albert, Limme, Eur J Orthod 2010;32:381";
+constexpr std::string_view kTongueSound =
+    "ultrasound of 36: Head Face Med 2016, doi 10.1186/s13005-016-0110-4";
 constexpr std::string_view kBigonial =
     "cone-beam CT of 99 aged 18 to 25: Mandibular sexual dimorphism in a Syrian sample, 2020";
 constexpr std::string_view kSternum = "CT of 60 aged 20 to 40 (bibliomed 16478)";
@@ -121,6 +132,26 @@ constexpr std::array kAll{
                        .mean = 24.7,
                        .deviation = 6.1,
                        .source = kKamel},
+    PublishedDimension{.name = "trachea_lumen_mm2",
+                       .sex = Sex::Male,
+                       .mean = 288.0,
+                       .deviation = 54.0,
+                       .source = kLee},
+    PublishedDimension{.name = "trachea_lumen_mm2",
+                       .sex = Sex::Female,
+                       .mean = 204.0,
+                       .deviation = 31.0,
+                       .source = kLee},
+    PublishedDimension{.name = "trachea_lumen_mm2",
+                       .sex = Sex::Male,
+                       .mean = 280.0,
+                       .deviation = 50.5,
+                       .source = kSternInspired},
+    PublishedDimension{.name = "trachea_lumen_mm2",
+                       .sex = Sex::Male,
+                       .mean = 178.0,
+                       .deviation = 40.2,
+                       .source = kSternExpired},
     PublishedDimension{
         .name = "right_bronchus_deg", .mean = 26.9, .deviation = 7.0, .source = kAngles},
     PublishedDimension{
@@ -165,6 +196,16 @@ constexpr std::array kAll{
         .name = "epiglottis_width_mm", .mean = 22.2, .deviation = 0.6, .source = kEpiglottis},
     PublishedDimension{
         .name = "epiglottis_thickness_mm", .mean = 2.6, .deviation = 0.3, .source = kEpiglottis},
+    PublishedDimension{.name = "epiglottis_thickness_mm",
+                       .sex = Sex::Male,
+                       .mean = 2.41,
+                       .deviation = 0.21,
+                       .source = kEpiglottisKorea},
+    PublishedDimension{.name = "epiglottis_thickness_mm",
+                       .sex = Sex::Female,
+                       .mean = 2.21,
+                       .deviation = 0.18,
+                       .source = kEpiglottisKorea},
     PublishedDimension{.name = "cricoid_arch_mm",
                        .sex = Sex::Male,
                        .mean = 7.69,
@@ -175,6 +216,8 @@ constexpr std::array kAll{
                        .mean = 6.50,
                        .deviation = 0.68,
                        .source = kCricoid},
+    PublishedDimension{
+        .name = "cricoid_arch_mm", .mean = 6.54, .deviation = 1.23, .source = kCricoidIndia},
     PublishedDimension{.name = "cricoid_lamina_mm",
                        .sex = Sex::Male,
                        .mean = 21.17,
@@ -185,6 +228,8 @@ constexpr std::array kAll{
                        .mean = 18.38,
                        .deviation = 0.61,
                        .source = kCricoid},
+    PublishedDimension{
+        .name = "cricoid_lamina_mm", .mean = 21.45, .deviation = 1.97, .source = kCricoidIndia},
     PublishedDimension{.name = "cricoid_inner_coronal_mm",
                        .sex = Sex::Male,
                        .mean = 17.52,
@@ -213,6 +258,16 @@ constexpr std::array kAll{
         .name = "tongue_ml", .sex = Sex::Male, .mean = 89.9, .deviation = 11.5, .source = kTongue},
     PublishedDimension{
         .name = "tongue_ml", .sex = Sex::Female, .mean = 68.9, .deviation = 7.0, .source = kTongue},
+    PublishedDimension{.name = "tongue_ml",
+                       .sex = Sex::Male,
+                       .mean = 92.4,
+                       .deviation = 9.8,
+                       .source = kTongueSound},
+    PublishedDimension{.name = "tongue_ml",
+                       .sex = Sex::Female,
+                       .mean = 67.2,
+                       .deviation = 5.6,
+                       .source = kTongueSound},
     PublishedDimension{.name = "bigonial_mm",
                        .sex = Sex::Male,
                        .mean = 95.17,

@@ -90,6 +90,19 @@ private Q_SLOTS:
         QVERIFY(std::abs(m->teethToCarina.si - 0.230 * size) < kExact);
     }
 
+    void measuresTheOutsideOfATracheaWithAWall()
+    {
+        Anatomy anatomy = test::anatomyOf({});
+        const Vec3 up = anatomy.landmarks.p_A_glottis.normalized();
+        TriangleMesh& trachea = anatomy.parts.front().levels.front();
+        for (const double share : {0.8, 0.5}) // its lumen, and a tube in it
+            append(trachea, test::tubeOf(Vec3::Zero(), 0.108 * up, share * 0.010, share * 0.008));
+        const auto m = measureAirway(anatomy);
+        QVERIFY(m.has_value());
+        QVERIFY(std::abs(m->coronal.si - 0.020) < kExact);
+        QVERIFY(std::abs(m->sagittal.si - 0.016) < kExact);
+    }
+
     void takesTheTracheasEndWithoutACricoid()
     {
         Anatomy anatomy = test::anatomyOf({});

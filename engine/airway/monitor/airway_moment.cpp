@@ -12,9 +12,16 @@ namespace carina
 namespace
 {
 
-double pastTeethPlane(const PatientWays& ways, const Vec3& p_A)
+constexpr Length kAtTeeth = millimetres(20.0); ///< of an adult's way, which is straight so far
+
+/// At the teeth and in front of them the distance from their plane, further on that along the way:
+/// a way that bends down comes back through that plane, in grown people above the carina, and
+/// higher when the neck is flexed.
+double pastIncisors(const PatientWays& ways, const Vec3& p_A)
 {
-    return (p_A - ways.p_A_incisors()).dot(ways.inward_A());
+    const double along = nearestOnWay(ways.overTongue, p_A).along.si;
+    return along > ways.size * kAtTeeth.si ? along
+                                           : (p_A - ways.p_A_incisors()).dot(ways.inward_A());
 }
 
 double pastCordsPlane(const PatientWays& ways, const Vec3& p_A)
@@ -50,7 +57,7 @@ Length withinReach(double past, double inReach)
 
 Length pastTeeth(const PatientWays& ways, const Vec3& p_A)
 {
-    return withinReach(pastTeethPlane(ways, p_A), inBody(ways, p_A));
+    return withinReach(pastIncisors(ways, p_A), inBody(ways, p_A));
 }
 
 Length pastCords(const PatientWays& ways, const Vec3& p_A)
@@ -139,16 +146,16 @@ void findTip(AirwayMoment& moment, const PatientWays& ways)
         std::clamp(moment.aboveCarina, -1.0 * kFarthestFromCarina, kFarthestFromCarina);
 }
 
-/// From where the tube last passes the plane at the incisors to its tip.
+/// From where the tube passes the plane at the incisors, nearest to its tip, to the tip.
 Length depthOf(const PatientWays& ways, std::span<const Vec3> p_A_tube)
 {
     double depth = 0.0;
-    double inside = pastTeethPlane(ways, p_A_tube.back());
+    double inside = pastIncisors(ways, p_A_tube.back());
     if (inside <= 0.0)
         return {};
     for (std::size_t i = p_A_tube.size() - 1; i > 0; --i) {
         const double length = (p_A_tube[i] - p_A_tube[i - 1]).norm();
-        const double next = pastTeethPlane(ways, p_A_tube[i - 1]);
+        const double next = pastIncisors(ways, p_A_tube[i - 1]);
         if (next <= 0.0)
             return metres(depth + inside / (inside - next) * length);
         depth += length;

@@ -23,10 +23,31 @@ AirwayMoment with(const std::vector<Vec3>& tube, const std::vector<Vec3>& measur
 /// Of a tube whose tip is there.
 AirwayMoment at(const Vec3& p_A_tip) { return with({p_A_tip + Vec3{0.0, 0.0, 0.1}, p_A_tip}); }
 
-/// The way from outside the mouth to an arc length beyond the incisors.
-std::vector<Vec3> alongWay(double depth)
+/// A way that turns by 120 degrees from the incisors to the trachea, as with a flexed neck: the
+/// trachea comes back through the plane at the incisors.
+PatientWays turnedFurther()
 {
-    const Centreline line = test::routeOf(test::drawnWays(), test::Route::Trachea);
+    constexpr double kRadius = 0.060;
+    constexpr double kTrachea = 0.125;
+    constexpr int kPieces = 80;
+    AirwayLandmarks airway;
+    for (int i = 0; i <= kPieces; ++i) {
+        const double angle = degrees(120.0).si * i / kPieces;
+        airway.path_A.emplace_back(0.0, kRadius * std::sin(angle), kRadius * std::cos(angle));
+    }
+    airway.p_A_incisors = airway.path_A.front();
+    airway.p_A_glottis = airway.path_A.back();
+    const double angle = degrees(120.0).si;
+    const Vec3 down{0.0, std::cos(angle), -std::sin(angle)};
+    for (double along = 0.002; along <= kTrachea; along += 0.002)
+        airway.path_A.emplace_back(airway.p_A_glottis + along * down);
+    return patientWays(airway, std::nullopt, {});
+}
+
+/// The way from outside the mouth to an arc length beyond the incisors.
+std::vector<Vec3> alongWay(double depth, const PatientWays& ways = test::drawnWays())
+{
+    const Centreline line = test::routeOf(ways, test::Route::Trachea);
     std::vector<Vec3> tube;
     for (double along = 0.0; along < 0.150 + depth; along += 0.002)
         tube.push_back(pointAlong(line, metres(along)));
@@ -119,6 +140,21 @@ private Q_SLOTS:
             QVERIFY(std::abs(with(alongWay(depth)).depthAtTeeth.si - depth) < kDrawn);
         QVERIFY(with(alongWay(-0.02)).depthAtTeeth == Length{});
         QVERIFY(std::abs(with(alongWay(-0.02)).pastTeeth.si + 0.02) < kDrawn);
+    }
+
+    void tubeIsInTheMouthWhereTheWayTurnsBackThroughThePlaneOfTheTeeth()
+    {
+        const PatientWays ways = turnedFurther();
+        const Vec3 carina = ways.p_A_carina();
+        QVERIFY(ways.inward_A().dot(carina - ways.p_A_incisors()) < 0.0);
+        for (const double depth : {0.02, 0.10, 0.18, 0.24}) {
+            const std::vector<Vec3> tube = alongWay(depth, ways);
+            const AirwayMoment moment =
+                airwayMoment(SessionTime{}, ways, {Validity::Tracked, tube, {}}, {});
+            QVERIFY(moment.pastTeeth > Length{});
+            QVERIFY2(std::abs(moment.depthAtTeeth.si - depth) < kDrawn,
+                     qPrintable(QString::number(moment.depthAtTeeth.si)));
+        }
     }
 
     void shapesAreComparedAtTheTip()

@@ -104,7 +104,7 @@ void TestTryWords::tellThatADepthIsUncertain()
     metrics.depthWanted.reset();
     const TryReport report = reportOf(metrics, DepthRule::TenthOfHeight, publishedRubric());
     QCOMPARE(valueNamed(tryLines(report), "Depth at the teeth"),
-             QStringLiteral("200\u00a0mm (uncertain: 62\u00a0%)"));
+             QStringLiteral("20.0\u00a0cm (uncertain: 62\u00a0%)"));
 }
 
 void TestTryWords::tellWhatWasNotMeasured()

@@ -36,9 +36,8 @@ private Q_SLOTS:
         const auto rate = [](int i) -> FactBody {
             return fact::BreathingRateSet{perMinute(10.0 + i % 10)};
         };
-        // A change of a rate, its time among the decisions, and at the host the record besides.
-        constexpr double kState =
-            sizeof(ParameterTimeline<Frequency>::Change) + sizeof(SessionTime);
+        // A change of a rate, and at the host the record besides.
+        constexpr double kState = sizeof(ParameterTimeline<Frequency>::Change);
         const LogMemory few = memoryOf(logWith(1 << 10, rate));
         const LogMemory many = memoryOf(logWith(1 << 12, rate));
         constexpr double kMore = (1 << 12) - (1 << 10);

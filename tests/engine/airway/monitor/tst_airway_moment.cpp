@@ -23,7 +23,7 @@ AirwayMoment with(const std::vector<Vec3>& tube, const std::vector<Vec3>& measur
 /// Of a tube whose tip is there.
 AirwayMoment at(const Vec3& p_A_tip) { return with({p_A_tip + Vec3{0.0, 0.0, 0.1}, p_A_tip}); }
 
-/// A way that turns by 120 degrees from the incisors to the trachea, as with a flexed neck: the
+/// A way that turns by 150 degrees from the incisors to the trachea, as with a flexed neck: the
 /// trachea comes back through the plane at the incisors.
 PatientWays turnedFurther()
 {
@@ -32,12 +32,12 @@ PatientWays turnedFurther()
     constexpr int kPieces = 80;
     AirwayLandmarks airway;
     for (int i = 0; i <= kPieces; ++i) {
-        const double angle = degrees(120.0).si * i / kPieces;
+        const double angle = degrees(150.0).si * i / kPieces;
         airway.path_A.emplace_back(0.0, kRadius * std::sin(angle), kRadius * std::cos(angle));
     }
     airway.p_A_incisors = airway.path_A.front();
     airway.p_A_glottis = airway.path_A.back();
-    const double angle = degrees(120.0).si;
+    const double angle = degrees(150.0).si;
     const Vec3 down{0.0, std::cos(angle), -std::sin(angle)};
     for (double along = 0.002; along <= kTrachea; along += 0.002)
         airway.path_A.emplace_back(airway.p_A_glottis + along * down);

@@ -88,7 +88,7 @@ void TestBodyFacts::refusesWhatDoesNotExist_data()
     QTest::newRow("drug 7") << "2907" + zero;
     QTest::newRow("mask 2") << "28" + zero + "0200";
     QTest::newRow("cuff 2") << QByteArray{"2a02"};
-    QTest::newRow("step 18") << "2c12" + zero + "00" + zero.repeated(6);
+    QTest::newRow("step 19") << "2c13" + zero + "00" + zero.repeated(6);
     QTest::newRow("seat 5") << "2c00" + zero + "05" + zero.repeated(6);
     QTest::newRow("dose not a number") << QByteArray{"2900000000000000f87f"};
 }

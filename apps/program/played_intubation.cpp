@@ -22,8 +22,7 @@ Result<MotionKind> motionNamed(const QString& name)
     const auto* found = std::ranges::find(kNamedMotions, name.toStdString(), &NamedMotion::name);
     if (found == kNamedMotions.end())
         return fail(Errc::WrongOption, "\"" + name.toStdString()
-                                           + "\" is not among the intubations "
-                                           + motionNames().toStdString());
+                                           + "\" is not among the intubations " + namesOfMotions());
     return found->kind;
 }
 
@@ -140,13 +139,7 @@ Result<SimulatedWords> simulatedWordsIn(const QString& words)
                           others.join(QLatin1Char{','})};
 }
 
-QString motionNames()
-{
-    QStringList names;
-    for (const NamedMotion& motion : kNamedMotions)
-        names += QString::fromUtf8(motion.name.data(), qsizetype(motion.name.size()));
-    return names.join(QStringLiteral(", "));
-}
+QString motionNames() { return QString::fromStdString(namesOfMotions()); }
 
 MotionParameters parametersOf(const PlayedIntubation& played)
 {

@@ -1,5 +1,6 @@
 #include "apps/program/played_intubation.h"
 
+#include "engine/airway/tube/tube_size.h"
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "evaluation/intubation/motion_script.h"
 
@@ -94,10 +95,14 @@ Result<IntubationMotion> motionFor(const PatientModel& patient, const PlayedIntu
     const auto ways = motionPatient(anatomyOf(patient), heldJaw(patient.contentHash()));
     if (!ways)
         return tl::unexpected(ways.error());
+    const auto size = tubeOfSize(patient.tube().innerDiameter);
+    if (!size)
+        return tl::unexpected(size.error());
     std::mt19937 random = generatorOf(played.kind, played.seed);
     const MotionParameters parameters = drawnParameters(played.kind, random);
     return scriptedMotion(played.kind, parameters, std::make_shared<const MotionPatient>(*ways),
-                          lengthened(patient.tube()), static_cast<std::uint32_t>(random()));
+                          lengthened(patient.tube(), size->length),
+                          static_cast<std::uint32_t>(random()));
 }
 
 PlayedMotion playedBy(const IntubationMotion& motion, Duration after)

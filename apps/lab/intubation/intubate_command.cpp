@@ -129,6 +129,7 @@ Use intubateOnce()
                  intubate_key::kDepth,
                  intubate_key::kAboveCarina,
                  intubate_key::kRegistration,
+                 intubate_key::kRegistrationAtTeeth,
                  intubate_key::kTruth,
                  intubate_key::kTrueOutcome,
                  intubate_key::kTrueAttempts,

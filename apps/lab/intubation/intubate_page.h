@@ -56,6 +56,8 @@ inline constexpr Key kDepth{"depth_at_teeth_mm", "of the tip in the end, by the 
 inline constexpr Key kAboveCarina{"tip_above_carina_mm", "likewise, along the airway"};
 inline constexpr Key kRegistration{"registration_share_mm",
                                    "how far the registration's error moves the tip in the end"};
+inline constexpr Key kRegistrationAtTeeth{"registration_at_teeth_mm",
+                                          "and the incisors, where the depth is read"};
 inline constexpr Key kTruth{"truth", "what happened:"};
 inline constexpr Key kTrueOutcome{"outcome", "where the tip is in the end", 1};
 inline constexpr Key kTrueAttempts{"attempts", "how often the blade went in", 1};

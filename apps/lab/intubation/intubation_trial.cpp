@@ -30,6 +30,11 @@ bool isPassage(IntubationStep step)
     }
 }
 
+Length movedBy(const RigidTransform& X_AprimeA, const Vec3& p_A)
+{
+    return metres((X_AprimeA * p_A - p_A).norm());
+}
+
 } // namespace
 
 TubeSeat seatOf(TrueSeat truth)
@@ -113,7 +118,8 @@ Result<IntubationTrial> runTrial(const IntubationSubject& subject, MotionKind ki
     trial.parameters = parameters;
     trial.truth = truthOf(*motion);
     trial.seen = seen;
-    trial.registrationShare = metres((seen.X_AprimeA * p_A_tip - p_A_tip).norm());
+    trial.registrationAtTip = movedBy(seen.X_AprimeA, p_A_tip);
+    trial.registrationAtTeeth = movedBy(seen.X_AprimeA, subject.motion->airway.p_A_incisors);
     return trial;
 }
 

@@ -15,7 +15,10 @@ struct IntubationTrial : WatchedIntubation {
     MotionParameters parameters;
     MotionTruth truth;
     ObservedMotion seen; ///< by its times from the motion's start
-    Length registrationShare{}; ///< how far the registration's error moves the tip at the end
+    /// What the registration's error moves in the end: the tip, and the place at which the depth is
+    /// read.
+    Length registrationAtTip{};
+    Length registrationAtTeeth{};
 
     [[nodiscard]] bool isWrong() const;
 };

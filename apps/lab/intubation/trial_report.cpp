@@ -175,7 +175,8 @@ QJsonObject trialReport(const IntubationSubject& subject, const IntubationTrial&
     report[key::kSeed] = qint64(trial.seed);
     report[key::kOutside] = outsideWord(trial.parameters);
     report[key::kIsRight] = !trial.isWrong();
-    report[key::kRegistration] = inMillimetres(trial.registrationShare);
+    report[key::kRegistration] = inMillimetres(trial.registrationAtTip);
+    report[key::kRegistrationAtTeeth] = inMillimetres(trial.registrationAtTeeth);
     report[key::kTruth] = truthObject(trial);
     return report;
 }

@@ -55,7 +55,8 @@ IntubationTrial told(TrueSeat truth, TubeSeat outcome, double confidence)
     trial.course.seat = outcome;
     trial.course.confidence = confidence;
     trial.course.tip.depthAtTeeth = millimetres(205.0);
-    trial.registrationShare = millimetres(1.0);
+    trial.registrationAtTeeth = millimetres(1.0);
+    trial.registrationAtTip = millimetres(9.0);
     return trial;
 }
 

@@ -146,22 +146,11 @@ void findTip(AirwayMoment& moment, const PatientWays& ways)
         std::clamp(moment.aboveCarina, -1.0 * kFarthestFromCarina, kFarthestFromCarina);
 }
 
-/// From where the tube passes the plane at the incisors, nearest to its tip, to the tip.
+/// From its place nearest to the incisors, as its marks are read there, to its tip.
 Length depthOf(const PatientWays& ways, std::span<const Vec3> p_A_tube)
 {
-    double depth = 0.0;
-    double inside = pastIncisors(ways, p_A_tube.back());
-    if (inside <= 0.0)
-        return {};
-    for (std::size_t i = p_A_tube.size() - 1; i > 0; --i) {
-        const double length = (p_A_tube[i] - p_A_tube[i - 1]).norm();
-        const double next = pastIncisors(ways, p_A_tube[i - 1]);
-        if (next <= 0.0)
-            return metres(depth + inside / (inside - next) * length);
-        depth += length;
-        inside = next;
-    }
-    return metres(depth);
+    const Length before = nearestOnWay(p_A_tube, ways.p_A_incisors()).along;
+    return std::max(lengthOf(p_A_tube) - before, Length{});
 }
 
 void findTube(AirwayMoment& moment, const PatientWays& ways, const TubeCurves& tube)

@@ -1,5 +1,6 @@
 #include "apps/program/played_intubation.h"
 
+#include "engine/airway/tube/tube_size.h"
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "evaluation/intubation/motion_script.h"
 
@@ -22,8 +23,7 @@ Result<MotionKind> motionNamed(const QString& name)
     const auto* found = std::ranges::find(kNamedMotions, name.toStdString(), &NamedMotion::name);
     if (found == kNamedMotions.end())
         return fail(Errc::WrongOption, "\"" + name.toStdString()
-                                           + "\" is not among the intubations "
-                                           + motionNames().toStdString());
+                                           + "\" is not among the intubations " + namesOfMotions());
     return found->kind;
 }
 
@@ -95,10 +95,14 @@ Result<IntubationMotion> motionFor(const PatientModel& patient, const PlayedIntu
     const auto ways = motionPatient(anatomyOf(patient), heldJaw(patient.contentHash()));
     if (!ways)
         return tl::unexpected(ways.error());
+    const auto size = tubeOfSize(patient.tube().innerDiameter);
+    if (!size)
+        return tl::unexpected(size.error());
     std::mt19937 random = generatorOf(played.kind, played.seed);
     const MotionParameters parameters = drawnParameters(played.kind, random);
     return scriptedMotion(played.kind, parameters, std::make_shared<const MotionPatient>(*ways),
-                          lengthened(patient.tube()), static_cast<std::uint32_t>(random()));
+                          lengthened(patient.tube(), size->length),
+                          static_cast<std::uint32_t>(random()));
 }
 
 PlayedMotion playedBy(const IntubationMotion& motion, Duration after)
@@ -140,13 +144,7 @@ Result<SimulatedWords> simulatedWordsIn(const QString& words)
                           others.join(QLatin1Char{','})};
 }
 
-QString motionNames()
-{
-    QStringList names;
-    for (const NamedMotion& motion : kNamedMotions)
-        names += QString::fromUtf8(motion.name.data(), qsizetype(motion.name.size()));
-    return names.join(QStringLiteral(", "));
-}
+QString motionNames() { return QString::fromStdString(namesOfMotions()); }
 
 MotionParameters parametersOf(const PlayedIntubation& played)
 {

@@ -1,6 +1,5 @@
 #include "evaluation/intubation/intubation_motion.h"
 
-#include "engine/anatomy/airway/airway_measure.h"
 #include "engine/anatomy/laryngoscopy/blade_levering.h"
 #include "engine/geometry/rotation.h"
 
@@ -249,22 +248,33 @@ std::optional<RigidTransform> IntubationMotion::tubeAt(double seconds) const
     return RigidTransform{q_AE, tip.p_A - q_AE * m_tube.p_E_tip};
 }
 
-TubeShape lengthened(TubeShape tube)
+TubeShape lengthened(TubeShape tube, Length whole)
 {
     std::vector<Vec3>& centre = tube.p_E_centre;
+    const double missing = (whole - lengthOf(centre)).si;
+    if (missing <= 0.0)
+        return tube;
     const Vec3 outwards = (centre[0] - centre[1]).normalized();
-    centre.insert(centre.begin(), Vec3{centre[0] + kPastConnector.si * outwards});
+    centre.insert(centre.begin(), Vec3{centre[0] + missing * outwards});
     return tube;
 }
 
-Result<TubeShape> motionTube(const AirwayLandmarks& airway, Length innerDiameter)
+Result<TubeShape> motionTube(const AirwayLandmarks& airway, Length innerDiameter, Length whole)
 {
-    constexpr double kLonger = 0.045; // than makeTube lets it stick out
-    const std::span<const Vec3> path{airway.path_A};
-    const Length teeth = lengthOf(path) - teethToCarina(airway);
-    auto tube = makeTube(innerDiameter, path, pointAlong(path, teeth - metres(kLonger)),
-                         usualTipAboveCarina(innerDiameter));
-    return tube ? Result<TubeShape>{lengthened(*std::move(tube))} : tube;
+    return makeTube(innerDiameter, airway.path_A, airway.p_A_incisors,
+                    usualTipAboveCarina(innerDiameter))
+        .map([whole](TubeShape&& tube) { return lengthened(std::move(tube), whole); });
+}
+
+std::optional<Length> tubeInside(const MotionPatient& patient, const TubeShape& tube,
+                                 const TipWay& way, double along)
+{
+    const HeldTissue tissue{patient.held, {}};
+    const Vec3 chord_A =
+        placeOnWay(patient, way, along, tissue) - placeOnWay(patient, way, way.teeth, tissue);
+    const auto p_E_atTeeth = centreAtDistance(tube.p_E_centre, chord_A.norm());
+    return p_E_atTeeth ? std::optional{metres(lengthAfter(tube.p_E_centre, *p_E_atTeeth))}
+                       : std::nullopt;
 }
 
 const Blade& motionBlade(const UpperAirway& upper)

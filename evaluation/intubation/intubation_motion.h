@@ -135,15 +135,19 @@ private:
     Duration m_length{};
 };
 
-/// The tube with kPastConnector more of it, straight on at its connector: of a tube as it is sold
-/// the tip does not reach all ways while its connector is in front of the teeth. Of ours.
-[[nodiscard]] TubeShape lengthened(TubeShape tube);
-inline constexpr Length kPastConnector = millimetres(150.0);
+/// The tube with this length, straight on at its connector: one that is drawn is cut 5 cm in front
+/// of the teeth. What is longer stays as it is.
+[[nodiscard]] TubeShape lengthened(TubeShape tube, Length whole);
 
-/// A tube of this size with the form of the airway, long enough for the main bronchi: lengthened,
-/// and with its connector 95 mm in front of the teeth at its usual depth.
+/// A tube of this size and length with the form of the airway at its usual depth.
 /// @returns the errors of makeTube
-[[nodiscard]] Result<TubeShape> motionTube(const AirwayLandmarks& airway, Length innerDiameter);
+[[nodiscard]] Result<TubeShape> motionTube(const AirwayLandmarks& airway, Length innerDiameter,
+                                           Length whole);
+
+/// How much of a tube is beyond the teeth while its tip is at a place of a way, at the fork or
+/// beyond; nothing where the tube does not reach from there to the teeth.
+[[nodiscard]] std::optional<Length> tubeInside(const MotionPatient& patient, const TubeShape& tube,
+                                               const TipWay& way, double along);
 
 /// A blade that is long enough for an airway: Macintosh 3 or 2, of infants Miller 1 or 0. The
 /// bounds are of ours.

@@ -60,6 +60,14 @@ double beyondOf(const MotionRange& range, std::mt19937& random)
 
 } // namespace
 
+std::string namesOfMotions()
+{
+    std::string names;
+    for (const NamedMotion& motion : kNamedMotions)
+        names.append(names.empty() ? "" : ", ").append(motion.name);
+    return names;
+}
+
 const MotionRange& rangeOf(MotionParameter parameter)
 {
     return kRanges[static_cast<std::size_t>(parameter)];

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <random>
+#include <string>
 #include <string_view>
 
 namespace carina
@@ -42,6 +43,9 @@ inline constexpr std::array kNamedMotions{
     NamedMotion{"stuck_at_arytenoid", MotionKind::StuckAtArytenoid},
     NamedMotion{"cuff_above_cords", MotionKind::CuffAboveCords},
     NamedMotion{"late_recognition", MotionKind::LateRecognition}};
+
+/// All names, with commas between them.
+[[nodiscard]] std::string namesOfMotions();
 
 /// What differs between two runs of a motion. Lengths are those of an adult; they are in proportion
 /// to the airway.

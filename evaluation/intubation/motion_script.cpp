@@ -18,7 +18,8 @@ constexpr double kGivenUpBefore = 0.03; ///< the larynx
 constexpr double kBackFromArytenoid = 0.010;
 constexpr double kCuffFromTip = 0.015; ///< as that of makeTube
 constexpr double kFullCuffTube = 0.0034;
-constexpr double kCuffedTipFromCords = 0.005; ///< at least, however small the tube
+constexpr double kCuffedTipFromCords = 0.005;           ///< at least, however small the tube
+constexpr Length kConnectorOutside = millimetres(10.0); ///< of the teeth, at least; of ours
 
 // Seconds.
 constexpr double kLook = 1.0; ///< at the patient, before and after
@@ -82,11 +83,13 @@ public:
         move(m_tracks.tip, beforeFork() - size() * kGivenUpBefore, m_parameters[TubeIn_s]);
         wait(m_parameters[Hesitation_s]);
     }
-    /// From before the larynx to a place on a way, metres from the start of that way.
+    /// From before the larynx to a place on a way, metres from the start of that way, or as far as
+    /// the tube can be pushed.
     void tubeOn(TipTarget target, double along)
     {
+        const TipWay& way = m_patient.way(target);
         turnTo(target);
-        move(m_tracks.tip, along - m_patient.way(target).teeth, m_parameters[Through_s]);
+        move(m_tracks.tip, reached(way, along) - way.teeth, m_parameters[Through_s]);
         fitJaw();
     }
     void tubeOut()
@@ -176,6 +179,19 @@ private:
         return way.fork - way.teeth - size() * kBeforeFork;
     }
 
+    /// The place, or the last one before it with the connector in front of the lips.
+    [[nodiscard]] double reached(const TipWay& way, double along) const
+    {
+        constexpr double kEach = 1e-3;
+        const Length most = lengthOf(m_tube.p_E_centre) - kConnectorOutside;
+        const auto isPossible = [&] {
+            const auto inside = tubeInside(m_patient, m_tube, way, along);
+            return inside && *inside <= most;
+        };
+        while (along > way.fork && !isPossible())
+            along -= kEach;
+        return along;
+    }
     void move(HandTrack& track, double to, double seconds)
     {
         track.waitUntil(m_now);

@@ -3,7 +3,6 @@
 #include "engine/anatomy/events/mouth_opening.h"
 
 #include <algorithm>
-#include <cctype>
 
 namespace carina
 {
@@ -12,7 +11,6 @@ namespace
 
 /// Of who looks into a mouth from kReadingDistance: 70 mm high.
 constexpr Angle kDirectFieldOfView = degrees(13.3);
-constexpr double kCameraFromTip = 0.31; ///< of the length, as on a Macintosh 3
 
 bool isLookedThrough(PartRole role)
 {
@@ -36,30 +34,6 @@ std::vector<AnatomyPart> partsOfThroat(const PatientModel& patient)
 }
 
 } // namespace
-
-Blade touchedBlade(const BladeShape& shape)
-{
-    const double reach = -shape.p_L_tip.z();
-    return {.name = "as touched",
-            .form = {.reach = reach,
-                     .rise = shape.p_L_tip.y(),
-                     .sag = shape.sag().si,
-                     .width = shape.heelWidth.si},
-            .lift = shape.isCurved() ? EpiglottisLift::Ligament : EpiglottisLift::Direct,
-            .cameraToTip = metres(kCameraFromTip * reach)};
-}
-
-std::optional<BladeKind> bladeOfTool(std::string_view name)
-{
-    std::string words{name};
-    std::ranges::transform(words, words.begin(), [](unsigned char c) {
-        return std::isalnum(c) != 0 ? static_cast<char>(std::tolower(c)) : '-';
-    });
-    const auto* found = std::ranges::find_if(kBladeKinds, [&words](BladeKind kind) {
-        return words.find(bladeOf(kind).name) != std::string::npos;
-    });
-    return found == kBladeKinds.end() ? std::nullopt : std::optional{*found};
-}
 
 Result<Laryngoscopy> Laryngoscopy::of(const PatientModel& patient, const Blade& blade)
 {

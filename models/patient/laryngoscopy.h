@@ -5,12 +5,11 @@
 #include "engine/anatomy/laryngoscopy/blade_levering.h"
 #include "engine/anatomy/laryngoscopy/glottic_view.h"
 #include "engine/anatomy/laryngoscopy/laryngoscopy_path.h"
-#include "engine/registration/calibration/blade_calibration.h"
 #include "engine/session/scripted_laryngoscopy.h"
+#include "engine/session/touched_blade.h"
 #include "models/patient/patient_model.h"
 
 #include <optional>
-#include <string_view>
 #include <vector>
 
 namespace carina
@@ -21,14 +20,6 @@ enum class ScopeEye : std::uint8_t {
     Video, ///< the camera of a video laryngoscope, on its blade
     Direct ///< that of who looks past the blade
 };
-
-/// A blade as it was touched: a curved one lifts the epiglottis by the ligament, a straight one
-/// itself, and its camera is where those of known blades are, a third of the way from the tip.
-[[nodiscard]] Blade touchedBlade(const BladeShape& shape);
-
-/// The blade that a tool's name tells, as "Macintosh 4" or "blade miller-2"; nothing where it tells
-/// none.
-[[nodiscard]] std::optional<BladeKind> bladeOfTool(std::string_view name);
 
 /// The blade of a laryngoscope of which none is known.
 inline constexpr BladeKind kUsualBlade = BladeKind::Macintosh3;

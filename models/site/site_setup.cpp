@@ -1,5 +1,7 @@
 #include "models/site/site_setup.h"
 
+#include "engine/io/site/site_station.h"
+
 #include <algorithm>
 
 namespace carina
@@ -19,22 +21,6 @@ std::optional<GuardedRegistration> guardOf(const Site& site)
                                .landmarks = site.catalogue->landmarks,
                                .covariance_A = fitted.covariance_A,
                                .fle = metres(fitted.fle)};
-}
-
-/// The tools as they were calibrated; with another tracker their markers may be others.
-void addTools(SiteSetup& setup, const std::vector<SiteTool>& tools)
-{
-    for (const SiteTool& tool : tools) {
-        if (tool.stale == StaleCause::Tracker)
-            continue;
-        if (tool.role == ToolRole::Tube) {
-            setup.registration.X_NE = tool.X_NO;
-            setup.tube = tool.tube;
-        } else {
-            setup.registration.X_NL = tool.X_NO;
-            setup.blade = tool.blade;
-        }
-    }
 }
 
 bool isSame(const RigidTransform& a, const RigidTransform& b)
@@ -77,29 +63,21 @@ bool isSameGuard(const SiteSetup& a, const SiteSetup& b)
 
 Result<void> checkPatient(const Site& site, const PatientModel& patient)
 {
-    const std::string anatomy = site.catalogue ? site.catalogue->anatomy : std::string{};
-    if (anatomy.empty() || anatomy == patient.contentHash())
-        return {};
-    const std::string here = "the patient here is \"" + patient.name() + '"';
-    return fail(Errc::OtherPatient,
-                site.patient.empty() ? here : "it is of \"" + site.patient + "\", " + here);
+    return checkPatient(site, patient.name(), patient.contentHash());
 }
 
 Result<SiteSetup> siteSetup(const Site& site, const PatientModel& patient)
 {
-    if (!site.registration || !site.catalogue || site.registration->stale == StaleCause::Tracker)
-        return fail(Errc::NotRegistered, "");
+    const auto registration = stationRegistration(site);
+    if (!registration)
+        return tl::unexpected(registration.error());
     if (const auto isOf = checkPatient(site, patient); !isOf)
         return tl::unexpected(isOf.error());
-    const SiteRegistration& fitted = *site.registration;
-    Result<SiteSetup> setup = SiteSetup{};
-    setup->registration.X_AT = fitted.X_AT;
-    if (fitted.X_JM)
-        setup->registration.X_JA = *fitted.X_JM * fitted.X_AM.inverse();
-    if (fitted.X_BM)
-        setup->registration.X_BA = *fitted.X_BM * fitted.X_AM.inverse();
-    setup->guard = guardOf(site);
-    addTools(*setup, site.tools);
+    SiteSetup setup{.registration = *registration, .guard = guardOf(site)};
+    if (const SiteTool* tube = usableTool(site, ToolRole::Tube))
+        setup.tube = tube->tube;
+    if (const SiteTool* laryngoscope = usableTool(site, ToolRole::Laryngoscope))
+        setup.blade = laryngoscope->blade;
     return setup;
 }
 

@@ -1,8 +1,13 @@
 #include "apps/lab/command/patient_options.h"
 #include "apps/lab/commands.h"
 #include "apps/lab/intubation/intubate_page.h"
+#include "apps/lab/intubation/intubate_recording.h"
+#include "apps/lab/intubation/recorded_intubation.h"
 #include "apps/lab/intubation/trial_report.h"
 #include "apps/lab/intubation/trial_statistics.h"
+#include "engine/net/devices/any_recording.h"
+
+#include <QFileInfo>
 
 #include <algorithm>
 
@@ -11,48 +16,54 @@ namespace carina::lab
 namespace
 {
 
-constexpr double kSmallestTube_mm = 2.5;
-constexpr double kLargestTube_mm = 9.0;
 constexpr std::int64_t kUsualMotionSeeds = 20;
 constexpr std::int64_t kMostMotionSeeds = 10000;
 constexpr std::int64_t kGreatestSeed = 4294967295;
 
-Result<IntubationSubject> subjectOf(const Words& words)
+std::optional<MotionKind> motionNamed(const QString& word)
 {
-    const auto tube_mm =
-        words.number(intubate_option::kTube, kSmallestTube_mm, kLargestTube_mm, 0.0);
-    if (!tube_mm)
-        return tl::unexpected(tube_mm.error());
-    return subjectOption(words).and_then([&](const Subject& subject) {
-        return intubationSubject(subject.anatomy, subject.build, millimetres(*tube_mm));
-    });
+    const auto* named = std::ranges::find(kNamedMotions, word.toStdString(), &NamedMotion::name);
+    return named != kNamedMotions.end() ? std::optional{named->kind} : std::nullopt;
 }
 
-Result<MotionKind> motionOf(const Words& words)
+Result<void> save(const Words& words, const IntubationTrial& trial)
 {
-    const std::string word = words.files().front().toStdString();
-    const auto* named = std::ranges::find(kNamedMotions, word, &NamedMotion::name);
-    if (named != kNamedMotions.end())
-        return named->kind;
-    QStringList names;
-    for (const NamedMotion& each : kNamedMotions)
-        names += QString::fromLatin1(each.name.data(), qsizetype(each.name.size()));
-    return words.refuse(QStringLiteral("has no motion %1; choose one of %2.")
-                            .arg(words.files().front(), names.join(QStringLiteral(", "))));
+    if (!words.has(intubate_option::kSave))
+        return {};
+    return writeAnyRecording(words.text(intubate_option::kSave).toStdString(),
+                             recordingOf(trial.seen));
 }
 
-Result<QJsonObject> oneMotion(const Words& words)
+/// That options were given which only another use of the command takes.
+Result<void> refuseAny(const Words& words, std::initializer_list<Option> options, const char* use)
 {
-    const auto kind = motionOf(words);
-    if (!kind)
-        return tl::unexpected(kind.error());
+    for (const Option& option : options)
+        if (words.has(option))
+            return words.refuse(QStringLiteral("takes --%1 with %2.")
+                                    .arg(QLatin1StringView{option.name}, QLatin1StringView{use}));
+    return {};
+}
+
+Result<QJsonObject> oneMotion(const Words& words, MotionKind kind)
+{
     const auto seed = words.whole(intubate_option::kSeed, 0, kGreatestSeed, 1);
     if (!seed)
         return tl::unexpected(seed.error());
-    return subjectOf(words).and_then([&](const IntubationSubject& subject) {
-        return runTrial(subject, *kind, static_cast<std::uint32_t>(*seed))
-            .map([&](const IntubationTrial& trial) { return trialReport(subject, trial); });
+    return intubationSubjectOption(words).and_then([&](const IntubationSubject& subject) {
+        return runTrial(subject, kind, static_cast<std::uint32_t>(*seed))
+            .and_then([&](const IntubationTrial& trial) {
+                return save(words, trial).map([&] { return trialReport(subject, trial); });
+            });
     });
+}
+
+Result<QJsonObject> oneRecording(const Words& words)
+{
+    if (!QFileInfo::exists(words.files().front()))
+        return words.refuse(
+            QStringLiteral("has no motion %1, and there is no such file; choose one of %2.")
+                .arg(words.files().front(), QString::fromStdString(namesOfMotions())));
+    return watchFile(words);
 }
 
 Result<QJsonObject> allMotions(const Words& words)
@@ -60,7 +71,7 @@ Result<QJsonObject> allMotions(const Words& words)
     const auto seeds = words.whole(intubate_option::kSeeds, 1, kMostMotionSeeds, kUsualMotionSeeds);
     if (!seeds)
         return tl::unexpected(seeds.error());
-    const auto subject = subjectOf(words);
+    const auto subject = intubationSubjectOption(words);
     if (!subject)
         return tl::unexpected(subject.error());
     TrialStatistics statistics;
@@ -78,46 +89,112 @@ Result<QJsonObject> intubate(const Words& words)
 {
     const bool isAll = words.has(intubate_option::kAll);
     if (isAll == !words.files().isEmpty())
-        return words.refuse(QStringLiteral("needs one motion, or --all-scripts."));
-    if (isAll ? words.has(intubate_option::kSeed) : words.has(intubate_option::kSeeds))
-        return words.refuse(
-            QStringLiteral("takes --seed with one motion, and --seeds with --all-scripts."));
-    return isAll ? allMotions(words) : oneMotion(words);
+        return words.refuse(QStringLiteral("needs one motion or recording, or --all-scripts."));
+    const auto kind = isAll ? std::nullopt : motionNamed(words.files().front());
+    using namespace intubate_option;
+    auto fits = isAll ? Result<void>{} : refuseAny(words, {kSeeds}, "--all-scripts");
+    if (fits && !kind)
+        fits = refuseAny(words, {kSeed, kSave}, "one motion");
+    if (fits && (isAll || kind))
+        fits = refuseAny(words, {kSite, kBlade, kTold}, "a recording");
+    if (!fits)
+        return tl::unexpected(fits.error());
+    if (isAll)
+        return allMotions(words);
+    return kind ? oneMotion(words, *kind) : oneRecording(words);
 }
 
 Use intubateOnce()
 {
-    return {.lines = {"SCRIPT [--patient WHO] [--anatomy DIR] [--tube MM] [--seed N]"},
-            .text = "Lets simulated hands intubate a patient, observes tube, laryngoscope and jaw "
-                    "with the errors of a tracker and a registration, and prints what the monitor "
-                    "of intubations makes of it beside what happened, what becomes of the patient, "
-                    "and the score. The same words print the same.",
-            .notes = {{"SCRIPT",
-                       "good, slow, oesophageal, right_mainstem, left_mainstem, three_attempts, "
-                       "dental_lever, too_shallow, neck_flexed, stuck_at_arytenoid, "
-                       "cuff_above_cords or late_recognition"}},
-            .options = {kPatient, kAnatomy, intubate_option::kTube, intubate_option::kSeed},
-            .schema = intubate_key::kSchema,
-            .keys = {intubate_key::kPatient,
+    static const std::string motions = namesOfMotions();
+    return {
+        .lines = {"SCRIPT [--patient WHO] [--anatomy DIR] [--tube MM] [--seed N] [--save FILE]"},
+        .text = "Lets simulated hands intubate a patient, observes tube, laryngoscope and jaw "
+                "with the errors of a tracker and a registration, and prints what the monitor "
+                "of intubations makes of it beside what happened, what becomes of the patient, "
+                "and the score. The same words print the same.",
+        .notes = {{"SCRIPT", motions.c_str()}},
+        .options = {kPatient, kAnatomy, intubate_option::kTube, intubate_option::kSeed,
+                    intubate_option::kSave},
+        .schema = intubate_key::kSchema,
+        .keys = {intubate_key::kPatient,
+                 intubate_key::kTube,
+                 intubate_key::kScript,
+                 intubate_key::kSeed,
+                 intubate_key::kOutside,
+                 intubate_key::kOutcome,
+                 intubate_key::kConfidence,
+                 intubate_key::kIsRight,
+                 intubate_key::kAttempts,
+                 intubate_key::kDepth,
+                 intubate_key::kAboveCarina,
+                 intubate_key::kRegistration,
+                 intubate_key::kRegistrationAtTeeth,
+                 intubate_key::kTruth,
+                 intubate_key::kTrueOutcome,
+                 intubate_key::kTrueAttempts,
+                 intubate_key::kTrueDepth,
+                 intubate_key::kTrueAboveCarina,
+                 intubate_key::kTrueTimeline,
+                 intubate_key::kTrueStep,
+                 intubate_key::kTrueAt,
+                 intubate_key::kTimeline,
+                 intubate_key::kStep,
+                 intubate_key::kAt,
+                 intubate_key::kNotedAt,
+                 intubate_key::kSeat,
+                 intubate_key::kStepConfidence,
+                 intubate_key::kStepDepth,
+                 intubate_key::kStepAboveCarina,
+                 intubate_key::kVitals,
+                 intubate_key::kVitalsAt,
+                 intubate_key::kSaturation,
+                 intubate_key::kShown,
+                 intubate_key::kEndTidal,
+                 intubate_key::kHeartRate,
+                 intubate_key::kMean,
+                 intubate_key::kMetrics,
+                 intubate_key::kMeasuredMetric,
+                 intubate_key::kMeasuredValue,
+                 intubate_key::kNotMeasured,
+                 intubate_key::kScore,
+                 intubate_key::kRubric,
+                 intubate_key::kSource,
+                 intubate_key::kPoints,
+                 intubate_key::kPossible,
+                 intubate_key::kOfAll,
+                 intubate_key::kJudgements,
+                 intubate_key::kCriterion,
+                 intubate_key::kMetric,
+                 intubate_key::kVerdict,
+                 intubate_key::kValue,
+                 intubate_key::kGot,
+                 intubate_key::kMoment}};
+}
+
+Use intubateRecorded()
+{
+    return {.lines = {"RECORDING [--patient WHO] [--anatomy DIR] [--tube MM]",
+                      "RECORDING [--site FILE] [--blade NAME] [--told STEP=S]"},
+            .text =
+                "Takes the poses of tube, laryngoscope and jaw from the recording of a tracker, "
+                "and prints what the monitor of intubations makes of them, what becomes of the "
+                "patient, and the score. Head and neck lie as in the surfaces.",
+            .notes = {{"RECORDING",
+                       "in one of the forms that carina-lab track reads; a tool's role is told by "
+                       "the file or by its name: Tube or ETT, Laryngoscope or Blade, Jaw or Chin"}},
+            .options = {kPatient, kAnatomy, intubate_option::kSite, intubate_option::kBlade,
+                        intubate_option::kTube, intubate_option::kTold},
+            .schema = intubate_recording_key::kSchema,
+            .keys = {intubate_recording_key::kRecording,
+                     intubate_key::kPatient,
                      intubate_key::kTube,
-                     intubate_key::kScript,
-                     intubate_key::kSeed,
-                     intubate_key::kOutside,
+                     intubate_recording_key::kBlade,
                      intubate_key::kOutcome,
                      intubate_key::kConfidence,
-                     intubate_key::kIsRight,
                      intubate_key::kAttempts,
                      intubate_key::kDepth,
                      intubate_key::kAboveCarina,
-                     intubate_key::kRegistration,
-                     intubate_key::kTruth,
-                     intubate_key::kTrueOutcome,
-                     intubate_key::kTrueAttempts,
-                     intubate_key::kTrueDepth,
-                     intubate_key::kTrueAboveCarina,
-                     intubate_key::kTrueTimeline,
-                     intubate_key::kTrueStep,
-                     intubate_key::kTrueAt,
                      intubate_key::kTimeline,
                      intubate_key::kStep,
                      intubate_key::kAt,
@@ -186,10 +263,11 @@ Command intubateCommand()
 {
     return {.name = "intubate",
             .theme = "the patient",
-            .summary = "lets simulated hands intubate a patient, and judges what was understood",
-            .uses = {intubateOnce(), intubateOften()},
+            .summary =
+                "lets simulated hands intubate, or takes a recording; judges what is understood",
+            .uses = {intubateOnce(), intubateRecorded(), intubateOften()},
             .mostFiles = 1,
-            .reminder = "intubate needs one motion, or --all-scripts.",
+            .reminder = "intubate needs one motion or recording, or --all-scripts.",
             .experiment = intubate};
 }
 

@@ -5,7 +5,7 @@
 namespace carina::lab
 {
 
-// Options of `intubate`, and the keys of what its two ways print.
+// Options of `intubate`, and the keys of what its three ways print.
 
 namespace intubate_option
 {
@@ -15,6 +15,24 @@ inline constexpr Option kTube{
     "given"};
 inline constexpr Option kSeed{"seed", "N",
                               "of the motion, tracker and registration; 1 unless given"};
+inline constexpr Option kSave{"save", "FILE",
+                              "write the observed poses as a recording, in the form of the "
+                              "extension: .csv or .igs.mha, with the times from the start"};
+inline constexpr Option kSite{"site", "FILE",
+                              "the site at which it was recorded: its registration, and its tube "
+                              "and laryngoscope where they are calibrated; unless given, the "
+                              "tracker measures in the patient's frame, the connector, the blade "
+                              "and the mandible themselves, as --save writes them"};
+inline constexpr Option kBlade{
+    "blade", "NAME",
+    "macintosh-0 to macintosh-4, miller-0 to miller-2 or "
+    "hyperangulated; unless given that of the site, else the one that "
+    "the name of the laryngoscope tells, else one that fits the patient"};
+inline constexpr Option kTold{"told", "STEP=S",
+                              "what people did beside it, S seconds from its beginning: "
+                              "cuff_inflated, cuff_deflated, stylet_out, first_breath or "
+                              "breaths_end",
+                              true};
 inline constexpr Option kAll{"all-scripts", "", "runs each motion several times"};
 inline constexpr Option kSeeds{"seeds", "N", "how often: with the seeds 1 to N, 20 unless given"};
 } // namespace intubate_option
@@ -38,6 +56,8 @@ inline constexpr Key kDepth{"depth_at_teeth_mm", "of the tip in the end, by the 
 inline constexpr Key kAboveCarina{"tip_above_carina_mm", "likewise, along the airway"};
 inline constexpr Key kRegistration{"registration_share_mm",
                                    "how far the registration's error moves the tip in the end"};
+inline constexpr Key kRegistrationAtTeeth{"registration_at_teeth_mm",
+                                          "and the incisors, where the depth is read"};
 inline constexpr Key kTruth{"truth", "what happened:"};
 inline constexpr Key kTrueOutcome{"outcome", "where the tip is in the end", 1};
 inline constexpr Key kTrueAttempts{"attempts", "how often the blade went in", 1};
@@ -80,6 +100,13 @@ inline constexpr Key kValue{"value", "null where there is none", 2};
 inline constexpr Key kGot{"points", "got", 2};
 inline constexpr Key kMoment{"moment_s", "that lost points are linked to; null where none", 2};
 } // namespace intubate_key
+
+namespace intubate_recording_key
+{
+inline constexpr Key kSchema{"schema", "carina.intubate.recording/1"};
+inline constexpr Key kRecording{"recording", "RECORDING as given"};
+inline constexpr Key kBlade{"blade", "which one the laryngoscope is taken to have"};
+} // namespace intubate_recording_key
 
 namespace intubate_all_key
 {

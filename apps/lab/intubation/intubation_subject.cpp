@@ -1,5 +1,6 @@
 #include "apps/lab/intubation/intubation_subject.h"
 
+#include "engine/airway/tube/tube_size.h"
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "evaluation/intubation/intubation_motion.h"
 
@@ -14,7 +15,10 @@ Result<IntubationSubject> intubationSubject(const Anatomy& anatomy, const Patien
         return tl::unexpected(motion.error());
     const Length inner =
         innerDiameter.si > 0.0 ? innerDiameter : usualTube(build.ageInYears, build.sex);
-    auto tube = motionTube(anatomy.landmarks, inner);
+    const auto size = tubeOfSize(inner);
+    if (!size)
+        return tl::unexpected(size.error());
+    auto tube = motionTube(anatomy.landmarks, inner, size->length);
     if (!tube)
         return tl::unexpected(tube.error());
     return IntubationSubject{.name = anatomy.name,

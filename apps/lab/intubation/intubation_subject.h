@@ -21,7 +21,7 @@ struct IntubationSubject {
 };
 
 /// @param innerDiameter of the tube; 0: the usual one
-/// @returns the errors of motionPatient and motionTube
+/// @returns the errors of motionPatient, tubeOfSize and motionTube
 [[nodiscard]] Result<IntubationSubject>
 intubationSubject(const Anatomy& anatomy, const PatientBuild& build, Length innerDiameter);
 

@@ -1,9 +1,6 @@
 #pragma once
 
-#include "apps/lab/intubation/intubation_subject.h"
-#include "engine/airway/monitor/intubation_monitor.h"
-#include "engine/scoring/course/try_course.h"
-#include "engine/session/body/tube_timeline.h"
+#include "apps/lab/intubation/watched_intubation.h"
 #include "evaluation/intubation/motion_script.h"
 #include "evaluation/intubation/motion_truth.h"
 #include "evaluation/intubation/observed_motion.h"
@@ -11,25 +8,19 @@
 namespace carina::lab
 {
 
-/// Session time at which a motion begins: late enough for what is done to a patient before.
-inline constexpr SessionTime kTrialStart{std::chrono::seconds{300}};
-
 /// One motion, what happened in it, and what was concluded from its observed poses.
-struct IntubationTrial {
+struct IntubationTrial : WatchedIntubation {
     MotionKind kind = MotionKind::Good;
     std::uint32_t seed = 1;
     MotionParameters parameters;
     MotionTruth truth;
-    std::vector<MotionCommand> commands;
-    std::vector<NotedStep> noted;       ///< in the order in which it was noted
-    IntubationCourse course;            ///< in the end
-    TryCourse measured{-Vec3::UnitY()}; ///< with blade and forces; the patient lies on the back
-    Length registrationShare{}; ///< how far the registration's error moves the tip at the end
-    Duration length{};
+    ObservedMotion seen; ///< by its times from the motion's start
+    /// What the registration's error moves in the end: the tip, and the place at which the depth is
+    /// read.
+    Length registrationAtTip{};
+    Length registrationAtTeeth{};
 
     [[nodiscard]] bool isWrong() const;
-    [[nodiscard]] SessionTime end() const { return kTrialStart + length; }
-    [[nodiscard]] std::vector<IntubationEvent> byTime() const; ///< what was noted
 };
 
 /// Runs a motion through tracker, registration, pose histories and monitor. The same arguments give

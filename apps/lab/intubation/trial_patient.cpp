@@ -63,14 +63,14 @@ void follow(RespirationTimeline& patient, const PatientBuild& build, const Motio
 
 } // namespace
 
-std::vector<VitalsReading> patientOf(const IntubationSubject& subject, const IntubationTrial& trial,
-                                     SessionTime until)
+std::vector<VitalsReading> patientOf(const IntubationSubject& subject,
+                                     const WatchedIntubation& watched, SessionTime until)
 {
     RespirationTimeline patient;
     induce(patient, subject.build);
-    for (const MotionCommand& command : trial.commands)
+    for (const MotionCommand& command : watched.commands)
         follow(patient, subject.build, command);
-    for (const NotedStep& step : trial.noted)
+    for (const NotedStep& step : watched.noted)
         patient.noteIntubation(step.effect, step.event, subject.innerDiameter);
     PatientRun run{patient, kTrialStart - kOnOxygen};
     std::vector<VitalsReading> readings;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/lab/intubation/intubation_trial.h"
+#include "apps/lab/intubation/watched_intubation.h"
 #include "engine/physiology/vitals.h"
 
 namespace carina::lab
@@ -19,7 +19,7 @@ struct VitalsReading {
 /// Doses, rate and volumes are of ours, usual ones for the weight.
 ///
 /// @param until session time, not before kTrialStart
-[[nodiscard]] std::vector<VitalsReading> patientOf(const IntubationSubject& subject,
-                                                   const IntubationTrial& trial, SessionTime until);
+[[nodiscard]] std::vector<VitalsReading>
+patientOf(const IntubationSubject& subject, const WatchedIntubation& watched, SessionTime until);
 
 } // namespace carina::lab

@@ -37,9 +37,9 @@ QJsonObject truthObject(const IntubationTrial& trial)
             {key::kTrueTimeline, timeline}};
 }
 
-QJsonArray timelineOf(const IntubationTrial& trial)
+QJsonArray timelineOf(const WatchedIntubation& watched)
 {
-    std::vector<NotedStep> steps = trial.noted;
+    std::vector<NotedStep> steps = watched.noted;
     std::ranges::stable_sort(steps, {}, [](const NotedStep& step) { return step.event.at; });
     QJsonArray timeline;
     for (const NotedStep& step : steps)
@@ -78,10 +78,10 @@ TubedPatient tubedPatient(const IntubationSubject& subject)
 }
 
 /// With the patient's oxygen. @pre a try has begun
-TryMetrics metricsOf(const IntubationSubject& subject, const IntubationTrial& trial,
+TryMetrics metricsOf(const IntubationSubject& subject, const WatchedIntubation& watched,
                      const std::vector<VitalsReading>& readings)
 {
-    TryCourse course = trial.measured;
+    TryCourse course = watched.measured;
     const SessionTime last = readings.back().at;
     const SessionTime ended = course.endedBy(last).value_or(last);
     const SessionTime begun = course.metrics(ended, {}).begun;
@@ -148,29 +148,36 @@ QJsonValue outsideWord(const MotionParameters& parameters)
     return QString::fromLatin1(name.data(), qsizetype(name.size()));
 }
 
-QJsonObject trialReport(const IntubationSubject& subject, const IntubationTrial& trial)
+QJsonObject watchedReport(const IntubationSubject& subject, const WatchedIntubation& watched)
 {
     const std::vector<VitalsReading> readings =
-        patientOf(subject, trial, trial.end() + kAfterwards);
-    QJsonObject report{{key::kSchema, QLatin1StringView{key::kSchema.help}},
-                       {key::kPatient, QString::fromStdString(subject.name)},
+        patientOf(subject, watched, watched.end() + kAfterwards);
+    QJsonObject report{{key::kPatient, QString::fromStdString(subject.name)},
                        {key::kTube, inMillimetres(subject.innerDiameter)},
-                       {key::kScript, motionWord(trial.kind)},
-                       {key::kSeed, qint64(trial.seed)},
-                       {key::kOutside, outsideWord(trial.parameters)},
-                       {key::kOutcome, seatWord(trial.course.seat)},
-                       {key::kConfidence, trial.course.confidence},
-                       {key::kIsRight, !trial.isWrong()},
-                       {key::kAttempts, trial.course.attempts},
-                       {key::kDepth, inMillimetres(trial.course.tip.depthAtTeeth)},
-                       {key::kAboveCarina, inMillimetres(trial.course.tip.aboveCarina)},
-                       {key::kRegistration, inMillimetres(trial.registrationShare)},
-                       {key::kTruth, truthObject(trial)},
-                       {key::kTimeline, timelineOf(trial)},
+                       {key::kOutcome, seatWord(watched.course.seat)},
+                       {key::kConfidence, watched.course.confidence},
+                       {key::kAttempts, watched.course.attempts},
+                       {key::kDepth, inMillimetres(watched.course.tip.depthAtTeeth)},
+                       {key::kAboveCarina, inMillimetres(watched.course.tip.aboveCarina)},
+                       {key::kTimeline, timelineOf(watched)},
                        {key::kVitals, vitalsOf(readings)},
                        {key::kScore, QJsonValue{}}};
-    if (trial.measured.hasBegun())
-        addScore(report, metricsOf(subject, trial, readings));
+    if (watched.measured.hasBegun())
+        addScore(report, metricsOf(subject, watched, readings));
+    return report;
+}
+
+QJsonObject trialReport(const IntubationSubject& subject, const IntubationTrial& trial)
+{
+    QJsonObject report = watchedReport(subject, trial);
+    report[key::kSchema] = QLatin1StringView{key::kSchema.help};
+    report[key::kScript] = motionWord(trial.kind);
+    report[key::kSeed] = qint64(trial.seed);
+    report[key::kOutside] = outsideWord(trial.parameters);
+    report[key::kIsRight] = !trial.isWrong();
+    report[key::kRegistration] = inMillimetres(trial.registrationAtTip);
+    report[key::kRegistrationAtTeeth] = inMillimetres(trial.registrationAtTeeth);
+    report[key::kTruth] = truthObject(trial);
     return report;
 }
 

@@ -7,8 +7,12 @@
 namespace carina::lab
 {
 
-/// One trial as `carina-lab intubate` prints it, with what became of its patient in the minute
-/// after it, metrics and score.
+/// What was concluded of an intubation, with what became of its patient in the minute after it,
+/// metrics and score: of what `carina-lab intubate` prints, all that a recording has too.
+[[nodiscard]] QJsonObject watchedReport(const IntubationSubject& subject,
+                                        const WatchedIntubation& watched);
+
+/// One trial as `carina-lab intubate` prints it: that, beside what happened.
 [[nodiscard]] QJsonObject trialReport(const IntubationSubject& subject,
                                       const IntubationTrial& trial);
 

@@ -60,11 +60,12 @@ void TrialStatistics::add(const IntubationTrial& trial)
 
 void TrialStatistics::addDepth(const IntubationTrial& trial)
 {
-    const double bound = (kDepthWithin + trial.registrationShare).si;
     const TipReading& tip = trial.course.tip;
-    m_depth.add(std::abs((tip.depthAtTeeth - trial.truth.depthAtTeeth).si), bound);
+    m_depth.add(std::abs((tip.depthAtTeeth - trial.truth.depthAtTeeth).si),
+                (kDepthWithin + trial.registrationAtTeeth).si);
     if (trial.truth.tipAboveCarina)
-        m_carina.add(std::abs((tip.aboveCarina - *trial.truth.tipAboveCarina).si), bound);
+        m_carina.add(std::abs((tip.aboveCarina - *trial.truth.tipAboveCarina).si),
+                     (kDepthWithin + trial.registrationAtTip).si);
 }
 
 void TrialStatistics::addTimes(const IntubationTrial& trial)

@@ -42,10 +42,10 @@ double inWindpipes(const PatientWays& ways, const Vec3& p_A)
     return ways.size * kMostFromWindpipe.si - off;
 }
 
-double inBody(const PatientWays& ways, const Vec3& p_A)
+double inBody(const PatientWays& ways, const Vec3& p_A, Length mostFromTongueWay)
 {
     const double inThroat =
-        ways.size * kMostFromTongueWay.si - distanceFrom(ways.overTongue, p_A).si;
+        ways.size * mostFromTongueWay.si - distanceFrom(ways.overTongue, p_A).si;
     return std::max(inThroat, inWindpipes(ways, p_A));
 }
 
@@ -55,9 +55,9 @@ Length withinReach(double past, double inReach)
     return metres(inReach < 0.0 ? std::min(past, inReach) : past);
 }
 
-Length pastTeeth(const PatientWays& ways, const Vec3& p_A)
+Length pastTeeth(const PatientWays& ways, const Vec3& p_A, Length mostFromTongueWay)
 {
-    return withinReach(pastIncisors(ways, p_A), inBody(ways, p_A));
+    return withinReach(pastIncisors(ways, p_A), inBody(ways, p_A, mostFromTongueWay));
 }
 
 Length pastCords(const PatientWays& ways, const Vec3& p_A)
@@ -146,22 +146,11 @@ void findTip(AirwayMoment& moment, const PatientWays& ways)
         std::clamp(moment.aboveCarina, -1.0 * kFarthestFromCarina, kFarthestFromCarina);
 }
 
-/// From where the tube passes the plane at the incisors, nearest to its tip, to the tip.
+/// From its place nearest to the incisors, as its marks are read there, to its tip.
 Length depthOf(const PatientWays& ways, std::span<const Vec3> p_A_tube)
 {
-    double depth = 0.0;
-    double inside = pastIncisors(ways, p_A_tube.back());
-    if (inside <= 0.0)
-        return {};
-    for (std::size_t i = p_A_tube.size() - 1; i > 0; --i) {
-        const double length = (p_A_tube[i] - p_A_tube[i - 1]).norm();
-        const double next = pastIncisors(ways, p_A_tube[i - 1]);
-        if (next <= 0.0)
-            return metres(depth + inside / (inside - next) * length);
-        depth += length;
-        inside = next;
-    }
-    return metres(depth);
+    const Length before = nearestOnWay(p_A_tube, ways.p_A_incisors()).along;
+    return std::max(lengthOf(p_A_tube) - before, Length{});
 }
 
 void findTube(AirwayMoment& moment, const PatientWays& ways, const TubeCurves& tube)
@@ -169,7 +158,7 @@ void findTube(AirwayMoment& moment, const PatientWays& ways, const TubeCurves& t
     CARINA_EXPECTS(tube.p_A_shown.size() >= 2);
     moment.p_A_tip = tube.p_A_shown.back();
     const Vec3 measured = tube.p_A_measured.empty() ? moment.p_A_tip : tube.p_A_measured.back();
-    moment.pastTeeth = pastTeeth(ways, moment.p_A_tip);
+    moment.pastTeeth = pastTeeth(ways, moment.p_A_tip, kMostFromTongueWay);
     moment.pastCords = pastCords(ways, moment.p_A_tip);
     moment.measuredPastCords = pastCords(ways, measured);
     moment.besides = metres((measured - moment.p_A_tip).norm());
@@ -191,7 +180,7 @@ AirwayMoment airwayMoment(SessionTime at, const PatientWays& ways, const TubeCur
     moment.areCordsShut = areCordsShut;
     moment.blade = blade.validity;
     if (blade.validity != Validity::Lost) {
-        moment.bladePastTeeth = pastTeeth(ways, blade.p_A_tip);
+        moment.bladePastTeeth = pastTeeth(ways, blade.p_A_tip, kMostBladeFromTongueWay);
         moment.isOnTeeth = blade.isOnTeeth;
         moment.glottis = blade.glottis;
     }

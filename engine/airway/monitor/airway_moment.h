@@ -56,6 +56,9 @@ struct AirwayMoment {
 /// neck is farther away. Of ours.
 inline constexpr Length kMostFromTongueWay = millimetres(30.0);
 inline constexpr Length kMostFromWindpipe = millimetres(15.0);
+/// Likewise of a blade's tip, which is led in front of that way, to the vallecula, and lifts it: in
+/// an adult's vallecula it is up to 30 mm from there. Of ours.
+inline constexpr Length kMostBladeFromTongueWay = millimetres(45.0);
 /// Beside the glottis by more than this, in an adult, a tip lies in a piriform fossa, from which it
 /// goes into the oesophagus. Of ours: half a glottis' width, and half a tube.
 inline constexpr Length kBesideGlottis = millimetres(10.0);

@@ -1,7 +1,9 @@
 #include "engine/anatomy/laryngoscopy/blade.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <string>
 
 namespace carina
 {
@@ -40,6 +42,18 @@ std::optional<BladeKind> bladeFromName(std::string_view name)
 {
     const auto* found = std::ranges::find_if(
         kBladeKinds, [name](BladeKind kind) { return bladeOf(kind).name == name; });
+    return found == kBladeKinds.end() ? std::nullopt : std::optional{*found};
+}
+
+std::optional<BladeKind> bladeOfTool(std::string_view name)
+{
+    std::string words{name};
+    std::ranges::transform(words, words.begin(), [](unsigned char c) {
+        return std::isalnum(c) != 0 ? static_cast<char>(std::tolower(c)) : '-';
+    });
+    const auto* found = std::ranges::find_if(kBladeKinds, [&words](BladeKind kind) {
+        return words.find(bladeOf(kind).name) != std::string::npos;
+    });
     return found == kBladeKinds.end() ? std::nullopt : std::optional{*found};
 }
 

@@ -53,6 +53,10 @@ struct Blade {
 /// The blade with this name; nothing for an unknown name.
 [[nodiscard]] std::optional<BladeKind> bladeFromName(std::string_view name);
 
+/// The blade that a tool's name tells, as "Macintosh 4" or "blade miller-2"; nothing where it tells
+/// none.
+[[nodiscard]] std::optional<BladeKind> bladeOfTool(std::string_view name);
+
 /// How far a place is from the underside of a blade, along y of L: above 0 where the place is on
 /// the side of palate and upper teeth, less than 0 where it would be inside the blade or beyond. Of
 /// a place before the heel or beyond the tip, from the face as it would go straight on.

@@ -18,15 +18,31 @@ using namespace std::chrono_literals;
 constexpr double kMillimetre = 1e-3;
 /// How far a hand's tremor and sway can take a tip from its way: six deviations.
 constexpr double kTrembling = 6.0 * kMillimetre;
+/// A tube that is pushed in as far as it goes has 10 mm outside, and trembles.
+constexpr double kMostOutside = 10.0 * kMillimetre + kTrembling;
 
 IntubationMotion motionOf(MotionKind kind, std::uint32_t seed = 3)
 {
     const auto boy = test::boyOfTubes();
     std::mt19937 random = generatorOf(kind, seed);
     const MotionParameters parameters = drawnParameters(kind, random);
-    return scriptedMotion(kind, parameters, boy, motionTube(boy->airway, millimetres(6.5)).value(),
-                          seed)
-        .value();
+    return scriptedMotion(kind, parameters, boy, test::tubeOfBoy(), seed).value();
+}
+
+/// The boy's tube without this share of it at the connector.
+TubeShape tubeWithout(double share)
+{
+    TubeShape tube = test::tubeOfBoy();
+    const auto first = std::size_t(share * double(tube.p_E_centre.size()));
+    tube.p_E_centre.erase(tube.p_E_centre.begin(), tube.p_E_centre.begin() + std::ptrdiff_t(first));
+    return tube;
+}
+
+Result<IntubationMotion> motionWith(TubeShape tube, MotionKind kind)
+{
+    std::mt19937 random = generatorOf(kind, 1);
+    return scriptedMotion(kind, drawnParameters(kind, random), test::boyOfTubes(), std::move(tube),
+                          1);
 }
 
 Vec3 tipBySight(const IntubationMotion& motion, Duration t)
@@ -212,15 +228,28 @@ private Q_SLOTS:
         }
     }
 
+    /// Its connector stays in front of the teeth.
+    void pushesNoDeeperThanTheTubeIsLong()
+    {
+        for (const MotionKind kind : {MotionKind::RightMainstem, MotionKind::LeftMainstem})
+            for (const std::uint32_t seed : {1U, 2U, 3U}) {
+                const IntubationMotion motion = motionOf(kind, seed);
+                const Length whole = lengthOf(motion.tube().p_E_centre);
+                for (Duration t{}; t < motion.length(); t += 217ms)
+                    QVERIFY(motion.depthAtTeeth(t) < whole);
+            }
+        const IntubationMotion motion =
+            motionWith(tubeWithout(0.30), MotionKind::RightMainstem).value();
+        const Length whole = lengthOf(motion.tube().p_E_centre);
+        const Length outside = whole - motion.depthAtTeeth(motion.length());
+        QVERIFY2(outside.si > 0.0 && outside < metres(kMostOutside),
+                 qPrintable(QString::number(inMillimetres(outside))));
+        QVERIFY(motion.tipAboveCarina(motion.length()) > Length{});
+    }
+
     void refusesATubeThatIsTooShort()
     {
-        const auto boy = test::boyOfTubes();
-        TubeShape tube = motionTube(boy->airway, millimetres(6.5)).value();
-        tube.p_E_centre.erase(tube.p_E_centre.begin(),
-                              tube.p_E_centre.begin() + std::ptrdiff_t(tube.p_E_centre.size() / 2));
-        std::mt19937 random = generatorOf(MotionKind::Good, 1);
-        const auto refused = scriptedMotion(
-            MotionKind::Good, drawnParameters(MotionKind::Good, random), boy, std::move(tube), 1);
+        const auto refused = motionWith(tubeWithout(0.85), MotionKind::Good);
         QVERIFY(!refused);
         QCOMPARE(refused.error().code, Errc::OutOfRange);
     }

@@ -21,7 +21,7 @@ const IntubationMotion& goodMotion()
         const auto boy = test::boyOfTubes();
         std::mt19937 random = generatorOf(MotionKind::Good, 3);
         return scriptedMotion(MotionKind::Good, drawnParameters(MotionKind::Good, random), boy,
-                              motionTube(boy->airway, millimetres(6.5)).value(), 3)
+                              test::tubeOfBoy(), 3)
             .value();
     }();
     return motion;

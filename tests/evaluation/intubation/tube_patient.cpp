@@ -2,6 +2,7 @@
 
 #include "engine/anatomy/patient/patient_landmarks.h"
 #include "engine/anatomy/shapes/swept_surface.h"
+#include "evaluation/intubation/intubation_motion.h"
 
 namespace carina::test
 {
@@ -63,6 +64,12 @@ Anatomy tubePatient(const PatientDimensions& dimensions)
     add("Uvula", PartRole::Pharynx, patient.landmarks.p_A_incisors + Vec3{0.0, 0.05, 0.0},
         patient.landmarks.p_A_incisors + Vec3{0.0, 0.05, -0.012}, 0.002);
     return patient;
+}
+
+TubeShape tubeOfBoy()
+{
+    constexpr Length kWhole = millimetres(300.0);
+    return motionTube(boyOfTubes()->airway, millimetres(6.5), kWhole).value();
 }
 
 std::shared_ptr<const MotionPatient> boyOfTubes()

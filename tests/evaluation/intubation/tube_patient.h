@@ -2,6 +2,7 @@
 
 #include "engine/anatomy/airway/airway_shapes.h"
 #include "engine/anatomy/anatomy.h"
+#include "engine/anatomy/shapes/tube.h"
 #include "evaluation/intubation/motion_patient.h"
 
 #include <memory>
@@ -22,5 +23,8 @@ inline constexpr double kBehindTrachea = 0.013;
 
 /// That patient, the boy of 12 years, as motions know him.
 std::shared_ptr<const MotionPatient> boyOfTubes();
+
+/// A tube of 6.5 mm for him, as long as the deepest motions want it.
+TubeShape tubeOfBoy();
 
 } // namespace carina::test

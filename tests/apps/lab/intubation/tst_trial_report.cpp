@@ -55,7 +55,8 @@ IntubationTrial told(TrueSeat truth, TubeSeat outcome, double confidence)
     trial.course.seat = outcome;
     trial.course.confidence = confidence;
     trial.course.tip.depthAtTeeth = millimetres(205.0);
-    trial.registrationShare = millimetres(1.0);
+    trial.registrationAtTeeth = millimetres(1.0);
+    trial.registrationAtTip = millimetres(9.0);
     return trial;
 }
 
@@ -127,10 +128,13 @@ private Q_SLOTS:
         const auto row = [](const char* name, const char* words, const char* named) {
             QTest::newRow(name) << QString::fromLatin1(words) << QByteArray{named};
         };
-        row("nothing", "", "one motion, or --all-scripts");
-        row("both", "good --all-scripts", "one motion, or --all-scripts");
+        row("nothing", "", "one motion or recording, or --all-scripts");
+        row("both", "good --all-scripts", "one motion or recording, or --all-scripts");
         row("unknown motion", "bad", "choose one of good, slow, oesophageal");
-        row("seeds of one", "good --seeds 3", "--seed with one motion");
+        row("seeds of one", "good --seeds 3", "--seeds with --all-scripts");
+        row("site of a motion", "good --site a.json", "--site with a recording");
+        row("told of all", "--all-scripts --told first_breath=3", "--told with a recording");
+        row("saved of all", "--all-scripts --save a.csv", "--save with one motion");
         row("seed of all", "--all-scripts --seed 3", "--seed with one motion");
         row("no seeds", "--all-scripts --seeds 0", "1");
         row("too thick", "good --tube 9.5", "from 2.5 to 9");

@@ -77,6 +77,21 @@ private Q_SLOTS:
         QVERIFY(at({0.0, 0.0, kGlottis - 0.04}).pastTeeth > Length{});
     }
 
+    /// Under the jaw, 38 mm from the way over the tongue.
+    void bladeReachesFartherFromTheWayThanATube()
+    {
+        const Vec3 middle{0.0, -0.060, kGlottis}; // of the drawn quarter of a circle
+        const Vec3 under = middle + 0.022 * Vec3{0.0, 1.0, 1.0}.normalized();
+        const auto bladeAt = [](const Vec3& p_A) {
+            return airwayMoment(SessionTime{}, test::drawnWays(), {},
+                                {.validity = Validity::Tracked, .p_A_tip = p_A})
+                .bladePastTeeth;
+        };
+        QVERIFY(at(under).pastTeeth < Length{});
+        QVERIFY(bladeAt(under) > Length{});
+        QVERIFY(bladeAt(middle) < Length{});
+    }
+
     void oesophagusIsToldFromTheTrachea()
     {
         const AirwayMoment inTrachea = at({0.0, 0.0, 0.06});

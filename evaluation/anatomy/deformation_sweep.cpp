@@ -23,9 +23,10 @@ namespace
 constexpr double kMoved_m = 1e-6; ///< a vertex that is less far from a place is there
 constexpr double kSteps = 4.0;    ///< of laryngoscopyPose: the last one's number
 
-constexpr std::array kCornersOfHead{
-    HeadPosition{kLeastFlexion, kLeastExtension}, HeadPosition{kLeastFlexion, kMostExtension},
-    HeadPosition{kMostFlexion, kLeastExtension}, HeadPosition{kMostFlexion, kMostExtension}};
+/// In a neck that is flexed wholly a head is extended as far as in the sniffing position.
+constexpr std::array kCornersOfHead{HeadPosition{kLeastFlexion, kLeastExtension},
+                                    HeadPosition{kLeastFlexion, kMostExtension},
+                                    HeadPosition{kMostFlexion, kLeastExtension}, kSniffing};
 
 SweptBlade lifted(Length lift, Angle levering = {})
 {
@@ -205,8 +206,8 @@ DeformationCombination randomCombination(std::uint32_t seed)
     Draw draw{seed};
     DeformationCombination drawn;
     drawn.seed = seed;
-    drawn.head = {draw.between(kLeastFlexion, kMostFlexion),
-                  draw.between(kLeastExtension, kMostExtension)};
+    const Angle flexion = draw.between(kLeastFlexion, kMostFlexion);
+    drawn.head = withinReach({flexion, draw.between(kLeastExtension, kMostExtension)});
     drawn.jaw = {.opening = draw.between(Angle{}, kMostJawOpening),
                  .forward = draw.between(Length{}, kMostJawForward)};
     if (draw.below(3) != 0)

@@ -72,7 +72,8 @@ Result<std::optional<PictureOrder::Jaw>> jawOption(const Words& words)
     return PictureOrder::Jaw{degrees(*opening_deg), millimetres(*forward_mm)};
 }
 
-/// How head and neck are drawn: what is allowed is what withinReach leaves as it is.
+/// How head and neck are drawn: each angle within its limits, and both together as withinReach
+/// says.
 Result<HeadPosition> headOption(const Words& words)
 {
     const auto flexion_deg = words.number(render_option::kNeckFlexion, -25.0, 35.0, 0.0);

@@ -33,6 +33,9 @@ constexpr double kRidge = 0.17;
 constexpr double kTurnsFrom = -0.525;
 constexpr double kTurnsWholly = 0.33;
 
+/// From this flexion on a head is extended no more than in the sniffing position.
+constexpr Angle kFlexed = degrees(20.0);
+
 Vec3 inMidplane(Vec3 p, double x)
 {
     p.x() = x;
@@ -81,8 +84,10 @@ NeckBend<float> bendInSingle(const NeckBend<double>& bend)
 
 HeadPosition withinReach(const HeadPosition& position)
 {
-    return {radians(std::clamp(position.flexion.si, kLeastFlexion.si, kMostFlexion.si)),
-            radians(std::clamp(position.extension.si, kLeastExtension.si, kMostExtension.si))};
+    const double flexion = std::clamp(position.flexion.si, kLeastFlexion.si, kMostFlexion.si);
+    const double share = std::clamp(flexion / kFlexed.si, 0.0, 1.0);
+    const double most = std::lerp(kMostExtension.si, kSniffing.extension.si, share);
+    return {radians(flexion), radians(std::clamp(position.extension.si, kLeastExtension.si, most))};
 }
 
 NeckField::NeckField(const Vec3& p_A_glottis, const Vec3& p_A_incisors,

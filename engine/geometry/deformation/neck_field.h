@@ -30,9 +30,12 @@ inline constexpr HeadPosition kNeckFlexed{degrees(35.0), {}};
 inline constexpr Angle kLeastFlexion = degrees(-25.0);
 inline constexpr Angle kMostFlexion = degrees(35.0);
 inline constexpr Angle kLeastExtension = degrees(-10.0);
-inline constexpr Angle kMostExtension = degrees(30.0);
+inline constexpr Angle kMostExtension = degrees(30.0); ///< while the neck is not flexed
 
-/// The nearest position that is drawn.
+/// The position that is drawn in place of this one: each angle within its limits, and the head
+/// extended less, the more the neck is flexed, from 20 degrees on no more than in the sniffing
+/// position: no measured one was found beyond that, and the skin before the neck would pass through
+/// itself. That this limit falls evenly up to 20 degrees is of ours.
 [[nodiscard]] HeadPosition withinReach(const HeadPosition& position);
 
 /// How everything between trunk and head moves as these lie in another position. First the head is
@@ -68,8 +71,8 @@ class NeckField
 public:
     /// Neutral: nothing moves.
     NeckField() = default;
-    /// The points are those of AirwayLandmarks; of a position out of reach the nearest is taken.
-    /// Where they are within kLeast of each other nothing moves.
+    /// The points are those of AirwayLandmarks; a position out of reach is drawn as withinReach has
+    /// it. Where they are within kLeast of each other nothing moves.
     NeckField(const Vec3& p_A_glottis, const Vec3& p_A_incisors, const HeadPosition& position);
 
     [[nodiscard]] const NeckFrame<double>& frame() const { return m_frame; }

@@ -77,7 +77,7 @@ private Q_SLOTS:
 
     void leavesOutWhatGoesWithTheHead()
     {
-        const auto parts = sweepOf().deformedBy({.head = {kMostFlexion, kMostExtension}});
+        const auto parts = sweepOf().deformedBy({.head = kSniffing});
         QVERIFY(partNamed(parts, "Skin") != nullptr);
         int upper = 0;
         for (const AnatomyPart& part : patient().parts)

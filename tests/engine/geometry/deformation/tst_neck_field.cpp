@@ -42,8 +42,9 @@ Person anyPerson(std::mt19937& random)
     Person person;
     person.p_A_glottis = {between(-0.01, 0.01), between(-0.05, 0.0), between(0.06, 0.16)};
     person.p_A_incisors = person.p_A_glottis + length * Vec3{0.0, -std::cos(rise), std::sin(rise)};
-    person.position = {radians(between(kLeastFlexion.si, kMostFlexion.si)),
-                       radians(between(kLeastExtension.si, kMostExtension.si))};
+    const Angle flexion = radians(between(kLeastFlexion.si, kMostFlexion.si));
+    person.position =
+        withinReach({flexion, radians(between(kLeastExtension.si, kMostExtension.si))});
     return person;
 }
 
@@ -132,6 +133,7 @@ private Q_SLOTS:
     void leavesTheTrunk();
     void leavesTheLarynxWithTheNeck();
     void takesTheNearestPositionInReach();
+    void extendsAFlexedNeckLess();
     void foldsNowhereWithinReach();
     void hasTheSlopesOfItsDisplacement();
     void hasTheJawFollowInTheHead();
@@ -219,6 +221,25 @@ void TestNeckField::takesTheNearestPositionInReach()
     QCOMPARE(drawn.extension, kLeastExtension);
 }
 
+// From 30 degrees evenly down to the 24.2 of the sniffing position at a flexion of 20, and no less
+// beyond. Bent back a neck is not limited, and neither is a head that goes down.
+void TestNeckField::extendsAFlexedNeckLess()
+{
+    constexpr double kSame_deg = 1e-9;
+    const auto drawn_deg = [](double flexion_deg, double extension_deg) {
+        return inDegrees(withinReach({degrees(flexion_deg), degrees(extension_deg)}).extension);
+    };
+    QVERIFY(withinReach({kMostFlexion, kMostExtension}) == kSniffing);
+    QVERIFY(std::abs(drawn_deg(10.0, 30.0) - 27.1) < kSame_deg);
+    QVERIFY(std::abs(drawn_deg(10.0, 27.0) - 27.0) < kSame_deg);
+    QVERIFY(std::abs(drawn_deg(20.0, 30.0) - 24.2) < kSame_deg);
+    QVERIFY(std::abs(drawn_deg(0.0, 30.0) - 30.0) < kSame_deg);
+    QVERIFY(std::abs(drawn_deg(-25.0, 30.0) - 30.0) < kSame_deg);
+    QVERIFY(std::abs(drawn_deg(35.0, -10.0) + 10.0) < kSame_deg);
+    const Person beyond{.position = {kMostFlexion, kMostExtension}};
+    QVERIFY(beyond.neck().X_AU().matrix() == Person{}.neck().X_AU().matrix());
+}
+
 void TestNeckField::foldsNowhereWithinReach()
 {
     std::mt19937 random{7};
@@ -226,8 +247,8 @@ void TestNeckField::foldsNowhereWithinReach()
     for (int n = 0; n < 300; ++n) {
         Person person = anyPerson(random);
         if (n % 3 == 0) // the corners of what is drawn
-            person.position = {n % 2 == 0 ? kMostFlexion : kLeastFlexion,
-                               n % 4 == 0 ? kMostExtension : kLeastExtension};
+            person.position = withinReach({n % 2 == 0 ? kMostFlexion : kLeastFlexion,
+                                           n % 4 == 0 ? kMostExtension : kLeastExtension});
         const NeckFrame<double> frame = person.neck().frame();
         for (const Vec3& p_A : places(random))
             for (const bool isFlexion : {false, true}) {

@@ -36,8 +36,9 @@ constexpr QColor kSteel = kColors[std::size_t(SeenStructure::Blade)];
 constexpr QColor kHandleSteel{120, 126, 134};
 
 constexpr QColor kDarkness{6, 3, 3};
-constexpr Length kHalfLight = millimetres(55.0); ///< from a lamp on the blade
-constexpr Length kHalfLightDirect = millimetres(400.0);
+/// As far from the eye as the larynx is when the blade lies in the vallecula.
+constexpr Length kUsual = millimetres(40.0);
+constexpr Length kUsualDirect = millimetres(400.0);
 
 ScenePart scopePart(const char* name, FigureShapes::Mesh mesh, const QColor& color,
                     const char* body = kScopeBody)
@@ -107,7 +108,7 @@ void showScope(SceneView& view, const ScopeScene& scene, ScopeEye eye)
     view.setParts(scene.parts);
     view.setLooks(scene.looks);
     view.setBackground(kDarkness);
-    view.setSpotlight(eye == ScopeEye::Direct ? kHalfLightDirect : kHalfLight);
+    view.setSpotlight(eye == ScopeEye::Direct ? kUsualDirect : kUsual);
 }
 
 EyePicture scopePicture(const RigidTransform& X_AD, Angle fieldOfView, double widthOverHeight)

@@ -106,6 +106,8 @@ vec3 albedo; // of this vertex: sRGB, to close to linear light
 
 const float kSpotNear2 = 0.25; // of the usual distance, squared: the lamp is no point
 const float kSpotStray = 0.02; // light from everywhere, of what the mucosa scatters
+const float kBladeShade = 0.6; // of light, what a blade keeps from tissue that it touches
+const float kPerShade = 1.0 / 6e-3; // per metre from it, falling by e
 const float kShoulder = 0.6; // of light, from which on it is compressed
 
 const float kTool = 2.0; // MaterialGroup
@@ -530,6 +532,22 @@ void giveWayToBlade(inout vec3 position, inout vec3 normal)
 }
 #endif
 
+#if defined(BLADE_PUSHES) && defined(SPOTLIGHT)
+// The share of light that comes to a place near a blade, which shades it: least where both touch.
+float pastBlade(vec3 position)
+{
+    if (blade == mat4(0.0))
+        return 1.0;
+    float along = dot(blade[2].xyz, position) + blade[2].w;
+    float onBlade = clamp(along, 0.0, 1.0);
+    float face = blade[3].x * onBlade - 4.0 * blade[3].y * onBlade * (1.0 - onBlade);
+    vec3 off = vec3(dot(blade[1].xyz, position) + blade[1].w - face,
+                    max(abs(dot(blade[0].xyz, position) + blade[0].w) - blade[3].z, 0.0),
+                    (along - onBlade) * inversesqrt(dot(blade[2].xyz, blade[2].xyz)));
+    return 1.0 - kBladeShade * exp(-length(off) * kPerShade);
+}
+#endif
+
 #ifdef SPOTLIGHT
 #ifdef MOIST
 // moist.frag lights it.
@@ -621,6 +639,9 @@ void main()
 #endif
 #ifdef BLADE_PUSHES
     giveWayToBlade(position, normal);
+#ifdef SPOTLIGHT
+    albedo *= pastBlade(position);
+#endif
 #endif
 
     worldPosition = vec3(modelMatrix * vec4(position, 1.0));

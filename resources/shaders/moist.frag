@@ -31,7 +31,7 @@ const mat3 kTurn = mat3(0.80, -0.36, 0.48, 0.60, 0.48, -0.64, 0.00, 0.80, 0.60);
 const mat3 kTurnBack = transpose(kTurn);
 
 const vec2 kBent = vec2(0.45, 0.10); // how folds and grains bend vessels
-const float kVesselHalfWidth = 0.10e-3; // metres
+const float kVesselHalfWidth = 0.12e-3; // metres
 const vec3 kBlood = vec3(0.34, 0.03, 0.04); // linear
 
 const vec3 kThrough = vec3(0.35, 0.12, 0.08); // share of light that enters tissue and goes on
@@ -117,11 +117,11 @@ void main()
     float away = abs(patches.w + kBent.x * folds.w + kBent.y * grains.w)
                  * inversesqrt(dot(steep, steep) + 1.0);
     float halfWidth = kVesselHalfWidth * clamp(0.4 + 1.4 * folds.w, 0.0, 1.0);
-    float vessel = clamp((halfWidth - away) / pixel + 0.5, 0.0, 1.0)
-                   * min(2.0 * halfWidth / pixel, 1.0);
+    float blurred = halfWidth + 0.5 * pixel;
+    float vessel = (1.0 - smoothstep(0.3 * blurred, 1.3 * blurred, away)) * halfWidth / blurred;
     float patched = patches.w + 0.5 * folds.w;
     albedo *= 1.0 + isTissue * red * vec3(0.20, 0.34, 0.30) * patched;
-    albedo = mix(albedo, kBlood, 0.5 * isTissue * red * vessel);
+    albedo = mix(albedo, kBlood, 0.45 * isTissue * red * vessel);
 
     relief *= isTissue;
     vec3 bumped = normalize(normal - relief + dot(relief, normal) * normal);

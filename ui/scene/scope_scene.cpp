@@ -12,7 +12,7 @@ namespace carina
 namespace
 {
 
-constexpr QColor kSteel{188, 194, 200};
+constexpr QColor kSteel{160, 166, 172};
 constexpr QColor kHandleSteel{120, 126, 134};
 
 constexpr QColor kDarkness{6, 3, 3};

@@ -36,6 +36,8 @@ const vec3 kBlood = vec3(0.34, 0.03, 0.04); // linear
 
 const vec3 kThrough = vec3(0.35, 0.12, 0.08); // share of light that enters tissue and goes on
 const float kGloss = 300.0; // exponent of the film's highlight
+const float kFilm = 1.6; // how bright a lamp is in it,
+const float kMostInFilm = 1.3; // in so much light at most: a camera sees no more
 const float kRim = 0.5; // what it mirrors of the tissue around, edge on
 const float kShoulder = 0.6; // from which on light is compressed
 
@@ -100,7 +102,7 @@ void main()
     if (dot(normal, view) < 0.0)
         normal = -normal;
     vec3 albedo = shade.rgb;
-    float pixel = max(length(dFdx(restPosition)), length(dFdy(restPosition)));
+    float pixel = max(max(length(dFdx(restPosition)), length(dFdy(restPosition))), 1e-6);
 
     // Pale tissue, as cords, has few vessels; teeth and steel have neither vessels nor relief.
     float isTissue = part.z == kTissue ? 1.0 : 0.0;
@@ -108,12 +110,12 @@ void main()
 
     vec4 patches = turnedNoise(kTurn, restPosition / kPatch);
     vec4 folds = turnedNoise(kTurnBack, restPosition / kFold);
-    vec4 grains = noise(restPosition / kGrain);
+    vec4 grains = turnedNoise(kTurnBack, restPosition.yzx / kGrain);
     vec3 relief = kSlopes.x * patches.xyz + kSlopes.y * seen(kFold, pixel) * folds.xyz
-                  + kSlopes.z * seen(kGrain, pixel) * grains.xyz;
+                  + kSlopes.z * seen(kGrain, pixel) * grains.zxy;
 
     // A vessel lies where noise is 0, here thicker and there thin.
-    vec3 steep = patches.xyz / kPatch + kBent.x * folds.xyz / kFold + kBent.y * grains.xyz / kGrain;
+    vec3 steep = patches.xyz / kPatch + kBent.x * folds.xyz / kFold + kBent.y * grains.zxy / kGrain;
     float away = abs(patches.w + kBent.x * folds.w + kBent.y * grains.w)
                  * inversesqrt(dot(steep, steep) + 1.0);
     float halfWidth = kVesselHalfWidth * clamp(0.4 + 1.4 * folds.w, 0.0, 1.0);
@@ -138,7 +140,7 @@ void main()
     vec3 turnY = dFdy(bumped);
     float gloss = kGloss / (1.0 + 0.5 * kGloss * (dot(turnX, turnX) + dot(turnY, turnY)));
     float glint = exp(gloss * (facing - 1.0)) * gloss / kGloss;
-    lit += vec3(1.6 * glint) + edge * edge * edge * kRim * albedo;
-
-    fragment = vec4(sqrt(compressed(strength * lit * kLampLight + kSpotStray * albedo)), shade.a);
+    lit += edge * edge * edge * kRim * albedo;
+    vec3 light = strength * lit + min(strength, kMostInFilm) * kFilm * glint;
+    fragment = vec4(sqrt(compressed(light * kLampLight + kSpotStray * albedo)), shade.a);
 }

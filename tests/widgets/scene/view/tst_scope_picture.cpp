@@ -19,10 +19,10 @@ constexpr int kSwitchFrames = 8; ///< after which another shader program is in u
 constexpr double kLightTolerance = 0.1;
 constexpr double kStray = 0.02;     ///< of the albedo, light from everywhere
 constexpr double kLampNear2 = 0.25; ///< of the usual distance, squared (organ.vert)
-constexpr int kWhite = 230;         ///< of 255, in each channel of a glint
+constexpr int kWhite = 215;         ///< of 255, in green and blue of a glint
 constexpr int kAlike = 2;           ///< of 255
 constexpr double kEven = 1.5;       ///< standard deviation, of 255: pixels beside the ring
-constexpr double kUneven = 3.0;
+constexpr double kUneven = 2.5;
 
 std::optional<std::uint16_t> idAt(const IdPicture& picture, int x, int y)
 {

@@ -34,7 +34,9 @@ const vec2 kBent = vec2(0.45, 0.10); // how folds and grains bend vessels
 const float kVesselHalfWidth = 0.12e-3; // metres
 const vec3 kBlood = vec3(0.34, 0.03, 0.04); // linear
 
-const vec3 kThrough = vec3(0.35, 0.12, 0.08); // share of light that enters tissue and goes on
+// Share of light that enters tissue and goes on, of what has blood and of what is pale as cords.
+const vec3 kThrough = vec3(0.35, 0.12, 0.08);
+const vec3 kThroughPale = vec3(0.50, 0.42, 0.36);
 const float kGloss = 300.0; // exponent of the film's highlight
 const float kFilm = 1.6; // how bright a lamp is in it,
 const float kMostInFilm = 1.3; // in so much light at most: a camera sees no more
@@ -132,7 +134,7 @@ void main()
     float cone = smoothstep(0.45, 0.95, -dot(view, spot.xyz));
     float strength = cone * (1.0 + kSpotNear2) / (far2 / (spot.w * spot.w) + kSpotNear2);
 
-    vec3 through = isTissue * kThrough;
+    vec3 through = isTissue * mix(kThroughPale, kThrough, red);
     vec3 lit = albedo * (facing + through) / (1.0 + through);
 
     // Of a normal that varies within the pixel, the highlight is wider and fainter.

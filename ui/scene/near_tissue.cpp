@@ -1,6 +1,5 @@
 #include "ui/scene/near_tissue.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 

@@ -71,14 +71,17 @@ uniform mat4 blade;
 uniform mat4 tilt; // columns: tilt; up and upFrom; back and backFrom; all 0 while nothing is tilted
 #endif
 #ifdef SPOTLIGHT
-uniform vec4 spot; // of a lamp beside the eye: its direction, and where its light is a half, metres
+uniform vec4 spot; // of a lamp beside the eye: its direction; usual distance of what it lights, metres
 #endif
 uniform vec4 section;  // what lies where dot(xyz, p) > w, in A, is cut away; xyz 0: nothing is
 uniform float cutAway; // 1: the airway stays whole
 
 out vec3 worldPosition;
 out vec3 worldNormal;
-out vec4 shade; // light, linear, and opacity
+out vec4 shade; // light, linear, and opacity; MOIST: the albedo in place of light
+#ifdef MOIST
+out vec3 restPosition; // in the surfaces
+#endif
 flat out vec3 part;
 
 const vec3 kSky = vec3(0.80, 0.88, 1.00);
@@ -101,8 +104,11 @@ const vec4 kLooks[8] = vec4[8](
 
 vec3 albedo; // of this vertex: sRGB, to close to linear light
 
-const float kSpotGain = 1.6;   // of the spotlight, near and in its axis
-const float kSpotStray = 0.04; // light from everywhere, of what the mucosa scatters
+const float kSpotNear2 = 0.25; // of the usual distance, squared: the lamp is no point
+const float kSpotStray = 0.02; // light from everywhere, of what the mucosa scatters
+const float kBladeShade = 0.6; // of light, what a blade keeps from tissue that it touches
+const float kPerShade = 1.0 / 6e-3; // per metre from it, falling by e
+const float kShoulder = 0.6; // of light, from which on it is compressed
 
 const float kTool = 2.0; // MaterialGroup
 const float kAirway = 3.0;
@@ -526,9 +532,41 @@ void giveWayToBlade(inout vec3 position, inout vec3 normal)
 }
 #endif
 
+#if defined(BLADE_PUSHES) && defined(SPOTLIGHT)
+// The share of light that comes to a place near a blade, which shades it: least where both touch.
+float pastBlade(vec3 position)
+{
+    if (blade == mat4(0.0))
+        return 1.0;
+    float along = dot(blade[2].xyz, position) + blade[2].w;
+    float onBlade = clamp(along, 0.0, 1.0);
+    float face = blade[3].x * onBlade - 4.0 * blade[3].y * onBlade * (1.0 - onBlade);
+    vec3 off = vec3(dot(blade[1].xyz, position) + blade[1].w - face,
+                    max(abs(dot(blade[0].xyz, position) + blade[0].w) - blade[3].z, 0.0),
+                    (along - onBlade) * inversesqrt(dot(blade[2].xyz, blade[2].xyz)));
+    return 1.0 - kBladeShade * exp(-length(off) * kPerShade);
+}
+#endif
+
 #ifdef SPOTLIGHT
-// A lamp beside the eye, as on a laryngoscope's blade: less and less light away from its axis and
-// with the distance, and a highlight of the film of moisture on what faces it.
+#ifdef MOIST
+// moist.frag lights it.
+vec4 shadeAt(vec3 position, vec3 normal)
+{
+    vec4 look = kLooks[int(vertexPart.z)];
+    float edge = 1.0 - abs(dot(normal, normalize(eyePosition - position)));
+    return vec4(albedo, mix(look.y, look.z, edge * edge));
+}
+#else
+// Light of more than kShoulder, so that it comes to 1 only in the limit.
+vec3 compressed(vec3 light)
+{
+    vec3 above = max(light - kShoulder, 0.0) / (1.0 - kShoulder);
+    return min(light, kShoulder) + (1.0 - kShoulder) * above / (1.0 + above);
+}
+
+// A lamp beside the eye, as on a laryngoscope's blade: less light away from its axis, by the square
+// of the distance as of any small lamp, and a highlight of the film of moisture on what faces it.
 vec4 shadeAt(vec3 position, vec3 normal)
 {
     vec4 look = kLooks[int(vertexPart.z)];
@@ -540,15 +578,16 @@ vec4 shadeAt(vec3 position, vec3 normal)
     float facing = dot(normal, view);
     float edge = (1.0 - facing) * (1.0 - facing);
     float cone = smoothstep(0.45, 0.95, -dot(view, spot.xyz));
-    float strength = kSpotGain * cone / (1.0 + far2 / (spot.w * spot.w));
+    float strength = cone * (1.0 + kSpotNear2) / (far2 / (spot.w * spot.w) + kSpotNear2);
     float facing4 = facing * facing * facing * facing;
     float facing16 = facing4 * facing4 * facing4 * facing4;
     vec3 lit = strength
                    * (albedo * (0.2 + 0.8 * facing) * vec3(1.0, 0.97, 0.92)
                       + vec3(0.6 * look.x * facing16 * facing16))
                + kSpotStray * albedo;
-    return vec4(lit, mix(look.y, look.z, edge));
+    return vec4(compressed(lit), mix(look.y, look.z, edge));
 }
+#endif
 #else
 // A headlight, a soft sky that is brighter from above and in front of the patient, a small
 // highlight, and a rim that turns towards the silhouette. Both faces are lit. Worked out here and
@@ -600,12 +639,18 @@ void main()
 #endif
 #ifdef BLADE_PUSHES
     giveWayToBlade(position, normal);
+#ifdef SPOTLIGHT
+    albedo *= pastBlade(position);
+#endif
 #endif
 
     worldPosition = vec3(modelMatrix * vec4(position, 1.0));
     worldNormal = normalize(modelNormalMatrix * normal);
     shade = shadeAt(worldPosition, worldNormal);
     part = vertexPart;
+#ifdef MOIST
+    restPosition = vertexPosition;
+#endif
     bool whole = vertexPart.z == kTool || (cutAway == 1.0 && vertexPart.z == kAirway);
     gl_ClipDistance[0] = whole ? 1.0 : section.w - dot(section.xyz, worldPosition);
     gl_Position = mvp * vec4(position, 1.0);

@@ -1,9 +1,9 @@
 #include "ui/scene/scope_scene.h"
 
 #include "ui/scene/scene_parts.h"
+#include "ui/scene/scope_colors.h"
 #include "widgets/scene/figures/figure_shapes.h"
 
-#include <array>
 #include <cmath>
 #include <memory>
 
@@ -12,32 +12,13 @@ namespace carina
 namespace
 {
 
-/// Colours in the light of a laryngoscope, by SeenStructure: mucosa in pinks, cords like pearl.
-/// The jaw is drawn like gums, the trachea dark like its lumen. The tube keeps its own, and so does
-/// what does not belong there.
-constexpr std::array<QColor, kSeenStructures> kColors{{{0, 0, 0},
-                                                       {238, 231, 212},
-                                                       {188, 104, 106},
-                                                       {197, 106, 108},
-                                                       {216, 146, 138},
-                                                       {206, 120, 114},
-                                                       {186, 92, 90},
-                                                       {226, 158, 132},
-                                                       {206, 118, 110},
-                                                       {196, 106, 102},
-                                                       {214, 128, 118},
-                                                       {246, 239, 228},
-                                                       {184, 96, 92},
-                                                       {74, 26, 24},
-                                                       {160, 74, 72},
-                                                       {188, 194, 200},
-                                                       {217, 225, 150}}};
-constexpr QColor kSteel = kColors[std::size_t(SeenStructure::Blade)];
+constexpr QColor kSteel{160, 166, 172};
 constexpr QColor kHandleSteel{120, 126, 134};
 
 constexpr QColor kDarkness{6, 3, 3};
-constexpr Length kHalfLight = millimetres(55.0); ///< from a lamp on the blade
-constexpr Length kHalfLightDirect = millimetres(400.0);
+/// As far from the eye as the larynx is when the blade lies in the vallecula.
+constexpr Length kUsual = millimetres(40.0);
+constexpr Length kUsualDirect = millimetres(400.0);
 
 ScenePart scopePart(const char* name, FigureShapes::Mesh mesh, const QColor& color,
                     const char* body = kScopeBody)
@@ -77,10 +58,10 @@ ScopeScene scopeScene(const PatientModel& patient, const Blade& blade)
         }
         const SeenStructure structure = structureOf(patient.surfaces()[i].description);
         scene.structures[part.id] = structure;
-        part.color = kColors[std::size_t(structure)];
         scene.looks[part.id].style =
             structure == SeenStructure::Nothing ? PartStyle::Hidden : PartStyle::Solid;
     }
+    colorTissue(scene.parts, scene.structures, patient.landmarks());
     for (ScenePart part :
          {scopePart("Blade", std::make_shared<const TriangleMesh>(bladeMesh(blade.form)), kSteel),
           scopePart("Handle", figureShapes().handle, kHandleSteel)}) {
@@ -107,7 +88,7 @@ void showScope(SceneView& view, const ScopeScene& scene, ScopeEye eye)
     view.setParts(scene.parts);
     view.setLooks(scene.looks);
     view.setBackground(kDarkness);
-    view.setSpotlight(eye == ScopeEye::Direct ? kHalfLightDirect : kHalfLight);
+    view.setSpotlight(eye == ScopeEye::Direct ? kUsualDirect : kUsual);
 }
 
 EyePicture scopePicture(const RigidTransform& X_AD, Angle fieldOfView, double widthOverHeight)

@@ -38,7 +38,7 @@ Result<void> drawSeries(const PictureSeries& series)
     QObject::connect(&patience, &QTimer::timeout, &loop, [&loop] { loop.quit(); });
     view.onFrameDrawn([&](const DrawnFrame&) {
         patience.start(kLongestWait_ms);
-        if (++drawn <= kWarmUp || next == series.count)
+        if (++drawn <= kWarmUp || view.isPreparing() || next == series.count)
             return;
         if (const QImage picture = view.picture(); picture.isNull())
             next = series.count;

@@ -46,7 +46,8 @@ std::vector<ScopeShot> shotsOfDraws(const std::vector<CountedPreset>& presets,
     std::vector<ScopeShot> shots;
     for (const CountedPreset& counted : presets)
         for (int draw = 0; draw < order.draws; ++draw)
-            shots.push_back({.events = drawnFrom(*counted.preset, random)});
+            shots.push_back({.events = drawnFrom(*counted.preset, random),
+                             .quality = PictureQuality::Quick}); // only its ids are looked at
     return shots;
 }
 

@@ -22,6 +22,7 @@ std::vector<ScopeShot> comparedShots(std::span<const ScopeShot> shots)
             all.push_back(shot);
         }
         shot.quality = PictureQuality::Quick;
+        shot.look = SurfaceLook::Moist; // as in the finest
         for (int sample = 0; sample < kReferenceSamples; ++sample) {
             shot.sample = sample;
             all.push_back(shot);

@@ -34,6 +34,7 @@ public:
                            .frame =
                                [this](SceneView& view, std::size_t i) {
                                    view.setFixedQuality(m_shots[i].quality);
+                                   view.setFixedLook(m_shots[i].look);
                                    return frameOf(i);
                                },
                            .take = [this, &take](SceneView& view, std::size_t i,
@@ -50,6 +51,7 @@ public:
                                 [this](SceneView& view) {
                                     showScope(view, m_scene, m_way.eye);
                                     view.setFixedQuality(m_shots.front().quality);
+                                    view.setFixedLook(m_shots.front().look);
                                 },
                             .frame = [this] { return frameOf(0); }});
     }

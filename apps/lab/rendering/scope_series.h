@@ -33,8 +33,9 @@ struct ScopeShot {
     HeadPosition head{}; ///< as far as a stiff neck among the events lets it
     Length lift = kUsualLift;
     std::optional<Angle> levering{}; ///< instead of the lift
-    PictureQuality quality = PictureQuality::Quick;
-    std::optional<int> sample{}; ///< of a reference, in place of the middle of each pixel
+    PictureQuality quality = PictureQuality::Fine;
+    std::optional<SurfaceLook> look{}; ///< as SceneView::setFixedLook
+    std::optional<int> sample{};       ///< of a reference, in place of the middle of each pixel
 };
 
 /// How it was drawn.

@@ -153,14 +153,22 @@ Qt3DRender::QShaderProgram* OrganEffects::programOf(Layer& layer, const OrganSha
     return made;
 }
 
+const char* OrganEffects::surfaceShader() const
+{
+    if (m_isMapped)
+        return "shaders/error_map.frag";
+    return m_needs.isSpotlit && m_needs.isMoist ? "shaders/moist.frag" : "shaders/organ.frag";
+}
+
 void OrganEffects::askForPrograms()
 {
     for (Layer& layer : m_layers) {
         OrganShader needs = m_needs;
         needs.hasManyRegions = layer.hasManyRegions;
-        layer.surface.coming->setShaderProgram(
-            programOf(layer, needs, m_isMapped ? "shaders/error_map.frag" : "shaders/organ.frag"));
+        needs.isMoist = needs.isMoist && needs.isSpotlit;
+        layer.surface.coming->setShaderProgram(programOf(layer, needs, surfaceShader()));
         needs.isSpotlit = false; // ids have no light
+        needs.isMoist = false;
         layer.id.coming->setShaderProgram(programOf(layer, needs, "shaders/id.frag"));
     }
     m_framesToCome = kFramesToCompile;
@@ -222,7 +230,17 @@ void OrganEffects::setSpotlight(const std::optional<Spotlight>& lamp)
     if (!lamp)
         return;
     const Vec3f dir = lamp->dir_A.cast<float>();
-    m_spot->setValue(QVector4D{dir.x(), dir.y(), dir.z(), static_cast<float>(lamp->halfLight.si)});
+    m_spot->setValue(QVector4D{dir.x(), dir.y(), dir.z(), static_cast<float>(lamp->usual.si)});
+}
+
+void OrganEffects::setLook(SurfaceLook look)
+{
+    const bool isMoist = look == SurfaceLook::Moist;
+    if (isMoist == m_needs.isMoist)
+        return;
+    m_needs.isMoist = isMoist;
+    if (m_needs.isSpotlit)
+        askForPrograms();
 }
 
 void OrganEffects::setErrorMap(const std::optional<ErrorMap>& map)

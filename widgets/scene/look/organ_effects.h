@@ -4,6 +4,7 @@
 #include "engine/geometry/vec.h"
 #include "widgets/scene/look/error_map.h"
 #include "widgets/scene/look/organ_shader.h"
+#include "widgets/scene/look/picture_quality.h"
 #include "widgets/scene/surfaces/scene_part.h"
 
 #include <QString>
@@ -31,7 +32,7 @@ namespace carina
 {
 
 /// Filter keys with which the frame graph selects a render pass; their values are draw layers.
-inline constexpr auto kSurfacePass = "surface"; ///< organ.frag or error_map.frag: the picture
+inline constexpr auto kSurfacePass = "surface"; ///< organ.frag, moist.frag or error_map.frag
 inline constexpr auto kIdPass = "id";           ///< id.frag: the id of the part
 inline constexpr auto kComingPass = "coming";   ///< never selected; compiles its program
 
@@ -55,8 +56,8 @@ struct ErrorUniforms {
 
 /// A lamp beside the eye, as on the blade of a video laryngoscope.
 struct Spotlight {
-    Vec3 dir_A = Vec3::UnitY();           ///< unit; its axis
-    Length halfLight = millimetres(60.0); ///< the distance at which its light is a half
+    Vec3 dir_A = Vec3::UnitY();       ///< unit; its axis
+    Length usual = millimetres(40.0); ///< what is so far away is as bright as its colour
 };
 
 /// One effect per draw layer, each with a surface pass and an id pass, and the parameters common to
@@ -82,9 +83,13 @@ public:
     /// Lights the scene by a lamp beside the eye alone; std::nullopt: as usual. Of two lamps only
     /// the uniform differs.
     void setSpotlight(const std::optional<Spotlight>& lamp);
+    /// How the spotlight shows surfaces; without one this has no effect.
+    void setLook(SurfaceLook look);
     /// To be called once per frame. A newly requested program is used only when it is compiled, one
     /// or two frames later, because Qt 3D does not draw an entity whose program is not ready.
     void countFrame();
+    /// Whether what was requested last is not used yet.
+    [[nodiscard]] bool isPreparing() const { return m_framesToCome > 0; }
 
 private:
     struct Pass {
@@ -101,6 +106,7 @@ private:
     };
     [[nodiscard]] std::vector<Qt3DRender::QParameter*> parameters() const;
     void askForPrograms();
+    [[nodiscard]] const char* surfaceShader() const;
     Qt3DRender::QShaderProgram* programOf(Layer& layer, const OrganShader& needs,
                                           const char* fragmentShader);
     void usePrograms();

@@ -20,6 +20,8 @@ QByteArray organVertexShader(const OrganShader& needs)
         defined += "#define NECK_BENDS\n";
     if (needs.isSpotlit)
         defined += "#define SPOTLIGHT\n";
+    if (needs.isMoist)
+        defined += "#define MOIST\n";
     QByteArray source = resource("shaders/organ.vert");
     return source.insert(source.indexOf('\n') + 1, defined); // #version stays first
 }

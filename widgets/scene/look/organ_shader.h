@@ -17,6 +17,7 @@ struct OrganShader {
     bool changesAirway = true;  ///< uniforms of airwayUniforms; else no events
     bool bendsNeck = true;      ///< uniforms of neckUniforms; else the head is in neutral position
     bool isSpotlit = false;     ///< uniform spot: lit by a lamp beside the eye alone
+    bool isMoist = false;       ///< only if spotlit: moist.frag lights each pixel
 
     friend auto operator<=>(const OrganShader&, const OrganShader&) = default;
 };

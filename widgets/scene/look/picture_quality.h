@@ -19,6 +19,12 @@ enum class PictureQuality : std::uint8_t {
 inline constexpr std::size_t kPictureQualities = 3;
 inline constexpr int kSamplesPerPixel = 4; ///< of PictureQuality::Fine
 
+/// How surfaces are drawn that a spotlight lights.
+enum class SurfaceLook : std::uint8_t {
+    Plain, ///< each part in its colour, lit at its vertices
+    Moist, ///< mucosa with a wet film, fine relief and vessels, lit in each pixel (moist.frag)
+};
+
 /// By which programs and files know it: quick, smoothed or fine.
 [[nodiscard]] const char* qualityName(PictureQuality quality);
 

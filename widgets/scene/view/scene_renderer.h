@@ -60,6 +60,10 @@ public:
 
     /// Draws in this quality from the next frame on; at first in the quickest.
     void setQuality(PictureQuality quality) { m_frameGraph.setQuality(quality, windowPixels()); }
+    /// How a spotlight shows surfaces; at first plain. Takes effect as setErrorMap().
+    void setLook(SurfaceLook look) { m_effects.setLook(look); }
+    /// Whether a setting has not taken effect yet that needs another shader program.
+    [[nodiscard]] bool isPreparing() const { return m_effects.isPreparing(); }
 
     /// Sets the cameras; without any, only the background is drawn.
     /// @pre at most kMostEyes cameras, whose pixels are inside the window and do not overlap.
@@ -70,9 +74,9 @@ public:
     /// Unlike other settings this can take effect one or two frames later, when its shader program
     /// is compiled.
     void setErrorMap(const std::optional<ErrorMap>& map) { m_effects.setErrorMap(map); }
-    /// Lights the scene by a lamp beside the first camera alone, in its direction, whose light is a
-    /// half at this distance; std::nullopt: as usual. Takes effect likewise.
-    void setSpotlight(std::optional<Length> halfLight) { m_spotlight = halfLight; }
+    /// Lights the scene by a lamp beside the first camera alone, in its direction: what is at this
+    /// distance is as bright as its colour. std::nullopt: as usual. Takes effect likewise.
+    void setSpotlight(std::optional<Length> usual) { m_spotlight = usual; }
     void draw();
 
     /// The picture of the present state; a null image if the window cannot be drawn into.

@@ -191,10 +191,10 @@ void SceneView::setErrorMap(const std::optional<ErrorMap>& map)
     m_renderer->setErrorMap(map);
 }
 
-void SceneView::setSpotlight(std::optional<Length> halfLight)
+void SceneView::setSpotlight(std::optional<Length> usual)
 {
     m_rest.stir();
-    m_renderer->setSpotlight(halfLight);
+    m_renderer->setSpotlight(usual);
 }
 
 void SceneView::setFixedLevel(std::optional<int> level)
@@ -208,6 +208,14 @@ void SceneView::setFixedQuality(std::optional<PictureQuality> quality)
     m_rest.stir();
     m_quality.fix(quality);
 }
+
+void SceneView::setFixedLook(std::optional<SurfaceLook> look)
+{
+    m_rest.stir();
+    m_look = look;
+}
+
+bool SceneView::isPreparing() const { return m_renderer->isPreparing(); }
 
 void SceneView::resizeEvent(QResizeEvent*) { m_quality.beginAnew(); }
 
@@ -386,14 +394,16 @@ bool SceneView::hasToBeDrawn(const SceneFrame& frame, const std::vector<SceneCam
         return true;
     const bool isHeld =
         !m_rest.comes(areSameCameras(cameras, m_cameras) && areDrawnAlike(frame, m_frame));
-    return !isHeld || m_asksForIds || m_renderer->isReadingIds();
+    return !isHeld || m_asksForIds || m_renderer->isReadingIds() || isPreparing();
 }
 
 void SceneView::drawScene(const SceneFrame& frame, const std::vector<SceneCamera>& cameras,
                           PictureQuality quality)
 {
     m_drawnQuality = quality;
+    const bool isQuick = quality == PictureQuality::Quick;
     m_renderer->setQuality(quality);
+    m_renderer->setLook(m_look.value_or(isQuick ? SurfaceLook::Plain : SurfaceLook::Moist));
     m_renderer->setCameras(cameras);
     m_renderer->apply(frame, m_detail.levels());
     beginToRead(frame);

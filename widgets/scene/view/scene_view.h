@@ -95,9 +95,9 @@ public:
     /// this.
     void setErrorMap(const std::optional<ErrorMap>& map);
 
-    /// Lights the scene by a lamp beside the eye alone, whose light is a half at this distance, as
-    /// inside a body; std::nullopt ends this.
-    void setSpotlight(std::optional<Length> halfLight);
+    /// Lights the scene by a lamp beside the eye alone, as inside a body; what is at this distance
+    /// is as bright as its colour. std::nullopt ends this.
+    void setSpotlight(std::optional<Length> usual);
 
     void setFrameSource(FrameSource source) { m_source = std::move(source); }
     /// The listener is called after each frame, when its buffers were swapped; also after one that
@@ -152,8 +152,13 @@ public:
     /// While it is not fixed, a picture that does not change is drawn in full detail and the finest
     /// quality once, and then rests (RestingPicture).
     void setFixedQuality(std::optional<PictureQuality> quality);
+    /// Fixes how a spotlight shows surfaces; std::nullopt: plain in the quickest quality, else
+    /// moist.
+    void setFixedLook(std::optional<SurfaceLook> look);
     /// Of the latest frame.
     [[nodiscard]] PictureQuality quality() const { return m_drawnQuality; }
+    /// Whether the latest frame was not drawn as is set yet, as a shader program is being compiled.
+    [[nodiscard]] bool isPreparing() const;
     /// The common level of detail of the parts that share theirs; 0 is the finest.
     [[nodiscard]] int level() const { return m_detail.sharedLevel(); }
     /// The number of triangles in the latest frame.
@@ -236,6 +241,7 @@ private:
     DetailChoice m_detail;
     QualityChoice m_quality;
     PictureQuality m_drawnQuality = PictureQuality::Quick;
+    std::optional<SurfaceLook> m_look;
     RestingPicture m_rest;
     std::vector<SceneCamera> m_cameras; ///< of the latest frame
     FrameTimes m_times;

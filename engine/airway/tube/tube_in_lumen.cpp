@@ -67,7 +67,7 @@ WallTouch TubeInLumen::Walls::at(std::size_t node, const Vec3& p_A) const
         return {};
     Node& it = m_nodes[node];
     if (node + 1 < m_nodes.size())
-        return it.section.touch(p_A);
+        return it.piece.touch(p_A);
     return m_lumen->touchIn(it.way, stop(it.way), p_A, it.segment);
 }
 
@@ -146,7 +146,7 @@ void TubeInLumen::Walls::choose(const MovedLumen& lumen, std::span<const Vec3> n
     for (std::size_t i = m_firstInside; i + 1 < nodes.size(); ++i) {
         Node& node = m_nodes[i];
         const double along = lumen.way(node.way).alongAt(nodes[i], node.segment);
-        node.section = lumen.sectionAt(node.way, along);
+        node.piece = lumen.pieceAt(node.way, node.segment, along);
     }
     // Ahead of the tip each way ends where it is too narrow.
     Node& tip = m_nodes.back();

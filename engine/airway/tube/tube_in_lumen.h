@@ -98,7 +98,7 @@ private:
         struct Node {
             AirwayWay way = AirwayWay::Trunk;
             std::size_t segment = 0;
-            MovedSection section; ///< where it is as a step begins; not of the tip
+            MovedPiece piece; ///< around where it is as a step begins; not of the tip
         };
         [[nodiscard]] const Node& node(std::size_t i) const { return m_nodes[i]; }
         [[nodiscard]] double stop(AirwayWay way) const { return m_stops[std::size_t(way)]; }

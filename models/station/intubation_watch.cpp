@@ -43,6 +43,7 @@ void IntubationWatch::lieIn(const PatientModel& patient)
 {
     m_patient = &patient;
     m_ways.reset();
+    m_tube.reset(); // it has another curve, if not another lumen
     if (m_laryngoscope)
         m_laryngoscope->lieIn(patient);
     else
@@ -53,6 +54,8 @@ void IntubationWatch::lieIn(const PatientModel& patient)
 void IntubationWatch::forget()
 {
     m_monitor = IntubationMonitor{};
+    if (m_tube)
+        m_tube->letGo();
     m_taken.reset();
     m_controls.reset();
     m_wasVentilated = false;
@@ -73,22 +76,32 @@ void IntubationWatch::look()
         forget(); // whoever works meanwhile has another tube
         return;
     }
-    if (m_node.state()->phaseAt(*now) != SessionPhase::Running) {
-        m_taken.reset();
+    m_lumen.want(*m_patient);
+    if (!m_tube && m_lumen.lumen())
+        m_tube.emplace(m_patient->tube(), m_lumen.lumen());
+    takeMoments(*now);
+    if (m_node.state()->phaseAt(*now) != SessionPhase::Running)
         return;
-    }
+    takeControls(*now);
+    propose(*now);
+}
+
+void IntubationWatch::takeMoments(SessionTime now)
+{
     if (!m_ways)
         m_ways = waysOf(*m_patient);
-    const SessionTime until = wholeMultiple(*now - kBehind);
+    const bool isRunning = m_node.state()->phaseAt(now) == SessionPhase::Running;
+    const SessionTime until = wholeMultiple(now - kBehind);
     if (!m_taken || until - *m_taken > kLongestSkip)
         m_taken = until - kEach;
     while (*m_taken < until) {
         *m_taken += kEach;
-        for (const IntubationEvent& event : m_monitor.take(airwayAt(*m_taken)))
-            queue(event, *now);
+        const AirwayMoment moment = airwayAt(*m_taken);
+        if (!isRunning)
+            continue;
+        for (const IntubationEvent& event : m_monitor.take(moment))
+            queue(event, now);
     }
-    takeControls(*now);
-    propose(*now);
 }
 
 /// What moves tube, blade and tissue; the chest does not.
@@ -118,16 +131,44 @@ AirwayMoment IntubationWatch::airwayAt(SessionTime t)
     const AirwayField changes = m_laryngoscope->changesAt(moment);
     const LaryngoscopeSight sight = m_laryngoscope->at(moment, throat);
     const PatientWays ways = drawnWays(*m_ways, changes, throat, sight.tissue);
+    followTube(moment, tissueMotion(changes, throat, sight.tissue));
     TubeCurves tube;
-    std::vector<Vec3> drawn;
+    std::vector<Vec3> measured;
     if (moment.tube && !isAway(moment)) {
         tube.validity = moment.tube->validity;
-        drawn = drawnTube(*m_patient, throat.neck, moment.tube->X_FO);
-        tube.p_A_shown = drawn;
+        measured = drawnTube(*m_patient, throat.neck, moment.tube->X_FO);
+        tube.p_A_measured = measured;
+        tube.p_A_shown = m_tube && m_tube->isLaid() ? m_tube->tube().constrained() : measured;
     }
     const bool areShut =
         severityOf(moment.airwayEvents, AirwayEventKind::Laryngospasm) >= kShutSpasm;
     return airwayMoment(t, ways, tube, bladeIn(moment, sight), areShut);
+}
+
+/// Beside a patient who is moved away it lies in no lumen.
+void IntubationWatch::followTube(const StationMoment& moment, const TissueMotion& tissue)
+{
+    if (!m_tube)
+        return;
+    if (isAway(moment)) {
+        m_tube->letGo();
+        return;
+    }
+    const auto seen = [this](SessionTime t) -> std::optional<RigidTransform> {
+        const auto tube = m_own.at(ObjectKind::Tube, t);
+        const bool isSeen = tube && tube->validity != Validity::Lost;
+        return isSeen ? std::optional{tube->X_FO} : std::nullopt;
+    };
+    m_tube->follow(moment.time, seen, tissue);
+}
+
+TubeInAirway IntubationWatch::tubeAt(const StationMoment& moment, const TissueMotion& tissue) const
+{
+    const bool isSeen = moment.tube && moment.tube->validity != Validity::Lost;
+    const bool isOwn = isAtWork() && moment.worker == m_node.self();
+    if (!isSeen || !isOwn || isAway(moment) || !m_tube || !m_tube->isLaid())
+        return {};
+    return {m_tube->ahead(moment.tube->X_FO, tissue), course().shapes.isIn};
 }
 
 BladeSeen IntubationWatch::bladeIn(const StationMoment& moment, const LaryngoscopeSight& sight)

@@ -2,7 +2,9 @@
 
 #include "engine/airway/monitor/intubation_monitor.h"
 #include "engine/anatomy/laryngoscopy/glottic_view.h"
+#include "models/patient/patient_lumen.h"
 #include "models/station/drawn_ways.h"
+#include "models/station/elastic_tube.h"
 #include "models/station/laryngoscope_sight.h"
 #include "models/station/station_view.h"
 
@@ -25,6 +27,10 @@ namespace carina
 /// Moments are kEach apart, at whole multiples of it in session time, and kBehind in the past,
 /// where poses are interpolated between samples and not predicted. Patient, neck, jaw and tissue
 /// are as they are drawn then.
+///
+/// The tube is followed also while the session does not run, as an elastic rod in the patient's
+/// lumen (ElasticTube), from when that was measured: at the first moment at which somebody is at
+/// work. Before it is as its pose and its curve at rest have it.
 ///
 /// What no sensor feels follows from what people set: cuff and stylet, and that bag or ventilator
 /// breathe for the first time with the tip past the cords, in the trachea or the oesophagus.
@@ -59,6 +65,11 @@ public:
 
     [[nodiscard]] const IntubationCourse& course() const { return m_monitor.course(); }
 
+    /// How the tube of this program's participant lies in the airway at a moment that is drawn.
+    /// @param tissue as it is drawn then
+    [[nodiscard]] TubeInAirway tubeAt(const StationMoment& moment,
+                                      const TissueMotion& tissue) const;
+
 private:
     /// As people have set them.
     struct Controls {
@@ -69,8 +80,10 @@ private:
 
     void forget();
     [[nodiscard]] bool isAtWork() const;
+    void takeMoments(SessionTime now);
     [[nodiscard]] StationMoment momentAt(SessionTime t) const;
     [[nodiscard]] AirwayMoment airwayAt(SessionTime t);
+    void followTube(const StationMoment& moment, const TissueMotion& tissue);
     [[nodiscard]] BladeSeen bladeIn(const StationMoment& moment, const LaryngoscopeSight& sight);
     [[nodiscard]] Controls controlsAt(SessionTime t) const;
     void takeControls(SessionTime now);
@@ -83,6 +96,8 @@ private:
     ReadView m_view = [] { return std::nullopt; };
     std::optional<PatientWays> m_ways; ///< of the patient, once they are needed
     const PatientModel* m_patient = nullptr;
+    PatientLumen m_lumen;
+    std::optional<ElasticTube> m_tube; ///< once its lumen is there
     std::optional<StationLaryngoscope> m_laryngoscope;
     IntubationMonitor m_monitor;
     std::optional<SessionTime> m_taken; ///< the latest moment

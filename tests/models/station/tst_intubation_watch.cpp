@@ -21,6 +21,7 @@ using namespace std::chrono_literals;
 
 constexpr double kDepth = 6e-3; // m: the tube's line is not the airway's middle
 constexpr double kTime = 0.1;   // s
+constexpr int kSoon_ms = 60000; // until a lumen is measured
 
 const PatientModel& patient()
 {
@@ -88,6 +89,16 @@ RigidTransform pushed(double deeper)
 {
     const Vec3 down = -waysOf(patient()).up_A();
     return RigidTransform::translation(deeper * down) * patient().tube().X_AE;
+}
+
+/// How it is drawn now.
+TubeInAirway drawnNow(const Work& work)
+{
+    StationMoment moment;
+    moment.time = *work.node.now();
+    moment.worker = FakeSessionNode::kTrainee;
+    moment.tube = work.poseOf(ObjectKind::Tube, moment.time);
+    return work.watch.tubeAt(moment, [](const Vec3& p_A, AirwayTissue) { return p_A; });
 }
 
 double secondsFrom(SessionTime begin, SessionTime t) { return toSeconds(t - begin); }
@@ -212,6 +223,65 @@ private Q_SLOTS:
         QCOMPARE(first.size(), 1U);
         QVERIFY(secondsFrom(begin, first.front().at) > 2.0);
         QCOMPARE(first.front().seat, TubeSeat::Trachea);
+    }
+
+    /// As soon as the lumen is measured; a tube that lies in its place does so in the airway, too.
+    void bendsTheTubeInTheAirway()
+    {
+        Work work;
+        work.tube = [](SessionTime) { return pushed(0.0); };
+        const auto isBent = [&work] {
+            work.goOn(20ms);
+            return !drawnNow(work).p_E.empty();
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(isBent(), kSoon_ms);
+        const TubeShape& shape = patient().tube();
+        const TubeInAirway drawn = drawnNow(work);
+        QVERIFY((drawn.p_E.front() - shape.p_E_centre.front()).norm() < 1e-9);
+        QVERIFY((drawn.p_E.back() - shape.p_E_tip).norm() < IntubationMonitor::kShapesApart.si);
+        QVERIFY(!drawn.isApart);
+        work.runs();
+        work.goOn(2s);
+        QCOMPARE(work.noted(IntubationStep::ThroughCords).size(), 1U);
+        QVERIFY(work.noted(IntubationStep::ShapesApart).empty());
+    }
+
+    /// Its tip is held by the airway's wall where the real one is far to the side.
+    void tellsThatTheShapesPart()
+    {
+        Work work;
+        work.runs();
+        work.tube = [](SessionTime) { return pushed(0.0); };
+        const auto isBent = [&work] {
+            work.goOn(20ms);
+            return !drawnNow(work).p_E.empty();
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(isBent(), kSoon_ms);
+        const SessionTime begin = *work.node.now();
+        work.tube = [begin](SessionTime t) {
+            const double aside = std::min(0.02 * secondsFrom(begin, t), 0.015);
+            return RigidTransform::translation({aside, 0.0, 0.0}) * pushed(0.0);
+        };
+        work.goOn(3s);
+        QVERIFY(drawnNow(work).isApart);
+        QCOMPARE(work.noted(IntubationStep::ShapesApart).size(), 1U);
+    }
+
+    void forgetsTheTubeOfAnotherPatient()
+    {
+        const PatientModel other =
+            patient().withTube(patient().tube().p_E_centre, millimetres(7.0));
+        Work work;
+        work.tube = [](SessionTime) { return pushed(0.0); };
+        const auto isBent = [&work] {
+            work.goOn(20ms);
+            return !drawnNow(work).p_E.empty();
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(isBent(), kSoon_ms);
+        work.watch.lieIn(other);
+        QVERIFY(drawnNow(work).p_E.empty());
+        work.goOn(20ms); // its lumen is another one
+        QVERIFY(drawnNow(work).p_E.empty());
     }
 
     void notesNothingWhileTheSessionDoesNotRun()

@@ -76,9 +76,7 @@ void IntubationWatch::look()
         forget(); // whoever works meanwhile has another tube
         return;
     }
-    m_lumen.want(*m_patient);
-    if (!m_tube && m_lumen.lumen())
-        m_tube.emplace(m_patient->tube(), m_lumen.lumen());
+    findLumen();
     takeMoments(*now);
     if (m_node.state()->phaseAt(*now) != SessionPhase::Running)
         return;
@@ -86,11 +84,26 @@ void IntubationWatch::look()
     propose(*now);
 }
 
+/// A tube that was not touched has no curve at rest that is known: it is drawn as it fits the
+/// airway in which it ends, and has no other shape to be bent from.
+void IntubationWatch::findLumen()
+{
+    if (m_tube || m_patient->tube().fitsAirway)
+        return;
+    m_lumen.want(*m_patient);
+    if (m_lumen.lumen())
+        m_tube.emplace(m_patient->tube(), m_lumen.lumen());
+}
+
 void IntubationWatch::takeMoments(SessionTime now)
 {
+    const bool isRunning = m_node.state()->phaseAt(now) == SessionPhase::Running;
+    if (!isRunning && !m_tube) {
+        m_taken.reset();
+        return;
+    }
     if (!m_ways)
         m_ways = waysOf(*m_patient);
-    const bool isRunning = m_node.state()->phaseAt(now) == SessionPhase::Running;
     const SessionTime until = wholeMultiple(now - kBehind);
     if (!m_taken || until - *m_taken > kLongestSkip)
         m_taken = until - kEach;

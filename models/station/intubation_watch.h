@@ -28,9 +28,10 @@ namespace carina
 /// where poses are interpolated between samples and not predicted. Patient, neck, jaw and tissue
 /// are as they are drawn then.
 ///
-/// The tube is followed also while the session does not run, as an elastic rod in the patient's
-/// lumen (ElasticTube), from when that was measured: at the first moment at which somebody is at
-/// work. Before it is as its pose and its curve at rest have it.
+/// A tube whose curve at rest was touched is followed, also while the session does not run, as an
+/// elastic rod in the patient's lumen (ElasticTube), from when that was measured: from the first
+/// moment at which somebody is at work. Before it, and where it was not touched, it is as its pose
+/// has it.
 ///
 /// What no sensor feels follows from what people set: cuff and stylet, and that bag or ventilator
 /// breathe for the first time with the tip past the cords, in the trachea or the oesophagus.
@@ -80,6 +81,7 @@ private:
 
     void forget();
     [[nodiscard]] bool isAtWork() const;
+    void findLumen();
     void takeMoments(SessionTime now);
     [[nodiscard]] StationMoment momentAt(SessionTime t) const;
     [[nodiscard]] AirwayMoment airwayAt(SessionTime t);

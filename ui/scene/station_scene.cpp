@@ -58,6 +58,7 @@ SceneFrame StationScene::frameOf(int level, LocalTime lit)
     bendTubes(frame, m_moment, *m_patient);
     frame.airway = m_laryngoscope.changesAt(m_moment);
     frame.blade = m_laryngoscope.at(m_moment, throat).tissue;
+    m_moment.tubeIsApart = bendOwnTube(frame, m_moment);
     const auto contents = m_laryngoscope.contentsIn(m_moment, throat, frame.blade);
     addContents(frame, contents);
     showFigures(contents);
@@ -75,6 +76,23 @@ SceneFrame StationScene::frameOf(int level, LocalTime lit)
         addHeadset(frame);
     }
     return frame;
+}
+
+bool StationScene::bendOwnTube(SceneFrame& frame, const StationMoment& moment) const
+{
+    const auto placed = frame.bodies.find(kTubeBody);
+    if (placed == frame.bodies.end())
+        return false;
+    const TubeInAirway lies =
+        m_tubeInAirway(moment, tissueMotion(frame.airway, frame.throat, frame.blade));
+    if (lies.p_E.empty())
+        return false;
+    frame.bentInPlace.erase(kTubeBody);
+    frame.bentAlong[kTubeBody] =
+        std::make_shared<const LineBend>(m_patient->tube().p_E_centre, lies.p_E);
+    if (lies.isApart)
+        addMeasuredTube(frame, *m_patient);
+    return lies.isApart;
 }
 
 void StationScene::addHeadset(SceneFrame& frame) const
@@ -113,14 +131,18 @@ void StationScene::showFigures(const std::vector<ThroatContent>& contents)
     std::vector<DrawnPerson> people = drawnPeople(m_moment, m_laryngoscope);
     std::vector<DrawnLift> lifts = drawnLifts(m_moment, *m_patient);
     std::vector<DrawnContent> drawn = drawnContents(contents);
-    if (people == m_people && lifts == m_lifts && drawn == m_contents)
+    if (people == m_people && lifts == m_lifts && drawn == m_contents
+        && m_moment.tubeIsApart == m_isTubeApart)
         return;
+    m_isTubeApart = m_moment.tubeIsApart;
     m_people = std::move(people);
     m_lifts = std::move(lifts);
     m_contents = std::move(drawn);
     std::vector<SceneFigure> figures = peopleFigures(m_people, *m_patient);
     std::ranges::move(liftedFigures(m_lifts, *m_patient), std::back_inserter(figures));
     std::ranges::move(contentFigures(m_contents), std::back_inserter(figures));
+    if (m_isTubeApart)
+        figures.push_back(measuredTubeFigure(*m_patient));
     m_scene.setFigures(figures);
 }
 
@@ -133,6 +155,7 @@ void StationScene::show(const PatientModel& patient, const StationView& view)
     m_people.clear(); // whose tubes are those of the patient before
     m_lifts.clear();
     m_contents.clear();
+    m_isTubeApart = false;
     m_scene.setFigures({});
 }
 

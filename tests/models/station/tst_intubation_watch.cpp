@@ -6,6 +6,8 @@
 #include "tests/models/fake_session_node.h"
 #include "tests/support/test_class.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -28,6 +30,14 @@ const PatientModel& patient()
     static const SharedPatientModel made =
         patientOf(builtinPatient(BuiltinPatient::TwelveYears).value()).value();
     return *made;
+}
+
+/// The same with a tube of the same form that was touched.
+const PatientModel& touched()
+{
+    static const PatientModel made =
+        patient().withTube(patient().tube().p_E_centre, patient().tube().outerDiameter);
+    return made;
 }
 
 /// The trainee is at work with tube and laryngoscope, where a test says they are.
@@ -229,27 +239,40 @@ private Q_SLOTS:
     void bendsTheTubeInTheAirway()
     {
         Work work;
+        work.watch.lieIn(touched());
         work.tube = [](SessionTime) { return pushed(0.0); };
         const auto isBent = [&work] {
             work.goOn(20ms);
             return !drawnNow(work).p_E.empty();
         };
         QTRY_VERIFY_WITH_TIMEOUT(isBent(), kSoon_ms);
-        const TubeShape& shape = patient().tube();
+        const TubeShape& shape = touched().tube();
         const TubeInAirway drawn = drawnNow(work);
         QVERIFY((drawn.p_E.front() - shape.p_E_centre.front()).norm() < 1e-9);
-        QVERIFY((drawn.p_E.back() - shape.p_E_tip).norm() < IntubationMonitor::kShapesApart.si);
+        QVERIFY((drawn.p_E.back() - shape.p_E_tip).norm() < kDepth);
         QVERIFY(!drawn.isApart);
         work.runs();
         work.goOn(2s);
-        QCOMPARE(work.noted(IntubationStep::ThroughCords).size(), 1U);
-        QVERIFY(work.noted(IntubationStep::ShapesApart).empty());
+        const auto through = work.noted(IntubationStep::ThroughCords);
+        QCOMPARE(through.size(), 1U);
+        QCOMPARE(through.front().seat, TubeSeat::Trachea);
+    }
+
+    void leavesATubeThatWasNotTouched()
+    {
+        Work work;
+        work.tube = [](SessionTime) { return pushed(0.0); };
+        work.goOn(1s);
+        QCoreApplication::processEvents();
+        work.goOn(1s);
+        QVERIFY(drawnNow(work).p_E.empty());
     }
 
     /// Its tip is held by the airway's wall where the real one is far to the side.
     void tellsThatTheShapesPart()
     {
         Work work;
+        work.watch.lieIn(touched());
         work.runs();
         work.tube = [](SessionTime) { return pushed(0.0); };
         const auto isBent = [&work] {
@@ -272,6 +295,7 @@ private Q_SLOTS:
         const PatientModel other =
             patient().withTube(patient().tube().p_E_centre, millimetres(7.0));
         Work work;
+        work.watch.lieIn(touched());
         work.tube = [](SessionTime) { return pushed(0.0); };
         const auto isBent = [&work] {
             work.goOn(20ms);

@@ -72,6 +72,7 @@ private Q_SLOTS:
     void exaggeratesOnlyWhereAsked();
     void showsRestBeforeTheClockIsSet();
     void showsThePatientAsActionsHaveItAtTheTimeOfLight();
+    void tellsThatTheTubeLiesBesideTheAirway();
     void tellsForAWhileThatOneWasMoved();
     void tellsForAWhileWhatWasTakenFromOne();
     void saysThatThePatientIsAway();
@@ -286,6 +287,21 @@ void TestStationView::tellsForAWhileThatOneWasMoved()
     QCOMPARE(noticeAfter(std::chrono::seconds{14}),
              QStringLiteral("The instructor has moved you to the station “Room 5”"));
     QCOMPARE(noticeAfter(std::chrono::seconds{15}), QString{});
+}
+
+void TestStationView::tellsThatTheTubeLiesBesideTheAirway()
+{
+    FakeSessionNode node{FakeSessionNode::kTrainee};
+    node.linkReports.emplace_back().state = LinkState::Connected;
+    node.decide(fact::PhaseChanged{SessionPhase::Running});
+    StationMoment moment;
+    moment.time = *node.now() + std::chrono::seconds{1};
+    moment.tube = tellingPose(ObjectKind::Tube, kNow);
+    const auto notice = [&] { return stationNotice(node, moment, ViewOutput::Screen); };
+    QCOMPARE(notice(), QString{});
+    moment.tubeIsApart = true;
+    QVERIFY2(notice().contains(QStringLiteral("5 mm beside the virtual airway")),
+             qPrintable(notice()));
 }
 
 /// And not what one gave away, or has got back.

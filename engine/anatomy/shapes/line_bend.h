@@ -9,8 +9,9 @@ namespace carina
 
 /// Takes what lies around a line at rest, as a tube around its centre line, to where the line is
 /// bent to. What is in one section of the line at rest is in one section of the bent line, as far
-/// along it and in the same place across it. The line does not twist: its axes are carried along it
-/// by the turn of the tangent alone, and at its beginning turn as the tangent does there.
+/// along it, in proportion where both lines are not equally long, and in the same place across it.
+/// The line does not twist: its axes are carried along it by the turn of the tangent alone, and at
+/// its beginning turn as the tangent does there.
 ///
 /// All in one frame F, metres.
 class LineBend
@@ -25,7 +26,11 @@ public:
         Mat3 axes = Mat3::Identity();
     };
     [[nodiscard]] Place atRest(double along) const { return placeOn(m_rest, along); }
-    [[nodiscard]] Place whereBent(double along) const { return placeOn(m_bent, along); }
+    /// @param along the line at rest, metres, as above
+    [[nodiscard]] Place whereBent(double along) const
+    {
+        return placeOn(m_bent, along * m_bent.along.back() / m_rest.along.back());
+    }
     /// Along the line at rest to its place that is nearest, metres.
     [[nodiscard]] double alongTo(const Vec3& p_F) const;
     /// Where what is at p_F at rest is then.

@@ -63,6 +63,7 @@ void PatientLumen::want(const PatientModel& patient)
         return;
     m_wanted = wanted;
     m_lumen.reset();
+    m_isImpossible = false;
     m_maker.clear(); // who lay there before is not waited for
     m_maker.start([this, wanted, patient = measurable(patient)] {
         QMetaObject::invokeMethod(
@@ -75,12 +76,15 @@ void PatientLumen::drop()
 {
     m_wanted.reset();
     m_lumen.reset();
+    m_isImpossible = false;
 }
 
 void PatientLumen::measured(const Wanted& of, std::shared_ptr<const AirwayLumen> lumen)
 {
-    if (m_wanted == of)
-        m_lumen = std::move(lumen);
+    if (m_wanted != of)
+        return;
+    m_isImpossible = lumen == nullptr;
+    m_lumen = std::move(lumen);
 }
 
 std::shared_ptr<const AirwayLumen> lumenOf(const PatientModel& patient)

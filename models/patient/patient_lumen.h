@@ -31,6 +31,8 @@ public:
 
     /// Null while it is measured, and for a patient in whom none can be.
     [[nodiscard]] const std::shared_ptr<const AirwayLumen>& lumen() const { return m_lumen; }
+    /// Whether the patient that was wanted last is one in whom none can be.
+    [[nodiscard]] bool isImpossible() const { return m_isImpossible; }
 
 private:
     struct Wanted {
@@ -42,6 +44,7 @@ private:
 
     std::optional<Wanted> m_wanted;
     std::shared_ptr<const AirwayLumen> m_lumen;
+    bool m_isImpossible = false;
     QThreadPool m_maker;
 };
 

@@ -73,11 +73,11 @@ void ElasticTube::letGo()
     m_stepped.reset();
 }
 
-std::vector<Vec3> ElasticTube::ahead(const RigidTransform& X_AE, const TissueMotion& tissue) const
+TubeAhead ElasticTube::ahead(const RigidTransform& X_AE, const TissueMotion& tissue) const
 {
     TubeInLumen there = m_tube;
     there.step(X_AE, moved(*m_lumen, tissue));
-    return taken(there.constrained(), X_AE.inverse());
+    return {taken(there.constrained(), X_AE.inverse()), there.tip().depth};
 }
 
 } // namespace carina

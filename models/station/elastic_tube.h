@@ -13,6 +13,12 @@
 namespace carina
 {
 
+/// How a tube lies at the pose of its connector.
+struct TubeAhead {
+    std::vector<Vec3> p_E; ///< its centre line in the connector's frame
+    Length depth{};        ///< at the teeth, along it; 0 outside of the mouth
+};
+
 /// The tube with which somebody works, in the patient's airway: an elastic rod that is held at its
 /// connector and stays in the lumen (TubeInLumen).
 ///
@@ -39,12 +45,11 @@ public:
     [[nodiscard]] bool isLaid() const { return m_isLaid; }
     /// As it lies after the latest step. @pre isLaid()
     [[nodiscard]] const TubeInLumen& tube() const { return m_tube; }
-    /// Its centre line in E where its connector has gone on to X_AE since: one step on from the
-    /// latest, which the fold does not keep. For a picture, which shows a later time than that of
-    /// poses that are known for good.
+    /// Where its connector has gone on to X_AE since: one step on from the latest, which the fold
+    /// does not keep. For a picture, which shows a later time than that of poses that are known for
+    /// good.
     /// @pre isLaid()
-    [[nodiscard]] std::vector<Vec3> ahead(const RigidTransform& X_AE,
-                                          const TissueMotion& tissue) const;
+    [[nodiscard]] TubeAhead ahead(const RigidTransform& X_AE, const TissueMotion& tissue) const;
 
     static constexpr Duration kStep{std::chrono::nanoseconds{10'000'000}};
     static constexpr int kMostSteps = 50;
@@ -60,7 +65,7 @@ private:
 /// How a tube lies in the airway that it is drawn in.
 struct TubeInAirway {
     std::vector<Vec3> p_E; ///< centre line; empty: as at rest
-    bool isApart = false;  ///< from where it was measured (IntubationStep::ShapesApart)
+    TubeDrawing drawing = TubeDrawing::AsMeasured;
 };
 using TubeInAirwayAt =
     std::function<TubeInAirway(const StationMoment& moment, const TissueMotion& tissue)>;

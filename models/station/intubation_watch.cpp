@@ -3,6 +3,7 @@
 #include "engine/session/news_rules.h"
 #include "engine/session/respiration/respiration_timeline.h"
 #include "models/patient/shared_patient.h"
+#include "models/station/sent_shape.h"
 
 #include <algorithm>
 #include <utility>
@@ -17,6 +18,8 @@ constexpr Duration kLongestSkip = std::chrono::milliseconds{500};
 /// A step can be concluded long after it happened; the session takes it as long as it is news.
 constexpr Duration kStillNews = kLongestNews - std::chrono::seconds{1};
 constexpr double kShutSpasm = 0.95; ///< severity from which no tube passes the cords; of ours
+/// A tip that cords hold up lies between them: of ours.
+constexpr Length kAtCords = millimetres(5.0);
 
 SessionTime wholeMultiple(SessionTime t)
 {
@@ -29,6 +32,10 @@ IntubationWatch::IntubationWatch(SessionNode& node, StationId station, ObjectPos
                                  QObject* parent)
     : QObject{parent}, m_node{node}, m_station{station}, m_own{std::move(own)}
 {
+    m_node.publishShape(ObjectKind::Tube, [board = m_shape]() -> std::optional<StreamShape> {
+        const auto shape = board->load();
+        return shape ? std::optional{*shape} : std::nullopt;
+    });
     m_timer.callOnTimeout(this, &IntubationWatch::look);
     m_timer.start(std::chrono::duration_cast<std::chrono::milliseconds>(kEach));
 }
@@ -56,6 +63,7 @@ void IntubationWatch::forget()
     m_monitor = IntubationMonitor{};
     if (m_tube)
         m_tube->letGo();
+    m_shape->store(nullptr);
     m_taken.reset();
     m_controls.reset();
     m_wasVentilated = false;
@@ -78,6 +86,7 @@ void IntubationWatch::look()
     }
     findLumen();
     takeMoments(*now);
+    shareShape();
     if (m_node.state()->phaseAt(*now) != SessionPhase::Running)
         return;
     takeControls(*now);
@@ -137,14 +146,21 @@ StationMoment IntubationWatch::momentAt(SessionTime t) const
     return moment;
 }
 
+IntubationWatch::Surroundings IntubationWatch::surroundingsAt(SessionTime t)
+{
+    StationMoment moment = momentAt(t);
+    FollowingThroat throat = throatAt(moment, *m_patient);
+    AirwayField changes = m_laryngoscope->changesAt(moment);
+    LaryngoscopeSight sight = m_laryngoscope->at(moment, throat);
+    return {std::move(moment), std::move(throat), std::move(changes), std::move(sight)};
+}
+
 AirwayMoment IntubationWatch::airwayAt(SessionTime t)
 {
-    const StationMoment moment = momentAt(t);
-    const FollowingThroat throat = throatAt(moment, *m_patient);
-    const AirwayField changes = m_laryngoscope->changesAt(moment);
-    const LaryngoscopeSight sight = m_laryngoscope->at(moment, throat);
+    const Surroundings around = surroundingsAt(t);
+    const auto& [moment, throat, changes, sight] = around;
     const PatientWays ways = drawnWays(*m_ways, changes, throat, sight.tissue);
-    followTube(moment, tissueMotion(changes, throat, sight.tissue));
+    followTube(moment, around.tissue());
     TubeCurves tube;
     std::vector<Vec3> measured;
     if (moment.tube && !isAway(moment)) {
@@ -153,9 +169,18 @@ AirwayMoment IntubationWatch::airwayAt(SessionTime t)
         tube.p_A_measured = measured;
         tube.p_A_shown = m_tube && m_tube->isLaid() ? m_tube->tube().constrained() : measured;
     }
-    const bool areShut =
-        severityOf(moment.airwayEvents, AirwayEventKind::Laryngospasm) >= kShutSpasm;
-    return airwayMoment(t, ways, tube, bladeIn(moment, sight), areShut);
+    return airwayMoment(t, ways, tube, bladeIn(moment, sight), isShut(moment));
+}
+
+/// To this tube: by a spasm, or by whatever stops it above the cords.
+bool IntubationWatch::isShut(const StationMoment& moment) const
+{
+    if (severityOf(moment.airwayEvents, AirwayEventKind::Laryngospasm) >= kShutSpasm)
+        return true;
+    if (!m_tube || !m_tube->isLaid())
+        return false;
+    const TubeTip& tip = m_tube->tube().tip();
+    return tip.isStopped && tip.way == AirwayWay::Trunk && tip.pastGlottis <= kAtCords;
 }
 
 /// Beside a patient who is moved away it lies in no lumen.
@@ -179,9 +204,38 @@ TubeInAirway IntubationWatch::tubeAt(const StationMoment& moment, const TissueMo
 {
     const bool isSeen = moment.tube && moment.tube->validity != Validity::Lost;
     const bool isOwn = isAtWork() && moment.worker == m_node.self();
-    if (!isSeen || !isOwn || isAway(moment) || !m_tube || !m_tube->isLaid())
+    if (!isSeen || !isOwn || isAway(moment) || m_patient->tube().fitsAirway)
         return {};
-    return {m_tube->ahead(moment.tube->X_FO, tissue), course().shapes.isIn};
+    if (!m_tube)
+        return {{}, m_lumen.isImpossible() ? TubeDrawing::NoLumen : TubeDrawing::Awaited};
+    if (!m_tube->isLaid())
+        return {};
+    return {m_tube->ahead(moment.tube->X_FO, tissue).p_E,
+            course().shapes.isIn ? TubeDrawing::Apart : TubeDrawing::InAirway};
+}
+
+/// At the newest pose, from which the next picture here begins, too.
+void IntubationWatch::shareShape()
+{
+    const auto newest = m_own.newest(ObjectKind::Tube);
+    const auto before = m_shape->load();
+    if (newest && before && *newest - before->time < kShapeEach)
+        return;
+    m_shape->store(newest && m_tube && m_tube->isLaid() ? shapeAt(*newest) : nullptr);
+}
+
+/// Null where it does not bend.
+std::shared_ptr<const StreamShape> IntubationWatch::shapeAt(SessionTime t)
+{
+    const Surroundings around = surroundingsAt(t);
+    const auto& tube = around.moment.tube;
+    if (!tube || tube->validity == Validity::Lost || isAway(around.moment))
+        return nullptr;
+    const TubeAhead lies = m_tube->ahead(tube->X_FO, around.tissue());
+    const Length length = m_tube->tube().size().length;
+    const Length outside = std::clamp(length - lies.depth, Length{}, length);
+    return std::make_shared<const StreamShape>(
+        toStream(formOf(lies.p_E, length, outside, medianPlane(tube->X_FO)), t));
 }
 
 BladeSeen IntubationWatch::bladeIn(const StationMoment& moment, const LaryngoscopeSight& sight)

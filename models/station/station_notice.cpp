@@ -225,10 +225,7 @@ QString stationNotice(const SessionNode& node, const StationMoment& moment, View
                       mouseNotice(moment, output), standing(node, moment.time)};
     if (registration)
         lines.append(standingNotice(*registration));
-    if (moment.tubeIsApart)
-        lines.append(noticeWords(QT_TRANSLATE_NOOP(
-            "StationNotice", "The tracked tube lies more than 5 mm beside the virtual airway: no "
-                             "depth is told. The outline shows where it was measured")));
+    lines.append(drawingText(moment.tubeDrawing));
     if (isAway(moment))
         lines.append(noticeWords(QT_TRANSLATE_NOOP(
             "StationNotice", "The virtual patient was moved away from its place")));

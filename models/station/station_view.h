@@ -7,6 +7,7 @@
 #include "models/patient/patient_model.h"
 #include "models/station/lifted_objects.h"
 #include "models/station/people_poses.h"
+#include "models/station/tube_drawing.h"
 
 #include <optional>
 
@@ -16,28 +17,32 @@ namespace carina
 /// The state of everything that moves at a station, at one session time.
 struct StationMoment {
     SessionTime time{};
-    ChestShape breathing;              ///< from the respiratory mechanics
-    BodyPosition position{};           ///< how the patient lies or sits
-    std::optional<double> inspiration; ///< RespiratoryFold::inspiration
-    AirwayEvents airwayEvents;         ///< what makes the airway difficult, as severe as it is
-    ChestPose pose;                    ///< the pose of the chest that shows `breathing`
-    Volume notDrawn{};                 ///< volume of the lungs that the pose cannot show
-    double exaggeration = 1.0;         ///< of the pose; unless 1, the drawn volumes are not true
-    std::optional<PoseSample> tube;    ///< X_AE of who is at work; empty if never seen
-    bool tubeIsApart = false;          ///< in the airway, from where it was measured; by who draws
-    std::optional<PoseSample> jaw;     ///< X_AJ of who is at work, with the head
-    HeadPosition headPosition;         ///< how head and neck of patient and manikin lie
-    std::optional<PoseSample> head;    ///< X_AH of this program's participant
-    bool headIsAwaited = false;        ///< a tracker here has a tool for the head, seen or not
-    Angle turn{};                      ///< of the place chosen for this program's participant
-    ParticipantId worker = kNobody;    ///< who is at work
-    std::vector<PersonPose> people;    ///< what all who are there share, this program's included
-    bool ownHandsAreDrawn = false;     ///< and the own stylus: see ObjectPoses
-    std::optional<ShownLesson> lesson; ///< shown to this program's participant
+    ChestShape breathing;                 ///< from the respiratory mechanics
+    BodyPosition position{};              ///< how the patient lies or sits
+    std::optional<double> inspiration;    ///< RespiratoryFold::inspiration
+    AirwayEvents airwayEvents;            ///< what makes the airway difficult, as severe as it is
+    ChestPose pose;                       ///< the pose of the chest that shows `breathing`
+    Volume notDrawn{};                    ///< volume of the lungs that the pose cannot show
+    double exaggeration = 1.0;            ///< of the pose; unless 1, the drawn volumes are not true
+    std::optional<PoseSample> tube;       ///< X_AE of who is at work; empty if never seen
+    std::optional<PoseSample> jaw;        ///< X_AJ of who is at work, with the head
+    HeadPosition headPosition;            ///< how head and neck of patient and manikin lie
+    std::optional<PoseSample> head;       ///< X_AH of this program's participant
+    bool headIsAwaited = false;           ///< a tracker here has a tool for the head, seen or not
+    Angle turn{};                         ///< of the place chosen for this program's participant
+    ParticipantId worker = kNobody;       ///< who is at work
+    std::vector<PersonPose> people;       ///< what all who are there share, this program's included
+    bool ownHandsAreDrawn = false;        ///< and the own stylus: see ObjectPoses
+    std::optional<ShownLesson> lesson;    ///< shown to this program's participant
     std::optional<PoseSample> lessonView; ///< X_AD of who shows it, while that is known
     std::optional<ShownObject> patient;   ///< X_AV; empty before any action on the patient
     std::vector<LiftedObject> lifted;     ///< what is not in its place
     std::optional<Duration> sampleAge;    ///< of the tube's newest sample at `time`
+    /// How the tube at work bends, as its owner has it; nothing of an own one, and where it is not
+    /// told.
+    std::optional<ShapeBetween> tubeShape;
+    bool tubeIsApart = false; ///< from where it was measured, as it is noted in the session
+    TubeDrawing tubeDrawing = TubeDrawing::AsMeasured; ///< set by who draws it
 };
 
 /// Whether the virtual patient is displaced from its original pose.

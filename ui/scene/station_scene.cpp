@@ -1,5 +1,6 @@
 #include "ui/scene/station_scene.h"
 
+#include "models/station/sent_shape.h"
 #include "ui/scene/scene_parts.h"
 #include "widgets/scene/view/scene_view.h"
 
@@ -27,6 +28,13 @@ Lie lieOf(BodyPosition position)
         return Lie::OnLeftSide;
     }
     return Lie::Upright;
+}
+
+/// The tube of another, as its owner has it.
+TubeInAirway asSent(const StationMoment& moment)
+{
+    return {lineOf(*moment.tubeShape),
+            moment.tubeIsApart ? TubeDrawing::Apart : TubeDrawing::InAirway};
 }
 
 } // namespace
@@ -58,7 +66,7 @@ SceneFrame StationScene::frameOf(int level, LocalTime lit)
     bendTubes(frame, m_moment, *m_patient);
     frame.airway = m_laryngoscope.changesAt(m_moment);
     frame.blade = m_laryngoscope.at(m_moment, throat).tissue;
-    m_moment.tubeIsApart = bendOwnTube(frame, m_moment);
+    m_moment.tubeDrawing = bendTubeAtWork(frame, m_moment);
     const auto contents = m_laryngoscope.contentsIn(m_moment, throat, frame.blade);
     addContents(frame, contents);
     showFigures(contents);
@@ -78,21 +86,22 @@ SceneFrame StationScene::frameOf(int level, LocalTime lit)
     return frame;
 }
 
-bool StationScene::bendOwnTube(SceneFrame& frame, const StationMoment& moment) const
+TubeDrawing StationScene::bendTubeAtWork(SceneFrame& frame, const StationMoment& moment) const
 {
-    const auto placed = frame.bodies.find(kTubeBody);
-    if (placed == frame.bodies.end())
-        return false;
+    if (!frame.bodies.contains(kTubeBody))
+        return TubeDrawing::AsMeasured;
     const TubeInAirway lies =
-        m_tubeInAirway(moment, tissueMotion(frame.airway, frame.throat, frame.blade));
+        moment.tubeShape
+            ? asSent(moment)
+            : m_tubeInAirway(moment, tissueMotion(frame.airway, frame.throat, frame.blade));
     if (lies.p_E.empty())
-        return false;
+        return lies.drawing;
     frame.bentInPlace.erase(kTubeBody);
     frame.bentAlong[kTubeBody] =
         std::make_shared<const LineBend>(m_patient->tube().p_E_centre, lies.p_E);
-    if (lies.isApart)
+    if (lies.drawing == TubeDrawing::Apart)
         addMeasuredTube(frame, *m_patient);
-    return lies.isApart;
+    return lies.drawing;
 }
 
 void StationScene::addHeadset(SceneFrame& frame) const
@@ -131,10 +140,10 @@ void StationScene::showFigures(const std::vector<ThroatContent>& contents)
     std::vector<DrawnPerson> people = drawnPeople(m_moment, m_laryngoscope);
     std::vector<DrawnLift> lifts = drawnLifts(m_moment, *m_patient);
     std::vector<DrawnContent> drawn = drawnContents(contents);
-    if (people == m_people && lifts == m_lifts && drawn == m_contents
-        && m_moment.tubeIsApart == m_isTubeApart)
+    const bool isApart = m_moment.tubeDrawing == TubeDrawing::Apart;
+    if (people == m_people && lifts == m_lifts && drawn == m_contents && isApart == m_isTubeApart)
         return;
-    m_isTubeApart = m_moment.tubeIsApart;
+    m_isTubeApart = isApart;
     m_people = std::move(people);
     m_lifts = std::move(lifts);
     m_contents = std::move(drawn);

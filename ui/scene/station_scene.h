@@ -41,9 +41,9 @@ public:
     /// The tube that is drawn with the patient lies so in the airway from now on, where this tells
     /// it; by default it is as at rest. @pre what it reads outlives this
     void bendTubeBy(TubeInAirwayAt source) { m_tubeInAirway = std::move(source); }
-    /// Bends it in a frame that has airway, throat and blade of the moment.
-    /// @returns whether it lies beside where it was measured
-    bool bendOwnTube(SceneFrame& frame, const StationMoment& moment) const;
+    /// Bends it, or the tube of another as that was sent, in a frame that has airway, throat and
+    /// blade of the moment.
+    TubeDrawing bendTubeAtWork(SceneFrame& frame, const StationMoment& moment) const;
 
     /// Selects the output: the eyes of a headset, or a screen. While no tracker here has a tool for
     /// the head, a headset's picture is seen from one that mouse and keys turn in the scene, in

@@ -1,5 +1,6 @@
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "models/patient/patient_source.h"
+#include "models/station/sent_shape.h"
 #include "tests/models/fake_session_node.h"
 #include "tests/support/soon.h"
 #include "tests/support/test_class.h"
@@ -19,6 +20,8 @@ using test::soon;
 constexpr std::chrono::seconds kDrawn{60}; ///< by a loaded software renderer
 constexpr double kAside = 0.03;            ///< metres of the tip
 constexpr double kLonger_m = 4e-3;         ///< is the line that is aside, at most
+constexpr double kArc = 0.2;               ///< metres of a tube that was sent
+constexpr double kExact_m = 1e-6;
 
 const PatientModel& adult()
 {
@@ -69,7 +72,7 @@ private Q_SLOTS:
         QVERIFY(soon([&] { return picture.frame().bodies.contains(kTubeBody); }, kDrawn));
         QVERIFY(picture.frame().bentAlong.empty());
         QVERIFY(picture.frame().bentInPlace.contains(kTubeBody));
-        lies = {bentLine(), true};
+        lies = {bentLine(), TubeDrawing::Apart};
         QVERIFY(soon([&] { return picture.frame().bentAlong.contains(kTubeBody); }, kDrawn));
         QVERIFY(!picture.frame().bentInPlace.contains(kTubeBody));
         const Vec3& p_E_tip = adult().tube().p_E_tip;
@@ -77,11 +80,37 @@ private Q_SLOTS:
         QVERIFY((drawn - (p_E_tip + kAside * Vec3::UnitX())).norm() < kLonger_m);
         const std::string outline = measuredTubeFigure(adult()).body;
         QVERIFY(picture.frame().bodies.contains(outline));
-        QVERIFY(scene.moment().tubeIsApart);
+        QCOMPARE(scene.moment().tubeDrawing, TubeDrawing::Apart);
         lies = {};
         QVERIFY(soon([&] { return picture.frame().bentAlong.empty(); }, kDrawn));
         QVERIFY(!picture.frame().bodies.contains(outline));
-        QVERIFY(!scene.moment().tubeIsApart);
+        QCOMPARE(scene.moment().tubeDrawing, TubeDrawing::AsMeasured);
+    }
+
+    /// As its owner has it, and not as this program's own would lie; also one of another length.
+    void ofAnotherIsDrawnAsItWasSent()
+    {
+        if (!graphicsDriver())
+            QSKIP("no OpenGL 3.3");
+        FakeSessionNode node{FakeSessionNode::kInstructor};
+        StreamCpo cpo;
+        cpo.object = FakeSessionNode::kTube;
+        cpo.time = *node.now();
+        cpo.X_AO = adult().tube().X_AE;
+        cpo.shape = StreamShape{cpo.time, kArc, 0.0, 0.0, {0.0, 8.0}};
+        node.takes(cpo);
+        StationView view{node, FakeSessionNode::kStation, adult().lungs(), {}};
+        SceneView picture;
+        StationScene scene{picture, adult(), view};
+        scene.bendTubeBy([](const StationMoment&, const TissueMotion&) {
+            return TubeInAirway{{}, TubeDrawing::Awaited};
+        });
+        SceneFrame frame = sceneFrame(view.at(cpo.time, 0), ChestField{});
+        QCOMPARE(scene.bendTubeAtWork(frame, view.at(cpo.time, 0)), TubeDrawing::InAirway);
+        const Vec3 p_E_tip = lineOf(fromStream(*cpo.shape), 64).back();
+        QVERIFY((frame.bentAlong.at(kTubeBody)->bent().back() - p_E_tip).norm() < kExact_m);
+        const Vec3 drawn = frame.bentAlong.at(kTubeBody)->taken(adult().tube().p_E_centre.back());
+        QVERIFY((drawn - p_E_tip).norm() < kExact_m);
     }
 };
 

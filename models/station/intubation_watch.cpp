@@ -280,9 +280,27 @@ void IntubationWatch::takeControls(SessionTime now)
         tell(IntubationStep::FirstBreath);
 }
 
+/// Shapes that come together before it could be noted that they are apart, or the other way, are no
+/// step: where they go to and fro faster than the session takes it, other steps would wait.
+bool IntubationWatch::isTakenBack(IntubationStep step)
+{
+    if (step != IntubationStep::ShapesApart && step != IntubationStep::ShapesTogether)
+        return false;
+    const IntubationStep before = step == IntubationStep::ShapesApart
+                                      ? IntubationStep::ShapesTogether
+                                      : IntubationStep::ShapesApart;
+    const auto waiting = std::ranges::find(m_queued, before, &IntubationEvent::step);
+    if (waiting == m_queued.end())
+        return false;
+    m_queued.erase(waiting);
+    return true;
+}
+
 /// As the session takes it: no older than news are, and at a distance from the last of its kind.
 void IntubationWatch::queue(IntubationEvent event, SessionTime now)
 {
+    if (isTakenBack(event.step))
+        return;
     event.at = std::max(event.at, now - kStillNews);
     const auto last = m_noted.find(event.step);
     if (last != m_noted.end())

@@ -115,6 +115,7 @@ private:
     [[nodiscard]] BladeSeen bladeIn(const StationMoment& moment, const LaryngoscopeSight& sight);
     [[nodiscard]] Controls controlsAt(SessionTime t) const;
     void takeControls(SessionTime now);
+    [[nodiscard]] bool isTakenBack(IntubationStep step);
     void queue(IntubationEvent event, SessionTime now);
     void propose(SessionTime now);
 

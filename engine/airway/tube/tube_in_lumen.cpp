@@ -1,5 +1,6 @@
 #include "engine/airway/tube/tube_in_lumen.h"
 
+#include "engine/airway/tube/tube_shape_code.h"
 #include "engine/core/expects.h"
 #include "engine/geometry/rotation.h"
 

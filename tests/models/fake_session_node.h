@@ -115,8 +115,7 @@ public:
         std::string name;
         PoseSource newest;
     };
-    std::vector<Published> published;         ///< what this program shares
-    std::map<ObjectKind, ShapeSource> shapes; ///< how it bends
+    std::vector<Published> published; ///< what this program shares
 
     // SessionNode.
 
@@ -167,10 +166,6 @@ public:
     void publish(ObjectKind kind, std::string name, PoseSource newest) override
     {
         published.push_back({kind, std::move(name), std::move(newest)});
-    }
-    void publishShape(ObjectKind kind, ShapeSource shape) override
-    {
-        shapes.insert_or_assign(kind, std::move(shape));
     }
     [[nodiscard]] std::shared_ptr<const RemoteObject> object(ObjectId id) const override
     {

@@ -1,8 +1,8 @@
 #include "ui/scene/scope_scene.h"
 
 #include "ui/scene/scene_parts.h"
-#include "ui/scene/scope_colors.h"
 #include "widgets/scene/figures/figure_shapes.h"
+#include "widgets/scene/look/scope_colors.h"
 
 #include <cmath>
 #include <memory>

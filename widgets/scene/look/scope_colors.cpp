@@ -1,6 +1,6 @@
-#include "ui/scene/scope_colors.h"
+#include "widgets/scene/look/scope_colors.h"
 
-#include "ui/scene/near_tissue.h"
+#include "widgets/scene/look/near_tissue.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "ui/scene/near_tissue.h"
+#include "widgets/scene/look/near_tissue.h"
 
 #include <cmath>
 #include <numbers>

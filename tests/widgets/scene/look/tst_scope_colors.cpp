@@ -1,8 +1,8 @@
-#include "ui/scene/scope_colors.h"
+#include "widgets/scene/look/scope_colors.h"
 
 #include "tests/support/test_class.h"
 #include "tests/widgets/scene/scene_shapes.h"
-#include "ui/scene/near_tissue.h"
+#include "widgets/scene/look/near_tissue.h"
 
 #include <algorithm>
 #include <array>

@@ -110,6 +110,12 @@ choose_hands() {
     fi
 }
 
+# motions: their names with | between; the programs, which know them too, may not be built yet.
+motions() {
+    grep -oP 'NamedMotion\{"\K[a-z_]+' "$root/evaluation/intubation/motion_parameters.h" |
+        paste -sd '|'
+}
+
 demo() {
     local out='' seconds='' size=1280x800 anatomy='' site='' register=no patient=() view=()
     local tracker='' intubation='' play=()
@@ -138,10 +144,8 @@ demo() {
         esac
         shift 2
     done
-    # The programs, which know them too, are not built yet.
     local scripts
-    scripts=$(grep -oP 'NamedMotion\{"\K[a-z_]+' "$root/evaluation/intubation/motion_parameters.h" |
-        paste -sd '|')
+    scripts=$(motions)
     [ -z "$intubation" ] || [[ $intubation =~ ^($scripts)$ ]] ||
         refuse "--intubation is one of ${scripts//|/, }"
     [ -z "$intubation" ] || [ -z "$tracker" ] || refuse "--intubation plays on a tracker of its own"

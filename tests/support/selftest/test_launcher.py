@@ -43,6 +43,9 @@ class Launcher(unittest.TestCase):
         (self.root / "apps").mkdir()
         shutil.copy(ROOT / "carina", self.root)
         shutil.copy(ROOT / "apps/demo.bash", self.root / "apps")
+        (self.root / "evaluation/intubation").mkdir(parents=True)
+        shutil.copy(ROOT / "evaluation/intubation/motion_parameters.h",
+                    self.root / "evaluation/intubation")
         for script in ("with_display", "run_tests"):
             shutil.copy(ROOT / "tests/support" / script, self.root / "tests/support")
         self.calls = self.root / "calls"

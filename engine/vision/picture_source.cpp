@@ -55,10 +55,11 @@ GreyPicture greyOf(const cv::Mat& picture)
 PicturePlace::Kind kindOfPlace(const std::filesystem::path& path)
 {
     std::error_code error;
-    if (path.native().starts_with("/dev/"))
-        return PicturePlace::Kind::Camera;
-    return std::filesystem::is_directory(path, error) ? PicturePlace::Kind::Folder
-                                                      : PicturePlace::Kind::Video;
+    if (std::filesystem::is_directory(path, error))
+        return PicturePlace::Kind::Folder;
+    const bool isFile = std::filesystem::is_regular_file(path, error); // as below /dev/shm
+    return path.native().starts_with("/dev/") && !isFile ? PicturePlace::Kind::Camera
+                                                         : PicturePlace::Kind::Video;
 }
 
 struct PictureSource::Reader {

@@ -22,7 +22,7 @@ struct PicturePlace {
     int height = 0;
 };
 
-/// What a path is: below /dev a camera, otherwise a folder or a video.
+/// What a path is: a folder, a video, or below /dev what is no file, a camera.
 [[nodiscard]] PicturePlace::Kind kindOfPlace(const std::filesystem::path& path);
 
 /// Pictures one after another, from a webcam, a video or the files of a folder in the order of

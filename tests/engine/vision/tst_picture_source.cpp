@@ -125,6 +125,7 @@ private Q_SLOTS:
     void knowsACameraByItsPath()
     {
         QCOMPARE(kindOfPlace("/dev/video0"), PicturePlace::Kind::Camera);
+        QCOMPARE(kindOfPlace("/dev"), PicturePlace::Kind::Folder);
         QCOMPARE(kindOfPlace("/tmp"), PicturePlace::Kind::Folder);
         QCOMPARE(kindOfPlace("/tmp/none.avi"), PicturePlace::Kind::Video);
     }

@@ -10,6 +10,8 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <array>
+#include <vector>
 
 namespace carina::lab
 {
@@ -104,6 +106,45 @@ Result<QJsonObject> intubate(const Words& words)
     return kind ? oneMotion(words, *kind) : oneRecording(words);
 }
 
+/// What is printed of a motion and of a recording alike, from the timeline to the score.
+std::vector<Key> andTheCourse(std::vector<Key> keys)
+{
+    const std::array course{intubate_key::kTimeline,
+                            intubate_key::kStep,
+                            intubate_key::kAt,
+                            intubate_key::kNotedAt,
+                            intubate_key::kSeat,
+                            intubate_key::kStepConfidence,
+                            intubate_key::kStepDepth,
+                            intubate_key::kStepAboveCarina,
+                            intubate_key::kVitals,
+                            intubate_key::kVitalsAt,
+                            intubate_key::kSaturation,
+                            intubate_key::kShown,
+                            intubate_key::kEndTidal,
+                            intubate_key::kHeartRate,
+                            intubate_key::kMean,
+                            intubate_key::kMetrics,
+                            intubate_key::kMeasuredMetric,
+                            intubate_key::kMeasuredValue,
+                            intubate_key::kNotMeasured,
+                            intubate_key::kScore,
+                            intubate_key::kRubric,
+                            intubate_key::kSource,
+                            intubate_key::kPoints,
+                            intubate_key::kPossible,
+                            intubate_key::kOfAll,
+                            intubate_key::kJudgements,
+                            intubate_key::kCriterion,
+                            intubate_key::kMetric,
+                            intubate_key::kVerdict,
+                            intubate_key::kValue,
+                            intubate_key::kGot,
+                            intubate_key::kMoment};
+    keys.insert(keys.end(), course.begin(), course.end());
+    return keys;
+}
+
 Use intubateOnce()
 {
     static const std::string motions = namesOfMotions();
@@ -117,59 +158,27 @@ Use intubateOnce()
         .options = {kPatient, kAnatomy, intubate_option::kTube, intubate_option::kSeed,
                     intubate_option::kSave},
         .schema = intubate_key::kSchema,
-        .keys = {intubate_key::kPatient,
-                 intubate_key::kTube,
-                 intubate_key::kScript,
-                 intubate_key::kSeed,
-                 intubate_key::kOutside,
-                 intubate_key::kOutcome,
-                 intubate_key::kConfidence,
-                 intubate_key::kIsRight,
-                 intubate_key::kAttempts,
-                 intubate_key::kDepth,
-                 intubate_key::kAboveCarina,
-                 intubate_key::kRegistration,
-                 intubate_key::kRegistrationAtTeeth,
-                 intubate_key::kTruth,
-                 intubate_key::kTrueOutcome,
-                 intubate_key::kTrueAttempts,
-                 intubate_key::kTrueDepth,
-                 intubate_key::kTrueAboveCarina,
-                 intubate_key::kTrueTimeline,
-                 intubate_key::kTrueStep,
-                 intubate_key::kTrueAt,
-                 intubate_key::kTimeline,
-                 intubate_key::kStep,
-                 intubate_key::kAt,
-                 intubate_key::kNotedAt,
-                 intubate_key::kSeat,
-                 intubate_key::kStepConfidence,
-                 intubate_key::kStepDepth,
-                 intubate_key::kStepAboveCarina,
-                 intubate_key::kVitals,
-                 intubate_key::kVitalsAt,
-                 intubate_key::kSaturation,
-                 intubate_key::kShown,
-                 intubate_key::kEndTidal,
-                 intubate_key::kHeartRate,
-                 intubate_key::kMean,
-                 intubate_key::kMetrics,
-                 intubate_key::kMeasuredMetric,
-                 intubate_key::kMeasuredValue,
-                 intubate_key::kNotMeasured,
-                 intubate_key::kScore,
-                 intubate_key::kRubric,
-                 intubate_key::kSource,
-                 intubate_key::kPoints,
-                 intubate_key::kPossible,
-                 intubate_key::kOfAll,
-                 intubate_key::kJudgements,
-                 intubate_key::kCriterion,
-                 intubate_key::kMetric,
-                 intubate_key::kVerdict,
-                 intubate_key::kValue,
-                 intubate_key::kGot,
-                 intubate_key::kMoment}};
+        .keys = andTheCourse({intubate_key::kPatient,
+                              intubate_key::kTube,
+                              intubate_key::kScript,
+                              intubate_key::kSeed,
+                              intubate_key::kOutside,
+                              intubate_key::kOutcome,
+                              intubate_key::kConfidence,
+                              intubate_key::kIsRight,
+                              intubate_key::kAttempts,
+                              intubate_key::kDepth,
+                              intubate_key::kAboveCarina,
+                              intubate_key::kRegistration,
+                              intubate_key::kRegistrationAtTeeth,
+                              intubate_key::kTruth,
+                              intubate_key::kTrueOutcome,
+                              intubate_key::kTrueAttempts,
+                              intubate_key::kTrueDepth,
+                              intubate_key::kTrueAboveCarina,
+                              intubate_key::kTrueTimeline,
+                              intubate_key::kTrueStep,
+                              intubate_key::kTrueAt})};
 }
 
 Use intubateRecorded()
@@ -186,47 +195,10 @@ Use intubateRecorded()
             .options = {kPatient, kAnatomy, intubate_option::kSite, intubate_option::kBlade,
                         intubate_option::kTube, intubate_option::kTold},
             .schema = intubate_recording_key::kSchema,
-            .keys = {intubate_recording_key::kRecording,
-                     intubate_key::kPatient,
-                     intubate_key::kTube,
-                     intubate_recording_key::kBlade,
-                     intubate_key::kOutcome,
-                     intubate_key::kConfidence,
-                     intubate_key::kAttempts,
-                     intubate_key::kDepth,
-                     intubate_key::kAboveCarina,
-                     intubate_key::kTimeline,
-                     intubate_key::kStep,
-                     intubate_key::kAt,
-                     intubate_key::kNotedAt,
-                     intubate_key::kSeat,
-                     intubate_key::kStepConfidence,
-                     intubate_key::kStepDepth,
-                     intubate_key::kStepAboveCarina,
-                     intubate_key::kVitals,
-                     intubate_key::kVitalsAt,
-                     intubate_key::kSaturation,
-                     intubate_key::kShown,
-                     intubate_key::kEndTidal,
-                     intubate_key::kHeartRate,
-                     intubate_key::kMean,
-                     intubate_key::kMetrics,
-                     intubate_key::kMeasuredMetric,
-                     intubate_key::kMeasuredValue,
-                     intubate_key::kNotMeasured,
-                     intubate_key::kScore,
-                     intubate_key::kRubric,
-                     intubate_key::kSource,
-                     intubate_key::kPoints,
-                     intubate_key::kPossible,
-                     intubate_key::kOfAll,
-                     intubate_key::kJudgements,
-                     intubate_key::kCriterion,
-                     intubate_key::kMetric,
-                     intubate_key::kVerdict,
-                     intubate_key::kValue,
-                     intubate_key::kGot,
-                     intubate_key::kMoment}};
+            .keys = andTheCourse(
+                {intubate_recording_key::kRecording, intubate_key::kPatient, intubate_key::kTube,
+                 intubate_recording_key::kBlade, intubate_key::kOutcome, intubate_key::kConfidence,
+                 intubate_key::kAttempts, intubate_key::kDepth, intubate_key::kAboveCarina})};
 }
 
 Use intubateOften()

@@ -10,6 +10,8 @@ namespace carina
 void TubeTimeline::setOverride(SessionTime from, Length innerDiameter)
 {
     m_override.set(from, innerDiameter);
+    if (innerDiameter.si == 0.0) // it is out, with what blocked it
+        m_obstruction.set(from, 0.0);
 }
 
 void TubeTimeline::note(SessionTime from, const IntubationEvent& event, Length innerDiameter)
@@ -27,7 +29,8 @@ void TubeTimeline::note(SessionTime from, const IntubationEvent& event, Length i
     case IntubationStep::TubeOut:
         m_stylet.set(from, true);
         m_cuff.set(from, false);
-        m_obstruction.set(from, 0.0);
+        if (m_override.at(from).si == 0.0)
+            m_obstruction.set(from, 0.0);
         break;
     default:
         break;

@@ -125,8 +125,19 @@ private Q_SLOTS:
         tube.setOverride(atSeconds(3.0), millimetres(6.0));
         QCOMPARE(placeAt(tube, 3.0).obstruction, 0.6);
         tube.setOverride(atSeconds(4.0), {});
+        QCOMPARE(placeAt(tube, 4.0).obstruction, 0.0);
+        tube.setObstruction(atSeconds(4.5), 0.6);
         tube.note(atSeconds(5.0), noted(IntubationStep::TubeOut, TubeSeat::None), {});
         QCOMPARE(placeAt(tube, 5.0).obstruction, 0.0);
+    }
+
+    void isObstructedAtTheConsoleWhereverTheTrackedTubeGoes()
+    {
+        TubeTimeline tube;
+        tube.setOverride(atSeconds(1.0), millimetres(6.0));
+        tube.setObstruction(atSeconds(2.0), 0.6);
+        tube.note(atSeconds(3.0), noted(IntubationStep::TubeOut, TubeSeat::None), {});
+        QCOMPARE(placeAt(tube, 3.0).obstruction, 0.6);
     }
 
     void knowsBladeAndStylet()

@@ -10,6 +10,7 @@ namespace
 
 constexpr float kReach_m = static_cast<float>(NearTissue::kReach.si);
 constexpr float kCell_m = static_cast<float>(NearTissue::kCell.si);
+constexpr float kMost_m = static_cast<float>(NearTissue::kMost.si);
 
 /// What rises less above the plane of a place does not hide it: a surface that is a little hollow
 /// would shade itself. Of ours.
@@ -39,6 +40,9 @@ NearTissue::NearTissue(std::span<const TriangleMesh* const> meshes)
     if (bounds.empty())
         return;
     m_corner = bounds.min.cast<float>();
+    const Vec3f extent = bounds.max.cast<float>() - m_corner;
+    if (extent.maxCoeff() > kMost_m)
+        return; // no tissue of a throat
     m_cells = cellOf(bounds.max.cast<float>()) + Cell::Ones();
     m_discs.resize(placeOf(m_cells - Cell::Ones()) + 1);
     for (const TriangleMesh* mesh : meshes)
@@ -68,7 +72,8 @@ void NearTissue::add(const TriangleMesh& mesh)
         const Vec3f& c = mesh.positions[t[2]];
         const Vec3f centre = (a + b + c) / 3.0F;
         const float area = 0.5F * (b - a).cross(c - a).norm();
-        Disc& disc = m_discs[placeOf(cellOf(centre))];
+        // A mean can be rounded to beyond what it is of.
+        Disc& disc = m_discs[placeOf(cellOf(centre).cwiseMax(0).cwiseMin(m_cells - Cell::Ones()))];
         disc.centre += area * centre;
         disc.area += area;
     }

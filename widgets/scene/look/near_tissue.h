@@ -17,6 +17,8 @@ class NearTissue
 public:
     static constexpr Length kReach = millimetres(9.0); ///< beyond which nothing hides; of ours
     static constexpr Length kCell = millimetres(3.0);
+    /// Along each axis; of what is longer nothing is hidden. Of ours.
+    static constexpr Length kMost = millimetres(600.0);
 
     /// @param meshes in one frame, metres; none of them has to be kept
     explicit NearTissue(std::span<const TriangleMesh* const> meshes);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace carina
 {
@@ -36,7 +37,10 @@ std::optional<IntubationEvent> RestWatch::take(const IntubationMonitor& monitor)
         return std::nullopt;
     }
     const TipReading& tip = course.tip;
-    if (!m_place || apart(*m_place, tip) > kStill) {
+    const SessionTime before = std::exchange(m_seen, tip.at);
+    if (tip.at == before)
+        return std::nullopt; // it was not seen
+    if (!m_place || tip.at - before > Crossing::kUnseen || apart(*m_place, tip) > kStill) {
         m_place = tip;
         m_samples = 0;
     }

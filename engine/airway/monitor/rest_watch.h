@@ -30,6 +30,7 @@ private:
     TipReading m_noted{};
     std::optional<TipReading> m_place{}; ///< where it has been since then
     TipReading m_mean{};                 ///< since then
+    SessionTime m_seen{};                ///< when the tip was seen last
     int m_samples = 0;
 };
 

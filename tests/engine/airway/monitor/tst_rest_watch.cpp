@@ -62,6 +62,17 @@ class TestRestWatch : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    /// Two sightings far apart, with the last place repeated between them, are no rest.
+    void doesNotCountATubeThatIsNotSeen()
+    {
+        RestWatch watch;
+        const Place place{200.0, 30.0};
+        QVERIFY(!watch.take(monitorAt(1.0, place, TubeSeat::Trachea)));
+        for (int i = 0; i < 500; ++i)
+            QVERIFY(!watch.take(monitorAt(1.0, place, TubeSeat::Trachea)));
+        QVERIFY(!watch.take(monitorAt(11.0, place, TubeSeat::Trachea)));
+    }
+
     void tellsWhereTheTubeComesToRest()
     {
         constexpr double kTime_s = 0.2;

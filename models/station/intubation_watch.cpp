@@ -3,6 +3,7 @@
 #include "engine/session/news_rules.h"
 #include "engine/session/respiration/respiration_timeline.h"
 #include "models/patient/shared_patient.h"
+#include "models/session/proposed.h"
 
 #include <algorithm>
 #include <utility>
@@ -167,8 +168,11 @@ void IntubationWatch::takeControls(SessionTime now)
     const Controls present = controlsAt(now);
     const Controls before = std::exchange(m_controls, present).value_or(present);
     const auto tell = [&](IntubationStep step) { queue(m_monitor.told(step, now)); };
-    if (present.isCuffInflated != before.isCuffInflated)
-        tell(present.isCuffInflated ? IntubationStep::CuffInflated : IntubationStep::CuffDeflated);
+    if (present.isCuffInflated && !before.isCuffInflated)
+        tell(IntubationStep::CuffInflated);
+    // That of a tube that is out is empty without anybody's doing.
+    if (!present.isCuffInflated && before.isCuffInflated && course().teeth.isIn)
+        tell(IntubationStep::CuffDeflated);
     if (before.isStyletIn && !present.isStyletIn)
         tell(IntubationStep::StyletOut);
 }
@@ -187,6 +191,10 @@ void IntubationWatch::takeBreath(SessionTime t)
 void IntubationWatch::queue(const IntubationEvent& event)
 {
     m_rest.note(event);
+    const bool isRest = event.step == IntubationStep::AtRest;
+    const std::size_t unsent = m_queued.size() - (m_sent ? 1 : 0);
+    if (isRest && unsent > 0 && m_queued.back().step == IntubationStep::AtRest)
+        m_queued.pop_back(); // it rests elsewhere now
     m_queued.push_back(event);
 }
 
@@ -202,10 +210,10 @@ bool IntubationWatch::isTaken(const IntubationEvent& event) const
 /// Of the session to what was proposed, once there is one.
 void IntubationWatch::takeAnswer(SessionTime now)
 {
-    const auto isStep = [](const FactBody& body) {
-        return std::holds_alternative<fact::IntubationNoted>(body);
+    const auto isSent = [this](const fact::IntubationNoted& noted) {
+        return noted.event == *m_sent;
     };
-    if (!m_sent || std::ranges::any_of(m_node.pending(), isStep))
+    if (!m_sent || isProposed<fact::IntubationNoted>(m_node, isSent))
         return;
     const bool wasLate = !isTaken(*m_sent) && now - m_sent->at > kTooLate;
     if (!wasLate) {

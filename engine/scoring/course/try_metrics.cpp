@@ -10,6 +10,12 @@ namespace carina
 namespace
 {
 
+bool isOfBlade(IntubationStep step)
+{
+    return step == IntubationStep::BladeIn || step == IntubationStep::BladeOut
+           || step == IntubationStep::GlottisSeen;
+}
+
 bool isInAirway(TubeSeat seat)
 {
     return seat == TubeSeat::Trachea || seat == TubeSeat::RightMain || seat == TubeSeat::LeftMain;
@@ -123,9 +129,12 @@ void CourseReader::readPlace(const IntubationEvent& event)
     }
     if (m_seat != TubeSeat::None)
         m_lastPlace = m_seat;
+    // Those of the blade are as sure of the blade as they are, and not of the tube.
+    const double confidence =
+        isOfBlade(event.step) && m_course.depth ? m_course.depth->confidence : event.confidence;
     m_course.depth.reset();
     if (isInAirway(m_seat) && !m_areApart)
-        m_course.depth = {event.at, event.depthAtTeeth, event.tipAboveCarina, event.confidence};
+        m_course.depth = {event.at, event.depthAtTeeth, event.tipAboveCarina, confidence};
 }
 
 TryMetrics CourseReader::endedAt(SessionTime ended)

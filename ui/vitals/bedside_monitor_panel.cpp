@@ -141,7 +141,7 @@ void BedsideMonitorPanel::setModel(VitalsModel& model, const SoundOutput& output
 void BedsideMonitorPanel::tellSight()
 {
     if (m_model)
-        m_model->setInSight(isVisible() && isEnabled());
+        m_model->setInSight(isVisible() && isEnabled() && !window()->isMinimized());
 }
 
 void BedsideMonitorPanel::showEvent(QShowEvent* event)

@@ -20,11 +20,10 @@ const QString kAfter = QStringLiteral("after");
 
 Result<MotionKind> motionNamed(const QString& name)
 {
-    const auto* found = std::ranges::find(kNamedMotions, name.toStdString(), &NamedMotion::name);
-    if (found == kNamedMotions.end())
-        return fail(Errc::WrongOption, "\"" + name.toStdString()
-                                           + "\" is not among the intubations " + namesOfMotions());
-    return found->kind;
+    if (const auto kind = motionFromName(name.toStdString()))
+        return *kind;
+    return fail(Errc::WrongOption,
+                "\"" + name.toStdString() + "\" is not among the intubations " + namesOfMotions());
 }
 
 Result<void> wrongNumber(const QString& word, const char* range)

@@ -68,6 +68,12 @@ std::string namesOfMotions()
     return names;
 }
 
+std::optional<MotionKind> motionFromName(std::string_view name)
+{
+    const auto* found = std::ranges::find(kNamedMotions, name, &NamedMotion::name);
+    return found != kNamedMotions.end() ? std::optional{found->kind} : std::nullopt;
+}
+
 const MotionRange& rangeOf(MotionParameter parameter)
 {
     return kRanges[static_cast<std::size_t>(parameter)];

@@ -46,6 +46,7 @@ inline constexpr std::array kNamedMotions{
 
 /// All names, with commas between them.
 [[nodiscard]] std::string namesOfMotions();
+[[nodiscard]] std::optional<MotionKind> motionFromName(std::string_view name);
 
 /// What differs between two runs of a motion. Lengths are those of an adult; they are in proportion
 /// to the airway.

@@ -9,7 +9,6 @@
 
 #include <QFileInfo>
 
-#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -21,12 +20,6 @@ namespace
 constexpr std::int64_t kUsualMotionSeeds = 20;
 constexpr std::int64_t kMostMotionSeeds = 10000;
 constexpr std::int64_t kGreatestSeed = 4294967295;
-
-std::optional<MotionKind> motionNamed(const QString& word)
-{
-    const auto* named = std::ranges::find(kNamedMotions, word.toStdString(), &NamedMotion::name);
-    return named != kNamedMotions.end() ? std::optional{named->kind} : std::nullopt;
-}
 
 Result<void> save(const Words& words, const IntubationTrial& trial)
 {
@@ -92,7 +85,7 @@ Result<QJsonObject> intubate(const Words& words)
     const bool isAll = words.has(intubate_option::kAll);
     if (isAll == !words.files().isEmpty())
         return words.refuse(QStringLiteral("needs one motion or recording, or --all-scripts."));
-    const auto kind = isAll ? std::nullopt : motionNamed(words.files().front());
+    const auto kind = isAll ? std::nullopt : motionFromName(words.files().front().toStdString());
     using namespace intubate_option;
     auto fits = isAll ? Result<void>{} : refuseAny(words, {kSeeds}, "--all-scripts");
     if (fits && !kind)

@@ -11,7 +11,7 @@ namespace carina
 
 Vec3 AcrossWay::direction(std::size_t k) const
 {
-    const double angle = 0.25 * std::numbers::pi * double(k);
+    const double angle = 2.0 * std::numbers::pi * double(k) / double(kLumenDirections);
     return std::cos(angle) * side + std::sin(angle) * back;
 }
 

@@ -22,9 +22,9 @@ inline constexpr std::size_t kAirwayWays = 4;
 inline constexpr std::array kAllAirwayWays{AirwayWay::Trunk, AirwayWay::RightMain,
                                            AirwayWay::LeftMain, AirwayWay::Oesophagus};
 
-/// Directions across a way, 45 degrees apart: 0 to the patient's left, 2 to the back, or up to the
-/// palate where the way leads backwards.
-inline constexpr std::size_t kLumenDirections = 8;
+/// Directions across a way, 22.5 degrees apart: 0 to the patient's left, kLumenDirections / 4 to
+/// the back, or up to the palate where the way leads backwards.
+inline constexpr std::size_t kLumenDirections = 16;
 
 /// Where the wall ends what the centre line of a tube can reach, in one direction.
 struct LumenLimit {
@@ -42,9 +42,10 @@ struct LumenSection {
 };
 
 /// The space in which the centre line of a tube of one outer radius can be, as a patient's surfaces
-/// have it; A, metres. It is a polygon of eight corners for each section of each way, about 4 mm
-/// apart, and in between of what lies between two of them. So it is smooth enough for a rod,
-/// quickly asked, and can be moved: each corner goes with the tissue that it touches (MovedLumen).
+/// have it; A, metres. It is a polygon of kLumenDirections corners for each section of each way,
+/// about 4 mm apart, and in between of what lies between two of them. So it is smooth enough for a
+/// rod, quickly asked, and can be moved: each corner goes with the tissue that it touches
+/// (MovedLumen).
 ///
 /// A dense signed distance field would need to know where space goes between tissues that move
 /// apart, as tongue and palate do when a mouth opens; the corners need not.

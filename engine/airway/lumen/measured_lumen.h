@@ -14,7 +14,7 @@ namespace carina
 /// - The trunk follows path_A from 30 mm in front of the upper incisors to the carina. Each of its
 ///   centres is first taken away from the walls that are nearer than the tube's radius, then to the
 ///   middle between those to the left and right, and in front and behind.
-/// - From there a ball as thick as the tube is moved in eight directions until it touches a surface
+/// - From there a ball as thick as the tube is moved in kLumenDirections until it touches a surface
 ///   of mouth, pharynx, larynx or trachea: so the tube lies outside of every triangle, whatever
 ///   encloses it. Where it does not fit, a smaller one is taken, and the difference taken off.
 /// - Beyond usual sizes (kMouth and the others), in proportion to the way from the teeth to the

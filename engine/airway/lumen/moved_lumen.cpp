@@ -11,20 +11,32 @@ namespace
 {
 
 constexpr auto kHalf = std::size_t(kLumenDirections / 2);
+constexpr auto kQuarter = std::size_t(kLumenDirections / 4);
+static_assert(kLumenDirections == 16); // kAcross, wedgeOf and kRounding
 
 /// cos and sin of the directions across a way.
 constexpr double kDiagonal = 0.5 * std::numbers::sqrt2;
+constexpr double kCos = 0.92387953251128674; ///< of 22.5 degrees
+constexpr double kSin = 0.38268343236508977;
 constexpr std::array<std::array<double, 2>, kLumenDirections> kAcross{{{1.0, 0.0},
+                                                                       {kCos, kSin},
                                                                        {kDiagonal, kDiagonal},
+                                                                       {kSin, kCos},
                                                                        {0.0, 1.0},
+                                                                       {-kSin, kCos},
                                                                        {-kDiagonal, kDiagonal},
+                                                                       {-kCos, kSin},
                                                                        {-1.0, 0.0},
+                                                                       {-kCos, -kSin},
                                                                        {-kDiagonal, -kDiagonal},
+                                                                       {-kSin, -kCos},
                                                                        {0.0, -1.0},
-                                                                       {kDiagonal, -kDiagonal}}};
+                                                                       {kSin, -kCos},
+                                                                       {kDiagonal, -kDiagonal},
+                                                                       {kCos, -kSin}}};
 
-/// The direction before (u, v), counter-clockwise.
-std::size_t wedgeOf(double u, double v)
+/// The eighth of a circle of (u, v), counter-clockwise.
+std::size_t eighthOf(double u, double v)
 {
     if (v >= 0.0) {
         if (u >= 0.0)
@@ -36,22 +48,49 @@ std::size_t wedgeOf(double u, double v)
     return -v > u ? 6 : 7;
 }
 
+/// The direction before (u, v), counter-clockwise.
+std::size_t wedgeOf(double u, double v)
+{
+    const std::size_t middle = 2 * eighthOf(u, v) + 1;
+    const auto& [um, vm] = kAcross[middle];
+    return um * v - vm * u >= 0.0 ? middle : middle - 1;
+}
+
+/// The corners of a section: at so far along a way that these change by `slope` to either side.
+struct Corners {
+    const std::array<double, kLumenDirections>& reach;
+    const std::array<double, kLumenDirections>& slope;
+    double along = 0.0;
+
+    [[nodiscard]] double at(std::size_t k) const
+    {
+        return std::max(reach[k] + along * slope[k], MovedSection::kLeastReach);
+    }
+    [[nodiscard]] double least() const
+    {
+        double least = at(0);
+        for (std::size_t k = 1; k < kLumenDirections; ++k)
+            least = std::min(least, at(k));
+        return least;
+    }
+};
+
 /// Depth beyond a rounded polygon about the origin, along the line from there, and its gradient.
 struct PolygonDepth {
     double depth = 0.0;
     double byU = 0.0, byV = 0.0;
-    double byAlong = 0.0; ///< as all corners change by `slope`
+    double byAlong = 0.0;
+    double curvature = 0.0; ///< second derivative along the wall, across the way; of places beyond
 };
 /// 1 / reach is a quadratic spline of the direction: round between the corners, and a circle where
-/// these lie on one. Without kRounding a straight wall would be left behind by 8 percent of its
+/// these lie on one. Without kRounding a straight wall would be left behind by 2 percent of its
 /// distance; with it by half of that, and a circle is as much too small.
-PolygonDepth polygonDepth(double u, double v, const std::array<double, kLumenDirections>& reach,
-                          const std::array<double, kLumenDirections>& slope)
+PolygonDepth polygonDepth(double u, double v, const Corners& corners)
 {
-    constexpr double kRounding = 1.04;
+    constexpr double kRounding = 1.01;
     const double r = std::sqrt(u * u + v * v);
     if (!(r > 0.0))
-        return {-*std::ranges::min_element(reach) / kRounding, 0.0, 0.0, 0.0};
+        return {.depth = -corners.least() / kRounding};
     const std::size_t k = wedgeOf(u, v);
     const auto& [uk, vk] = kAcross[k];
     const auto& [un, vn] = kAcross[(k + 1) % kLumenDirections];
@@ -68,19 +107,34 @@ PolygonDepth polygonDepth(double u, double v, const std::array<double, kLumenDir
                         (m + 1) % kLumenDirections};
     const std::array weight{0.5 * (0.5 - f) * (0.5 - f), 0.75 - f * f, 0.5 * (0.5 + f) * (0.5 + f)};
     const std::array change{f - 0.5, -2.0 * f, 0.5 + f};
+    constexpr std::array kSecond{1.0, -2.0, 1.0};
     double inverse = 0.0;
     double byShare = 0.0;
+    double second = 0.0; // by the share, twice
     double byAlong = 0.0;
     for (std::size_t i = 0; i < at.size(); ++i) {
-        const double one = kRounding / reach[at[i]];
+        const double perReach = 1.0 / corners.at(at[i]);
+        const double one = kRounding * perReach;
         inverse += weight[i] * one;
         byShare += change[i] * one;
-        byAlong -= weight[i] * one * slope[at[i]] / reach[at[i]];
+        second += kSecond[i] * one;
+        byAlong -= weight[i] * one * corners.slope[at[i]] * perReach;
     }
     const double radius = 1.0 / inverse;
     const double steep = radius * radius;
-    return {r - radius, u / r + steep * byShare * shareByU, v / r + steep * byShare * shareByV,
-            steep * byAlong};
+    PolygonDepth depth{.depth = r - radius,
+                       .byU = u / r + steep * byShare * shareByU,
+                       .byV = v / r + steep * byShare * shareByV,
+                       .byAlong = steep * byAlong};
+    if (depth.depth > 0.0) {
+        const double shareByAngle = u * shareByV - v * shareByU;
+        const double first = byShare * shareByAngle;
+        depth.curvature =
+            1.0 / r
+            + steep * (second * shareByAngle * shareByAngle - 2.0 * radius * first * first)
+                  / (r * r);
+    }
+    return depth;
 }
 
 /// Of a section the axes, and the corners from the middle between them.
@@ -91,8 +145,8 @@ MovedSection middled(const Vec3& p_A_about, const AcrossWay& across,
     const auto between = [&](const Vec3& axis, std::size_t k) {
         return 0.5 * (corners[k] + corners[k + kHalf] - 2.0 * p_A_about).dot(axis);
     };
-    section.p_A_centre =
-        p_A_about + between(across.side, 0) * across.side + between(across.back, 2) * across.back;
+    section.p_A_centre = p_A_about + between(across.side, 0) * across.side
+                         + between(across.back, kQuarter) * across.back;
     std::array<double, kLumenDirections> reach{};
     for (std::size_t k = 0; k < kLumenDirections; ++k)
         reach[k] = (corners[k] - section.p_A_centre).dot(across.direction(k));
@@ -116,16 +170,19 @@ MovedSection between(const MovedSection& a, const MovedSection& b, double share)
     return section;
 }
 
-/// By how much the corners of a section move.
+/// By how much the corners of a section move: those between by the share of the others.
 std::array<Vec3, kLumenDirections> movesOf(const LumenSection& section, const TissueMotion& motion)
 {
     std::array<Vec3, kLumenDirections> moves;
-    for (std::size_t k = 0; k < kLumenDirections; k += 2) {
+    for (std::size_t k = 0; k < kLumenDirections; k += kQuarter) {
         const LumenLimit& limit = section.limits[k];
         moves[k] = motion(limit.p_A_wall, limit.tissue) - limit.p_A_wall;
     }
-    for (std::size_t k = 1; k < kLumenDirections; k += 2)
-        moves[k] = 0.5 * (moves[k - 1] + moves[(k + 1) % kLumenDirections]);
+    for (std::size_t k = 0; k < kLumenDirections; k += kQuarter) {
+        const Vec3& next = moves[(k + kQuarter) % kLumenDirections];
+        for (std::size_t i = 1; i < kQuarter; ++i)
+            moves[k + i] = moves[k] + double(i) / double(kQuarter) * (next - moves[k]);
+    }
     return moves;
 }
 
@@ -136,8 +193,8 @@ MovedWay movedWay(const std::vector<LumenSection>& sections, const TissueMotion&
     std::vector<Vec3> about(sections.size());
     for (std::size_t i = 0; i < sections.size(); ++i) {
         const auto moves = movesOf(sections[i], motion);
-        about[i] =
-            sections[i].p_A_centre + 0.25 * (moves[0] + moves[2] + moves[kHalf] + moves[kHalf + 2]);
+        about[i] = sections[i].p_A_centre
+                   + 0.25 * (moves[0] + moves[kQuarter] + moves[kHalf] + moves[kHalf + kQuarter]);
         for (std::size_t k = 0; k < kLumenDirections; ++k) {
             const LumenLimit& limit = sections[i].limits[k];
             corners[i][k] = limit.p_A_wall + limit.fromWall + moves[k];
@@ -247,11 +304,21 @@ double MovedWay::stopBehind(double from) const
     return along.back();
 }
 
-WallTouch MovedSection::touch(const Vec3& p_A) const
+WallTouch MovedPiece::touch(const Vec3& p_A) const
 {
-    const Vec3 from = p_A - p_A_centre;
-    const PolygonDepth across = polygonDepth(from.dot(side), from.dot(back), reach, {});
-    return {across.depth, across.byU * side + across.byV * back};
+    const Vec3 from = p_A - section.p_A_centre;
+    const double u = from.dot(section.side);
+    const double v = from.dot(section.back);
+    const double ahead = from.dot(along);
+    const double there = std::clamp(ahead, -before, after);
+    const PolygonDepth across = polygonDepth(u, v, {section.reach, slope, there});
+    Vec3 out = across.byU * section.side + across.byV * section.back;
+    if (there == ahead)
+        out += across.byAlong * along;
+    const double perLength =
+        across.curvature > 0.0 ? std::sqrt(across.curvature) / std::hypot(u, v) : 0.0;
+    const Vec3 round = perLength * (u * section.back - v * section.side);
+    return {across.depth, out, round};
 }
 
 MovedSection MovedLumen::sectionAt(AirwayWay which, double along) const
@@ -265,6 +332,21 @@ MovedSection MovedLumen::sectionAt(AirwayWay which, double along) const
                    std::clamp((along - it.along[s]) / (it.along[s + 1] - it.along[s]), 0.0, 1.0));
 }
 
+MovedPiece MovedLumen::pieceAt(AirwayWay which, std::size_t segment, double along) const
+{
+    const MovedWay& it = way(which);
+    const MovedSection& a = it.sections[segment];
+    const MovedSection& b = it.sections[segment + 1];
+    const double length = it.along[segment + 1] - it.along[segment];
+    MovedPiece piece{.section = between(a, b, (along - it.along[segment]) / length),
+                     .along = (b.p_A_centre - a.p_A_centre) / length,
+                     .before = along - it.along[segment],
+                     .after = it.along[segment + 1] - along};
+    for (std::size_t k = 0; k < kLumenDirections; ++k)
+        piece.slope[k] = (b.reach[k] - a.reach[k]) / length;
+    return piece;
+}
+
 WallTouch MovedLumen::touchIn(AirwayWay which, double stop, const Vec3& p_A,
                               std::size_t& segment) const
 {
@@ -273,27 +355,17 @@ WallTouch MovedLumen::touchIn(AirwayWay which, double stop, const Vec3& p_A,
     std::size_t s = segment;
     while (s > 0 && it.along[s] > place)
         --s;
-    const MovedSection& a = it.sections[s];
-    const MovedSection& b = it.sections[s + 1];
-    const double length = it.along[s + 1] - it.along[s];
-    const MovedSection there = between(a, b, (place - it.along[s]) / length);
-    const Vec3 t = (b.p_A_centre - a.p_A_centre) / length;
-    const Vec3 from = p_A - there.p_A_centre;
-    const double beyond = from.dot(t);
+    const MovedPiece piece = pieceAt(which, s, place);
+    const double beyond = (p_A - piece.section.p_A_centre).dot(piece.along);
     if (which == AirwayWay::Trunk && place <= 0.0 && beyond < 0.0)
         return {};
-    std::array<double, kLumenDirections> slope;
-    for (std::size_t k = 0; k < kLumenDirections; ++k)
-        slope[k] = (b.reach[k] - a.reach[k]) / length;
-    const PolygonDepth across =
-        polygonDepth(from.dot(there.side), from.dot(there.back), there.reach, slope);
-    const Vec3 out = across.byU * there.side + across.byV * there.back + across.byAlong * t;
+    const WallTouch across = piece.touch(p_A);
     const bool isAtEnd = place >= std::min(stop, it.along.back()) && beyond > 0.0;
     if (!isAtEnd)
-        return {across.depth, out};
+        return across;
     const double beside = std::max(across.depth, 0.0);
     const double depth = std::hypot(beside, beyond);
-    return {depth, (beside * out + beyond * t) / depth};
+    return {depth, (beside * across.out + beyond * piece.along) / depth, Vec3::Zero()};
 }
 
 } // namespace carina

@@ -32,8 +32,16 @@ struct MovedSection {
     double give = 0.0; ///< metres
 
     static constexpr double kLeastReach = 1e-5;
+};
 
-    /// Depth beyond the wall as if the way went straight on with this section.
+/// The wall of a way near one place: between two sections as these are, and straight on beyond.
+struct MovedPiece {
+    MovedSection section;        ///< at the place
+    Vec3 along = -Vec3::UnitZ(); ///< unit, of the centre line
+    double before = 0.0;         ///< so far back along the centre line is the one section, metres
+    double after = 0.0;          ///< and so far ahead the other
+    std::array<double, kLumenDirections> slope{}; ///< of the section's reach along the centre line
+
     [[nodiscard]] WallTouch touch(const Vec3& p_A) const;
 };
 
@@ -71,10 +79,12 @@ struct MovedLumen {
                                     std::size_t& segment) const;
     /// The section at a length along a way.
     [[nodiscard]] MovedSection sectionAt(AirwayWay which, double along) const;
+    /// The wall around a length along a way. @param segment the one of that length
+    [[nodiscard]] MovedPiece pieceAt(AirwayWay which, std::size_t segment, double along) const;
 };
 
-/// Moves a lumen with the tissue around it. Four of eight corners are moved with what they touch,
-/// the others by the mean of their neighbours; centres go to the middle between them.
+/// Moves a lumen with the tissue around it. Four corners of each section are moved with what they
+/// touch, those between by the share of these; centres go to the middle between them.
 [[nodiscard]] MovedLumen moved(const AirwayLumen& lumen, const TissueMotion& motion);
 /// As the surfaces have it.
 [[nodiscard]] MovedLumen unmoved(const AirwayLumen& lumen);

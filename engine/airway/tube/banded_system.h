@@ -1,74 +1,128 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
+#include <Eigen/Core>
+#include <Eigen/LU>
+
 #include <cstddef>
 #include <vector>
 
 namespace carina
 {
 
-/// A system of linear equations whose symmetric, positive definite matrix is zero farther than
-/// kBand from its diagonal, solved directly: Cholesky's L D L^T within the band.
-template <std::size_t kBand> class BandedSystem
+/// A system of linear equations for places in a row, of which each has four unknowns and is coupled
+/// with the two before and the two behind it: a symmetric matrix of blocks of 4 x 4, solved
+/// directly by L D L^T. Its cost is in proportion to the number of places.
+class BandedSystem
 {
 public:
-    /// All zero, of this many unknowns.
-    void clear(std::size_t unknowns)
+    using Values = Eigen::Vector4d;
+    using Block = Eigen::Matrix4d;
+
+    struct Row {
+        Block diagonal = Block::Zero();
+        Block before = Block::Zero();       ///< with the place before
+        Block secondBefore = Block::Zero(); ///< with the one before that
+        Values right = Values::Zero();      ///< the right side
+    };
+    std::vector<Row> rows;
+    /// What is added to a row for another solution; as many as rows.
+    struct Support {
+        Block diagonal = Block::Zero();
+        Values right = Values::Zero();
+    };
+    std::vector<Support> supports;
+
+    void resize(std::size_t places)
     {
-        m_rows.assign(unknowns, Row{});
-        right.assign(unknowns, 0.0);
+        rows.resize(places);
+        supports.resize(places);
+        m_factors.resize(places);
     }
 
-    /// The coefficient at row and column. @pre column <= row <= column + kBand
-    double& at(std::size_t row, std::size_t column) { return m_rows[row][kBand + column - row]; }
-
-    std::vector<double> right; ///< the right side; after solve() the unknowns
-
-    /// @returns false where the matrix is not positive definite; the unknowns are then undefined.
-    [[nodiscard]] bool solve()
+    /// Solves it for the rows from `first` on, with the given values of the two places before.
+    /// @param values of all places; those from `first` on are found
+    /// @returns false where the matrix is not positive definite; they are then undefined.
+    /// @pre as many values as rows, set by resize(); first at least 2
+    [[nodiscard]] bool solve(std::size_t first, std::vector<Values>& values)
     {
-        const std::size_t count = m_rows.size();
-        m_perPivot.resize(count);
-        for (std::size_t i = 0; i < count; ++i) {
-            Row& row = m_rows[i];
-            const std::size_t first = i > kBand ? i - kBand : 0;
-            double pivot = row[kBand];
-            double value = right[i];
-            for (std::size_t j = first; j < i; ++j) {
-                const Row& other = m_rows[j];
-                // Of both rows the part in columns first to j - 1; row has l d there.
-                double sum = row[kBand + j - i];
-                for (std::size_t k = std::max(first, j > kBand ? j - kBand : 0); k < j; ++k)
-                    sum -= row[kBand + k - i] * other[kBand + k - j];
-                row[kBand + j - i] = sum;
-            }
-            for (std::size_t j = first; j < i; ++j) {
-                const double scaled = row[kBand + j - i];
-                const double factor = scaled * m_perPivot[j];
-                pivot -= scaled * factor;
-                value -= factor * right[j];
-                row[kBand + j - i] = factor;
-            }
-            if (!(pivot > 0.0))
+        for (std::size_t i = first; i < rows.size(); ++i)
+            if (!eliminate(i, first, values))
                 return false;
-            m_perPivot[i] = 1.0 / pivot;
-            right[i] = value;
-        }
-        for (std::size_t i = count; i-- > 0;) {
-            double value = right[i] * m_perPivot[i];
-            for (std::size_t j = i + 1; j < std::min(count, i + kBand + 1); ++j)
-                value -= m_rows[j][kBand + i - j] * right[j];
-            right[i] = value;
+        for (std::size_t i = rows.size(); i-- > first;) {
+            Values value = m_factors[i].inverse * values[i];
+            if (i + 1 < rows.size())
+                value.noalias() -= m_factors[i + 1].before.transpose() * values[i + 1];
+            if (i + 2 < rows.size())
+                value.noalias() -= m_factors[i + 2].secondBefore.transpose() * values[i + 2];
+            values[i] = value;
         }
         return true;
     }
 
 private:
-    using Row = std::array<double, kBand + 1>; ///< the diagonal is its last
+    struct Factor {
+        Block before = Block::Zero(); ///< blocks of L
+        Block secondBefore = Block::Zero();
+        Block inverse = Block::Zero(); ///< of the block of D
+    };
 
-    std::vector<Row> m_rows;
-    std::vector<double> m_perPivot;
+    [[nodiscard]] bool eliminate(std::size_t i, std::size_t first, std::vector<Values>& values)
+    {
+        const Row& row = rows[i];
+        Factor& it = m_factors[i];
+        Block pivot = row.diagonal + supports[i].diagonal;
+        Values value = row.right + supports[i].right;
+        const bool hasSecond = i >= first + 2;
+        const bool hasOne = i >= first + 1;
+        // Of the places before `first` the values are given; of the others L is known.
+        if (hasSecond) {
+            it.secondBefore.noalias() = row.secondBefore * m_factors[i - 2].inverse;
+            pivot.noalias() -= it.secondBefore * row.secondBefore.transpose();
+            value.noalias() -= it.secondBefore * values[i - 2];
+        } else {
+            value.noalias() -= row.secondBefore * values[i - 2];
+        }
+        if (hasOne) {
+            Block coupled = row.before;
+            if (hasSecond)
+                coupled.noalias() -= row.secondBefore * m_factors[i - 1].before.transpose();
+            it.before.noalias() = coupled * m_factors[i - 1].inverse;
+            pivot.noalias() -= it.before * coupled.transpose();
+            value.noalias() -= it.before * values[i - 1];
+        } else {
+            value.noalias() -= row.before * values[i - 1];
+        }
+        values[i] = value;
+        return invert(pivot, it.inverse);
+    }
+
+    [[nodiscard]] static bool isPositive(const Eigen::Matrix2d& m)
+    {
+        return m(0, 0) > 0.0 && m(0, 0) * m(1, 1) - m(1, 0) * m(1, 0) > 0.0;
+    }
+
+    /// Of a symmetric matrix by its quarters; false where that is not positive definite.
+    [[nodiscard]] static bool invert(const Block& m, Block& inverse)
+    {
+        const Eigen::Matrix2d a = m.topLeftCorner<2, 2>();
+        const Eigen::Matrix2d b = m.bottomLeftCorner<2, 2>();
+        if (!isPositive(a))
+            return false;
+        const Eigen::Matrix2d perA = a.inverse();
+        const Eigen::Matrix2d ba = b * perA;
+        const Eigen::Matrix2d rest = m.bottomRightCorner<2, 2>() - ba * b.transpose();
+        if (!isPositive(rest))
+            return false;
+        const Eigen::Matrix2d perRest = rest.inverse();
+        const Eigen::Matrix2d across = -perRest * ba;
+        inverse.topLeftCorner<2, 2>() = perA - ba.transpose() * across;
+        inverse.bottomLeftCorner<2, 2>() = across;
+        inverse.topRightCorner<2, 2>() = across.transpose();
+        inverse.bottomRightCorner<2, 2>() = perRest;
+        return true;
+    }
+
+    std::vector<Factor> m_factors;
 };
 
 } // namespace carina

@@ -1,6 +1,6 @@
 #include "engine/airway/tube/tube_in_lumen.h"
 
-#include "engine/anatomy/shapes/swept_surface.h"
+#include "engine/airway/tube/tube_shape_code.h"
 #include "engine/core/expects.h"
 #include "engine/geometry/rotation.h"
 
@@ -14,18 +14,10 @@ namespace
 {
 
 constexpr Length kBeside = millimetres(30.0); ///< of ours
-constexpr double kJustBeyond = 1e-4;          ///< metres
-constexpr double kAtStop = 1e-3; ///< metres before a stop from which a tip is said to be there
-
-/// Equally spaced points along a line.
-std::vector<Vec3> inPieces(std::span<const Vec3> line, int pieces)
-{
-    const SweptLine swept = sweptLine(line);
-    std::vector<Vec3> points;
-    for (int i = 0; i <= pieces; ++i)
-        points.push_back(placeAt(swept, swept.along.back() * i / pieces).point);
-    return points;
-}
+constexpr double kGoesOver = 0.06;            ///< metres behind the teeth: of ours
+constexpr int kRoundsToRest = 4;
+constexpr double kJustBeyond = 1e-4; ///< metres
+constexpr double kAtStop = 1e-3;     ///< metres before a stop from which a tip is said to be there
 
 /// The place at a length along the centre of a way, and beyond its end on in its direction.
 Vec3 centreAt(const MovedWay& way, double along)
@@ -67,7 +59,7 @@ WallTouch TubeInLumen::Walls::at(std::size_t node, const Vec3& p_A) const
         return {};
     Node& it = m_nodes[node];
     if (node + 1 < m_nodes.size())
-        return it.section.touch(p_A);
+        return it.piece.touch(p_A);
     return m_lumen->touchIn(it.way, stop(it.way), p_A, it.segment);
 }
 
@@ -146,7 +138,7 @@ void TubeInLumen::Walls::choose(const MovedLumen& lumen, std::span<const Vec3> n
     for (std::size_t i = m_firstInside; i + 1 < nodes.size(); ++i) {
         Node& node = m_nodes[i];
         const double along = lumen.way(node.way).alongAt(nodes[i], node.segment);
-        node.section = lumen.sectionAt(node.way, along);
+        node.piece = lumen.pieceAt(node.way, node.segment, along);
     }
     // Ahead of the tip each way ends where it is too narrow.
     Node& tip = m_nodes.back();
@@ -182,11 +174,11 @@ void TubeInLumen::step(const RigidTransform& X_AE, const MovedLumen& lumen)
     const double parts = std::max(std::ceil(std::max(way / kMostAtOnce.si, turn / kMostTurn)), 1.0);
     if (!m_hasBegun || parts > kMostParts || outside() > kLost) {
         layAnew(X_AE, lumen);
-        m_X_AE = X_AE;
+        relax(X_AE, lumen);
+    } else {
+        for (int i = 1; i <= int(parts); ++i)
+            relax(interpolate(m_X_AE, X_AE, i / parts), lumen);
     }
-    const RigidTransform from = m_X_AE;
-    for (int i = 1; i <= int(std::min(parts, double(kMostParts))); ++i)
-        relax(interpolate(from, X_AE, i / parts), lumen);
     if (isFoundInside(lumen)) {
         layAnew(X_AE, lumen);
         relax(X_AE, lumen);
@@ -249,12 +241,29 @@ void TubeInLumen::layAnew(const RigidTransform& X_AE, const MovedLumen& lumen)
         return;
     const auto nearest = std::ranges::min_element(
         rest, {}, [&](const Vec3& p_A) { return (p_A - p_A_teeth).squaredNorm(); });
-    const auto entry = std::max(std::size_t(nearest - rest.begin()), ElasticRod::kHeld);
-    std::vector<Vec3> nodes = rest;
-    for (std::size_t i = entry; i < nodes.size(); ++i)
-        nodes[i] = centreAt(path, lumen.teeth + m_rod.along(i) - m_rod.along(entry - 1));
+    layAlong(path, lumen, std::max(std::size_t(nearest - rest.begin()), ElasticRod::kHeld), X_AE);
+}
+
+/// From one node on in the middle of a way, to which it goes over from where it is at rest; then it
+/// comes to rest in the lumen.
+void TubeInLumen::layAlong(const MovedWay& path, const MovedLumen& lumen, std::size_t entry,
+                           const RigidTransform& X_AE)
+{
+    std::vector<Vec3> nodes = m_rod.nodesAtRest();
+    const Vec3 beside = nodes[entry] - centreAt(path, lumen.teeth);
+    for (std::size_t i = entry; i < nodes.size(); ++i) {
+        const double inside = m_rod.along(i) - m_rod.along(entry);
+        const double share = std::max(1.0 - inside / kGoesOver, 0.0);
+        nodes[i] =
+            centreAt(path, lumen.teeth + inside) + share * share * (3.0 - 2.0 * share) * beside;
+    }
     m_rod.lay(X_AE, nodes);
     m_walls.takeIn(entry);
+    for (int i = 0; i < kRoundsToRest; ++i) {
+        m_walls.choose(lumen, m_rod.nodes());
+        m_rod.stiffenBefore(m_walls.firstInside(), kHeldByHand);
+        m_rod.comeToRest(m_walls);
+    }
 }
 
 Length TubeInLumen::depthAtTeeth(const MovedLumen& lumen) const

@@ -49,8 +49,9 @@ struct TubeContact {
 ///
 /// A connector that moved by more than kMostAtOnce or kMostTurn within a step is moved in several;
 /// where these would be more than kMostParts, as after it was lost, the tube is laid anew: in the
-/// way whose middle is nearest to the measured tip, and as deep as measured. So it is where it has
-/// come to lie outside by more than kLost, as after a lumen has jumped.
+/// way whose middle is nearest to the measured tip, and as deep as measured, from where it comes to
+/// rest without friction, as nobody knows how it got there. So it is where it has come to lie
+/// outside by more than kLost, as after a lumen has jumped. That takes as long as many steps.
 class TubeInLumen
 {
 public:
@@ -98,7 +99,7 @@ private:
         struct Node {
             AirwayWay way = AirwayWay::Trunk;
             std::size_t segment = 0;
-            MovedSection section; ///< where it is as a step begins; not of the tip
+            MovedPiece piece; ///< around where it is as a step begins; not of the tip
         };
         [[nodiscard]] const Node& node(std::size_t i) const { return m_nodes[i]; }
         [[nodiscard]] double stop(AirwayWay way) const { return m_stops[std::size_t(way)]; }
@@ -120,6 +121,8 @@ private:
     [[nodiscard]] bool isFoundInside(const MovedLumen& lumen) const;
     [[nodiscard]] static bool passesTeeth(std::span<const Vec3> nodes, const MovedLumen& lumen);
     void layAnew(const RigidTransform& X_AE, const MovedLumen& lumen);
+    void layAlong(const MovedWay& path, const MovedLumen& lumen, std::size_t entry,
+                  const RigidTransform& X_AE);
     void judgeTip(const MovedLumen& lumen);
     [[nodiscard]] Length depthAtTeeth(const MovedLumen& lumen) const;
 

@@ -10,14 +10,15 @@
 namespace carina
 {
 
-/// The shape of a tube in eight numbers, to be sent: its curvature in two directions as Legendre
-/// polynomials of the way along it,
+/// The shape of a tube in eight numbers, to be sent: by how much its curvature differs from that of
+/// its curve at rest, in two directions as Legendre polynomials of the way along it,
 ///
 ///     k_x(s) = sum a_n P_n(2 s / L - 1), n = 0 .. 5
 ///     k_y(s) = sum b_n P_n(2 s / L - 1), n = 0, 1
 ///
 /// per metre, about the axes x and y of the connector's frame E, carried along the tube without
-/// rotation about it. It begins at the origin of E along -z. In an airway it bends mainly about x.
+/// rotation about it. It begins at the origin of E. In an airway it bends mainly about x. Who reads
+/// it has the curve at rest: that of the patient's tube, or as it was touched.
 struct TubeShapeCode {
     static constexpr std::size_t kAboutX = 6;
     static constexpr std::size_t kAboutY = 2;
@@ -26,8 +27,15 @@ struct TubeShapeCode {
     friend bool operator==(const TubeShapeCode&, const TubeShapeCode&) = default;
 };
 
-/// Points of the centre line in E, at equal distances along it, `pieces` + 1.
-/// @pre length and pieces above 0
+/// Points along a line at equal distances, `pieces` + 1.
+/// @pre at least two points, no two neighbours equal; pieces above 0
+[[nodiscard]] std::vector<Vec3> inPieces(std::span<const Vec3> line, int pieces);
+
+/// Points of the centre line in E, as many as of the curve at rest.
+/// @param p_E_rest at equal distances from the origin on
+/// @pre at least three points, no two neighbours equal
+[[nodiscard]] std::vector<Vec3> decoded(const TubeShapeCode& code, std::span<const Vec3> p_E_rest);
+/// Of a tube that is straight along -z at rest, `pieces` + 1. @pre length and pieces above 0
 [[nodiscard]] std::vector<Vec3> decoded(const TubeShapeCode& code, Length length, int pieces);
 
 struct EncodedShape {
@@ -38,7 +46,11 @@ struct EncodedShape {
 /// The code by which a centre line is fitted best: least squares of the distances of its points, by
 /// Gauss and Newton's method from the curvatures of the line.
 /// @param p_A points at equal distances, from the connector to the tip
-/// @pre at least three points, no two neighbours equal
+/// @param p_E_rest the same at rest
+/// @pre at least three points, no two neighbours equal; as many of both
+[[nodiscard]] EncodedShape encoded(std::span<const Vec3> p_A, const RigidTransform& X_AE,
+                                   std::span<const Vec3> p_E_rest);
+/// Of a tube that is straight at rest, and so long.
 [[nodiscard]] EncodedShape encoded(std::span<const Vec3> p_A, const RigidTransform& X_AE,
                                    Length length);
 

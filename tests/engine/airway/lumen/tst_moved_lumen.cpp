@@ -38,7 +38,10 @@ class TestMovedLumen : public QObject
 
 private Q_SLOTS:
     void hasItsWallWhereATubeTouchesIt();
+    void leavesNoStraightWallBehind();
     void hasTheGradientOfItsDepth();
+    void hasTheCurvatureOfItsWall();
+    void goesOnBetweenItsSections();
     void followsAShift();
     void narrowsAsWallsComeTogether();
     void isStoppedWhereItIsTooNarrow();
@@ -57,6 +60,27 @@ void TestMovedLumen::hasItsWallWhereATubeTouchesIt()
         const Vec3 middle{0.0, 0.0, -0.05};
         QVERIFY(depthAt(lumen, middle + (1.0 - kOfRadius) * room * out) < 0.0);
         QVERIFY(depthAt(lumen, middle + (1.0 + kOfRadius) * room * out) > 0.0);
+    }
+}
+
+void TestMovedLumen::leavesNoStraightWallBehind()
+{
+    // Between two plates 32 mm apart: at a plate no place is inside that is beyond it by more.
+    constexpr double kOutside = 0.2e-3; // metres
+    constexpr double kPlate = 0.016;
+    constexpr double kWide = 0.05;
+    AirwayLumen lumen = pipe();
+    for (LumenSection& section : lumen.ways.front())
+        for (LumenLimit& limit : section.limits) {
+            const Vec3 out = -limit.fromWall.normalized();
+            const double reach = std::min(kPlate / std::max(std::abs(out.x()), 1e-9), kWide);
+            limit.p_A_wall = section.p_A_centre + reach * out - limit.fromWall;
+        }
+    const MovedLumen plates = unmoved(lumen);
+    for (int i = -100; i <= 100; ++i) {
+        const double y = 0.0003 * i;
+        QVERIFY(depthAt(plates, {kPlate + kOutside, y, -0.05}) > 0.0);
+        QVERIFY(depthAt(plates, {-kPlate - kOutside, y, -0.05}) > 0.0);
     }
 }
 
@@ -80,6 +104,37 @@ void TestMovedLumen::hasTheGradientOfItsDepth()
                 (depthAt(moved, p + step) - depthAt(moved, p - step)) / (2 * kStep);
             QVERIFY(std::abs(slope - touch.out[axis]) < kSlope);
         }
+    }
+}
+
+void TestMovedLumen::hasTheCurvatureOfItsWall()
+{
+    // round * round^T is the second derivative along the wall of a pipe: 1 / r.
+    const MovedLumen lumen = unmoved(pipe());
+    for (int i = 0; i < 32; ++i) {
+        const double r = 0.007;
+        const Vec3 out{std::cos(0.2 * i), std::sin(0.2 * i), 0.0};
+        std::size_t segment = 12;
+        const WallTouch touch =
+            lumen.touchIn(AirwayWay::Trunk, 1.0, Vec3{0.0, 0.0, -0.05} + r * out, segment);
+        QVERIFY(touch.depth > 0.0);
+        QVERIFY(std::abs(touch.round.squaredNorm() * r - 1.0) < 1e-6);
+        QVERIFY(std::abs(touch.round.dot(out)) < 1e-6);
+    }
+}
+
+void TestMovedLumen::goesOnBetweenItsSections()
+{
+    // A piece of the wall is that of the way where it was taken, and up to both sections.
+    AirwayLumen lumen = pipe();
+    for (LumenLimit& limit : lumen.ways.front()[10].limits)
+        limit.fromWall *= 1.5;
+    const MovedLumen narrow = unmoved(lumen);
+    const double along = 0.0385;
+    const MovedPiece piece = narrow.pieceAt(AirwayWay::Trunk, 9, along);
+    for (const double z : {-0.0361, -0.038, -0.0399}) {
+        const Vec3 p{0.005, 0.002, z};
+        QVERIFY(std::abs(piece.touch(p).depth - depthAt(narrow, p)) < kSame);
     }
 }
 

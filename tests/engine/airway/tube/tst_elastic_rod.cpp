@@ -1,4 +1,5 @@
 #include "engine/airway/tube/elastic_rod.h"
+#include "engine/core/units.h"
 #include "tests/support/test_class.h"
 
 #include <cmath>
@@ -50,7 +51,11 @@ public:
     WallTouch at(std::size_t /*node*/, const Vec3& p_A) const override
     {
         const double r = std::hypot(p_A.x(), p_A.y());
-        return {r - m_radius, r > 0.0 ? Vec3{p_A.x() / r, p_A.y() / r, 0.0} : Vec3{Vec3::Zero()}};
+        const Vec3 out = r > 0.0 ? Vec3{p_A.x() / r, p_A.y() / r, 0.0} : Vec3{Vec3::Zero()};
+        // Round: the depth's second derivative along it is 1 / r.
+        const Vec3 round =
+            r > 0.0 ? Vec3{Vec3::UnitZ().cross(out) / std::sqrt(r)} : Vec3{Vec3::Zero()};
+        return {.depth = r - m_radius, .out = out, .round = round};
     }
 
 private:
@@ -70,6 +75,10 @@ private Q_SLOTS:
     void bendsACurvedBeamOutOfItsPlane();
     void takesTheEnergyOfAnotherRadius();
     void isAsLongAsAtRest();
+    void followsItsClampInFreeSpace();
+    void turnsWithItsClamp();
+    void slidesIntoAPipe();
+    void comesToRestWithoutFriction();
     void gainsNoEnergyWhileItsClampRests();
     void givesTheSameBits();
 };
@@ -112,11 +121,13 @@ void TestElasticRod::bendsACurvedBeamInItsPlane()
 
 void TestElasticRod::bendsACurvedBeamOutOfItsPlane()
 {
-    // The same by Castigliano, infinitely stiff against torsion: pi P R^3 / (4 E I).
+    // The same by Castigliano with torsion: P R^3 (pi / (4 E I) + (3 pi / 4 - 2) / (G J)).
     const double radius = 0.14;
     ElasticRod rod{{.stiffness = kStiffness}, arc(radius, 0.5 * std::numbers::pi)};
     const double load = 0.001;
-    const double truth = 0.25 * std::numbers::pi * load * std::pow(radius, 3) / kStiffness;
+    const double share =
+        0.25 * std::numbers::pi + (0.75 * std::numbers::pi - 2.0) / ElasticRod::kTorsionToBending;
+    const double truth = share * load * std::pow(radius, 3) / kStiffness;
     const double found = deflected(rod, {load, 0.0, 0.0}).x();
     QVERIFY2(std::abs(found - truth) < kOfSolution * truth, qPrintable(QString::number(found)));
 }
@@ -138,13 +149,79 @@ void TestElasticRod::takesTheEnergyOfAnotherRadius()
 
 void TestElasticRod::isAsLongAsAtRest()
 {
-    constexpr double kStretch = 1e-3; // share
+    constexpr double kStretch = 1e-9; // share
     ElasticRod rod{{.stiffness = kStiffness}, straight(0.3)};
     static_cast<void>(deflected(rod, {0.2, 0.0, 0.1}));
     for (std::size_t i = 0; i + 1 < rod.nodes().size(); ++i) {
         const double length = (rod.nodes()[i + 1] - rod.nodes()[i]).norm();
         QVERIFY(std::abs(length / (0.3 / kSegments) - 1.0) < kStretch);
     }
+}
+
+void TestElasticRod::followsItsClampInFreeSpace()
+{
+    // Without any load it is as at rest, wherever it is held: after a single step.
+    constexpr double kNear = 1e-7; // metres
+    ElasticRod rod{{.stiffness = kStiffness}, arc(0.14, 1.5)};
+    const Quat turn{Eigen::AngleAxisd{0.07, Vec3{1.0, -2.0, 0.5}.normalized()}};
+    RigidTransform X_AE;
+    for (int i = 0; i < 10; ++i) {
+        X_AE = RigidTransform{turn, {0.003, -0.001, 0.002}} * X_AE;
+        rod.step(X_AE, FreeSpace{});
+        const std::vector<Vec3> rest = rod.nodesAtRest();
+        for (std::size_t k = 0; k < rest.size(); ++k)
+            QVERIFY((rod.nodes()[k] - rest[k]).norm() < kNear);
+    }
+}
+
+void TestElasticRod::turnsWithItsClamp()
+{
+    // About its first segment, so that its curve goes round: the frame is carried along all of it.
+    constexpr double kNear = 1e-7; // metres
+    ElasticRod rod{{.stiffness = kStiffness}, arc(0.14, 1.5)};
+    for (int degree = 0; degree <= 180; degree += 4)
+        rod.step({Quat{Eigen::AngleAxisd{degrees(degree).si, Vec3::UnitZ()}}, Vec3::Zero()},
+                 FreeSpace{});
+    QVERIFY((rod.nodes().back() - rod.nodesAtRest().back()).norm() < kNear);
+}
+
+void TestElasticRod::slidesIntoAPipe()
+{
+    // A curved rod that is pushed along a pipe is straight in it, with play, and goes as far as it
+    // is pushed, in each of the steps.
+    constexpr double kOutside = 1e-4; // metres
+    constexpr double kBehind = 1e-3;
+    constexpr double kRadius = 0.002;
+    ElasticRod rod{{.stiffness = kStiffness}, arc(0.14, 1.5)};
+    rod.lay({}, straight(0.14 * 1.5 * kSegments / (kSegments - 1)));
+    const Pipe pipe{kRadius};
+    rod.comeToRest(pipe);
+    const double tip = rod.nodes().back().z();
+    for (int i = 1; i <= 100; ++i) {
+        rod.step(RigidTransform::translation({0.0, 0.0, -0.0015 * i}), pipe);
+        for (const Vec3& p : rod.nodes())
+            QVERIFY(std::hypot(p.x(), p.y()) < kRadius + kOutside);
+        QVERIFY(std::abs(rod.nodes().back().z() - tip + 0.0015 * i) < kBehind);
+    }
+}
+
+void TestElasticRod::comesToRestWithoutFriction()
+{
+    // The same as that which has no friction comes to in many steps.
+    constexpr double kNear = 2e-5; // metres
+    const std::vector<Vec3> line = straight(0.14 * 1.5 * kSegments / (kSegments - 1));
+    ElasticRod rod{{.stiffness = kStiffness}, arc(0.14, 1.5)};
+    rod.lay({}, line);
+    rod.comeToRest(Pipe{0.01});
+    ElasticRod smooth{{.stiffness = kStiffness, .friction = 0.0}, arc(0.14, 1.5)};
+    smooth.lay({}, line);
+    for (int i = 0; i < 100; ++i)
+        smooth.step({}, Pipe{0.01});
+    for (std::size_t i = 0; i < line.size(); ++i)
+        QVERIFY((rod.nodes()[i] - smooth.nodes()[i]).norm() < kNear);
+    const Vec3 before = rod.nodes().back();
+    rod.step({}, Pipe{0.01});
+    QVERIFY((rod.nodes().back() - before).norm() < kNear);
 }
 
 void TestElasticRod::gainsNoEnergyWhileItsClampRests()

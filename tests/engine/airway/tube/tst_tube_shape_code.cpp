@@ -23,6 +23,8 @@ private Q_SLOTS:
     void hasAStraightTubeInZeros();
     void hasACircleInOneNumber();
     void goesWithTheConnector();
+    void isNothingForATubeAtRest();
+    void goesWithTheCurveAtRest();
     void hasATubeInAnAirway_data();
     void hasATubeInAnAirway();
 };
@@ -62,6 +64,35 @@ void TestTubeShapeCode::goesWithTheConnector()
         QVERIFY(std::abs(shape.code.perMetre[i] - code.perMetre[i]) < 0.01F);
 }
 
+void TestTubeShapeCode::isNothingForATubeAtRest()
+{
+    constexpr Length kNear = millimetres(0.001);
+    const TubeSize size = *tubeOfSize(millimetres(7.0));
+    const std::vector<Vec3> p_E_rest = inPieces(restCurve(size, 200), 64);
+    const std::vector<Vec3> line = decoded({}, p_E_rest);
+    for (std::size_t i = 0; i < line.size(); ++i)
+        QVERIFY((line[i] - p_E_rest[i]).norm() < 1e-9);
+    QVERIFY(encoded(line, {}, line).error < kNear);
+    for (const float number : encoded(line, {}, line).code.perMetre)
+        QVERIFY(std::abs(number) < 1e-3F);
+}
+
+void TestTubeShapeCode::goesWithTheCurveAtRest()
+{
+    TubeShapeCode code;
+    code.perMetre = {-6.0F, 2.0F, -1.0F, 1.5F, 0.0F, 0.5F, 1.0F, -0.5F};
+    const std::vector<Vec3> p_E_rest =
+        decoded({}, inPieces(restCurve(*tubeOfSize(millimetres(7.0)), 200), 64));
+    const RigidTransform X_AE{rotationFromVector({0.3, -1.0, 0.7}), {0.1, -0.2, 0.3}};
+    std::vector<Vec3> p_A;
+    for (const Vec3& p_E : decoded(code, p_E_rest))
+        p_A.push_back(X_AE * p_E);
+    const EncodedShape shape = encoded(p_A, X_AE, p_E_rest);
+    QVERIFY(shape.error < millimetres(0.01));
+    for (std::size_t i = 0; i < code.perMetre.size(); ++i)
+        QVERIFY(std::abs(shape.code.perMetre[i] - code.perMetre[i]) < 0.01F);
+}
+
 void TestTubeShapeCode::hasATubeInAnAirway_data()
 {
     QTest::addColumn<double>("bend");
@@ -71,18 +102,27 @@ void TestTubeShapeCode::hasATubeInAnAirway_data()
 
 void TestTubeShapeCode::hasATubeInAnAirway()
 {
+    // While it is pushed in, and at rest there.
     QFETCH(double, bend);
     const test::BentLumen airway{.bend = bend, .radius = 0.01};
     const TubeSize size = *tubeOfSize(millimetres(7.0));
+    const std::vector<Vec3> p_E_rest = inPieces(restCurve(size, 200), TubeInLumen::kPieces);
     TubeInLumen tube{size, restCurve(size, 200)};
     const MovedLumen lumen = unmoved(airway.lumenFor(size.outerRadius()));
-    for (double inside = -0.02; inside < 0.2; inside += 0.0015)
-        tube.step(test::fed(size, inside), lumen);
-    for (int i = 0; i < 60; ++i)
-        tube.step(test::fed(size, 0.2), lumen);
+    constexpr int kEach = 10; // steps
+    int step = 0;
+    for (double inside = -0.02; inside < 0.2; inside += 0.0015) {
+        const RigidTransform X_AE = test::fed(size, inside);
+        tube.step(X_AE, lumen);
+        if (++step % kEach == 0)
+            QVERIFY(encoded(tube.constrained(), X_AE, p_E_rest).error < kShape);
+    }
     const RigidTransform X_AE = test::fed(size, 0.2);
-    const EncodedShape shape = encoded(tube.constrained(), X_AE, size.length);
-    const std::vector<Vec3> p_E = decoded(shape.code, size.length, TubeInLumen::kPieces);
+    for (int i = 0; i < 60; ++i)
+        tube.step(X_AE, lumen);
+    const EncodedShape shape = encoded(tube.constrained(), X_AE, p_E_rest);
+    const std::vector<Vec3> p_E = decoded(shape.code, p_E_rest);
+    QCOMPARE(p_E.size(), tube.constrained().size());
     for (std::size_t i = 0; i < p_E.size(); ++i)
         QVERIFY((X_AE * p_E[i] - tube.constrained()[i]).norm() < kShape.si);
 }

@@ -57,7 +57,7 @@ std::size_t wedgeOf(double u, double v)
 }
 
 /// The corners of a section: at so far along a way that these change by `slope` to either side.
-struct Corners {
+struct Reaches {
     const std::array<double, kLumenDirections>& reach;
     const std::array<double, kLumenDirections>& slope;
     double along = 0.0;
@@ -85,7 +85,7 @@ struct PolygonDepth {
 /// 1 / reach is a quadratic spline of the direction: round between the corners, and a circle where
 /// these lie on one. Without kRounding a straight wall would be left behind by 2 percent of its
 /// distance; with it by half of that, and a circle is as much too small.
-PolygonDepth polygonDepth(double u, double v, const Corners& corners)
+PolygonDepth polygonDepth(double u, double v, const Reaches& corners)
 {
     constexpr double kRounding = 1.01;
     const double r = std::sqrt(u * u + v * v);

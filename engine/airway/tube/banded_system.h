@@ -1,8 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -11,7 +11,11 @@ namespace carina
 
 /// A system of linear equations for places in a row, of which each has four unknowns and is coupled
 /// with the two before and the two behind it: a symmetric matrix of blocks of 4 x 4, solved
-/// directly by L D L^T. Its cost is in proportion to the number of places.
+/// directly by Cholesky's L L^T. Its cost is in proportion to the number of places.
+///
+/// It is eliminated from the last place to the first: those of a rod that is held at its first ones
+/// leave then no more than what is left is stiff, so that little is lost in differences. No block
+/// is inverted: what is much stiffer one way than another would lose that other way by rounding.
 class BandedSystem
 {
 public:
@@ -45,81 +49,82 @@ public:
     /// @pre as many values as rows, set by resize(); first at least 2
     [[nodiscard]] bool solve(std::size_t first, std::vector<Values>& values)
     {
-        for (std::size_t i = first; i < rows.size(); ++i)
-            if (!eliminate(i, first, values))
+        for (std::size_t i = rows.size(); i-- > first;)
+            if (!eliminate(i))
                 return false;
-        for (std::size_t i = rows.size(); i-- > first;) {
-            Values value = m_factors[i].inverse * values[i];
-            if (i + 1 < rows.size())
-                value.noalias() -= m_factors[i + 1].before.transpose() * values[i + 1];
-            if (i + 2 < rows.size())
-                value.noalias() -= m_factors[i + 2].secondBefore.transpose() * values[i + 2];
-            values[i] = value;
-        }
+        for (std::size_t i = first; i < rows.size(); ++i)
+            values[i] = m_factors[i].solved(values[i - 1], values[i - 2]);
         return true;
     }
 
 private:
+    /// Of a place when those behind it are eliminated: L of its own block, and what L couples it
+    /// with; a column of each is found from the same one of the matrix.
     struct Factor {
-        Block before = Block::Zero(); ///< blocks of L
-        Block secondBefore = Block::Zero();
-        Block inverse = Block::Zero(); ///< of the block of D
+        Block own = Block::Zero();          ///< only what is below the diagonal
+        Block before = Block::Zero();       ///< rows of the place before
+        Block secondBefore = Block::Zero(); ///< rows of the one before that
+        Values right = Values::Zero();
+        Values perDiagonal = Values::Zero(); ///< of `own`
+
+        /// From the blocks of the matrix. @returns false where that is not positive definite.
+        [[nodiscard]] bool factorise()
+        {
+            for (int k = 0; k < 4; ++k) {
+                const double pivot = own(k, k);
+                if (!(pivot > 0.0))
+                    return false;
+                const double per = 1.0 / std::sqrt(pivot);
+                perDiagonal[k] = per;
+                own.col(k) *= per;
+                before.col(k) *= per;
+                secondBefore.col(k) *= per;
+                right[k] *= per;
+                for (int j = k + 1; j < 4; ++j) {
+                    const double share = own(j, k);
+                    own.col(j) -= share * own.col(k);
+                    before.col(j) -= share * before.col(k);
+                    secondBefore.col(j) -= share * secondBefore.col(k);
+                    right[j] -= share * right[k];
+                }
+            }
+            return true;
+        }
+
+        [[nodiscard]] Values solved(const Values& one, const Values& two) const
+        {
+            Values value = right;
+            value.noalias() -= before.transpose() * one;
+            value.noalias() -= secondBefore.transpose() * two;
+            for (int k = 3; k >= 0; --k) {
+                for (int j = k + 1; j < 4; ++j)
+                    value[k] -= own(j, k) * value[j];
+                value[k] *= perDiagonal[k];
+            }
+            return value;
+        }
     };
 
-    [[nodiscard]] bool eliminate(std::size_t i, std::size_t first, std::vector<Values>& values)
+    [[nodiscard]] bool eliminate(std::size_t i)
     {
         const Row& row = rows[i];
         Factor& it = m_factors[i];
-        Block pivot = row.diagonal + supports[i].diagonal;
-        Values value = row.right + supports[i].right;
-        const bool hasSecond = i >= first + 2;
-        const bool hasOne = i >= first + 1;
-        // Of the places before `first` the values are given; of the others L is known.
-        if (hasSecond) {
-            it.secondBefore.noalias() = row.secondBefore * m_factors[i - 2].inverse;
-            pivot.noalias() -= it.secondBefore * row.secondBefore.transpose();
-            value.noalias() -= it.secondBefore * values[i - 2];
-        } else {
-            value.noalias() -= row.secondBefore * values[i - 2];
+        it.own = row.diagonal + supports[i].diagonal;
+        it.before = row.before.transpose();
+        it.secondBefore = row.secondBefore.transpose();
+        it.right = row.right + supports[i].right;
+        if (i + 1 < rows.size()) {
+            const Factor& next = m_factors[i + 1];
+            it.own.noalias() -= next.before * next.before.transpose();
+            it.before.noalias() -= next.secondBefore * next.before.transpose();
+            it.right.noalias() -= next.before * next.right;
         }
-        if (hasOne) {
-            Block coupled = row.before;
-            if (hasSecond)
-                coupled.noalias() -= row.secondBefore * m_factors[i - 1].before.transpose();
-            it.before.noalias() = coupled * m_factors[i - 1].inverse;
-            pivot.noalias() -= it.before * coupled.transpose();
-            value.noalias() -= it.before * values[i - 1];
-        } else {
-            value.noalias() -= row.before * values[i - 1];
+        if (i + 2 < rows.size()) {
+            const Factor& second = m_factors[i + 2];
+            it.own.noalias() -= second.secondBefore * second.secondBefore.transpose();
+            it.right.noalias() -= second.secondBefore * second.right;
         }
-        values[i] = value;
-        return invert(pivot, it.inverse);
-    }
-
-    [[nodiscard]] static bool isPositive(const Eigen::Matrix2d& m)
-    {
-        return m(0, 0) > 0.0 && m(0, 0) * m(1, 1) - m(1, 0) * m(1, 0) > 0.0;
-    }
-
-    /// Of a symmetric matrix by its quarters; false where that is not positive definite.
-    [[nodiscard]] static bool invert(const Block& m, Block& inverse)
-    {
-        const Eigen::Matrix2d a = m.topLeftCorner<2, 2>();
-        const Eigen::Matrix2d b = m.bottomLeftCorner<2, 2>();
-        if (!isPositive(a))
-            return false;
-        const Eigen::Matrix2d perA = a.inverse();
-        const Eigen::Matrix2d ba = b * perA;
-        const Eigen::Matrix2d rest = m.bottomRightCorner<2, 2>() - ba * b.transpose();
-        if (!isPositive(rest))
-            return false;
-        const Eigen::Matrix2d perRest = rest.inverse();
-        const Eigen::Matrix2d across = -perRest * ba;
-        inverse.topLeftCorner<2, 2>() = perA - ba.transpose() * across;
-        inverse.bottomLeftCorner<2, 2>() = across;
-        inverse.topRightCorner<2, 2>() = across.transpose();
-        inverse.bottomRightCorner<2, 2>() = perRest;
-        return true;
+        return it.factorise();
     }
 
     std::vector<Factor> m_factors;

@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 
+#include <cmath>
 #include <random>
 
 namespace carina::banded_system_test
@@ -76,6 +77,48 @@ private Q_SLOTS:
         for (std::size_t i = kFirst; i < kPlaces; ++i)
             QVERIFY((right.segment<4>(Eigen::Index(4 * i)) - system.rows[i].right).norm()
                     < kRounding);
+    }
+
+    /// As of a rod of 64 pieces that is hard to stretch, of 200 mm, aslant, at rest and loaded at
+    /// its tip: as a cantilever, although it is 1e9 times as stiff along as across.
+    void keepsWhatIsSoftBesideWhatIsStiff()
+    {
+        constexpr double kOfSolution = 1e-4; // share
+        constexpr double kStretch = 2e8;
+        constexpr int kPieces = 64;
+        const double h = 0.2 / kPieces;
+        const Eigen::Vector3d t = Eigen::Vector3d{1.0, 2.0, -3.0}.normalized();
+        const Eigen::Vector3d across = t.unitOrthogonal();
+        BandedSystem system;
+        system.resize(kPieces + 1);
+        for (BandedSystem::Row& row : system.rows)
+            row.diagonal(3, 3) = 1.0;
+        const Eigen::Matrix3d bend =
+            (Eigen::Matrix3d::Identity() - t * t.transpose()) / (h * h * h);
+        const Eigen::Matrix3d stretch = kStretch / h * t * t.transpose();
+        for (std::size_t i = 0; i + 2 <= kPieces; ++i) {
+            auto* row = &system.rows[i];
+            row[0].diagonal.topLeftCorner<3, 3>() += bend;
+            row[1].diagonal.topLeftCorner<3, 3>() += 4.0 * bend;
+            row[2].diagonal.topLeftCorner<3, 3>() += bend;
+            row[1].before.topLeftCorner<3, 3>() -= 2.0 * bend;
+            row[2].before.topLeftCorner<3, 3>() -= 2.0 * bend;
+            row[2].secondBefore.topLeftCorner<3, 3>() += bend;
+        }
+        for (std::size_t i = 1; i <= kPieces; ++i) {
+            system.rows[i].diagonal.topLeftCorner<3, 3>() += stretch;
+            system.rows[i].before.topLeftCorner<3, 3>() -= stretch;
+            system.rows[i - 1].diagonal.topLeftCorner<3, 3>() += stretch;
+        }
+        system.rows.back().right.head<3>() = across;
+        std::vector<BandedSystem::Values> values(kPieces + 1, BandedSystem::Values::Zero());
+        QVERIFY(system.solve(kFirst, values));
+        // Each of n turns is by its distance from the tip: h^3 (1 + 4 + ... + n^2).
+        const double n = kPieces - 1;
+        const double truth = h * h * h * n * (n + 1.0) * (2.0 * n + 1.0) / 6.0;
+        const double found = values.back().head<3>().dot(across);
+        QVERIFY2(std::abs(found - truth) < kOfSolution * truth,
+                 qPrintable(QString::number(found / truth)));
     }
 
     void refusesAMatrixThatIsNotPositiveDefinite()

@@ -162,7 +162,8 @@ void ElasticRod::comeToRest(const RodWall& wall)
     for (int i = 0; i < kMostAtRest; ++i) {
         m_solutionsLeft = kMostSolutions;
         m_hasCompression = true;
-        if (improve(wall) <= kAtRest)
+        // What ran out of solutions, or is held by its damping, is not at rest.
+        if (improve(wall) <= kAtRest && m_solutionsLeft > 0 && m_damping <= kLeastDamping)
             break;
     }
 }

@@ -105,7 +105,8 @@ void lumenMoved(benchmark::State& state)
         carina::RigidTransform::translation({0.0, -0.005, -0.01})};
     for (auto _ : state)
         benchmark::DoNotOptimize(
-            carina::moved(still, carina::tissueMotion(changes, throat, blade)).teeth);
+            carina::moved(still, carina::tissueMotion(changes, throat), carina::bladePushing(blade))
+                .teeth);
 }
 
 /// The same airway with a ring that the tube does not pass.

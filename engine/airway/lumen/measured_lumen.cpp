@@ -114,7 +114,12 @@ LumenSection measured(const Vec3& p_A_centre, const WallSurfaces& walls, const A
         const auto wall = walls.nearestTo(p_A_centre + way * direction);
         const bool touches = wall && std::abs(wall->distance) < ball + 2e-4;
         const Vec3 p_A_wall = touches ? wall->p_A : Vec3{p_A_centre + (way + ball) * direction};
-        section.limits[k] = {p_A_wall, p_A - p_A_wall, touches ? wall->tissue : usual};
+        // Far from the pharynx's wall at the front is its tongue.
+        const bool isTongue = usual == AirwayTissue::Pharynx && k > kLumenDirections / 2;
+        section.limits[k] = {p_A_wall, p_A - p_A_wall,
+                             touches    ? wall->tissue
+                             : isTongue ? AirwayTissue::Throat
+                                        : usual};
     }
     return section;
 }

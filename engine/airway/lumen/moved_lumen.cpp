@@ -138,8 +138,10 @@ PolygonDepth polygonDepth(double u, double v, const Reaches& corners)
 }
 
 /// Of a section the axes, and the corners from the middle between them.
+/// @param room by which the corners are farther away than that
 MovedSection middled(const Vec3& p_A_about, const AcrossWay& across,
-                     const std::array<Vec3, kLumenDirections>& corners, double give)
+                     const std::array<Vec3, kLumenDirections>& corners,
+                     const std::array<double, kLumenDirections>& room, double give)
 {
     MovedSection section{.side = across.side, .back = across.back, .give = give};
     const auto between = [&](const Vec3& axis, std::size_t k) {
@@ -149,7 +151,7 @@ MovedSection middled(const Vec3& p_A_about, const AcrossWay& across,
                          + between(across.back, kQuarter) * across.back;
     std::array<double, kLumenDirections> reach{};
     for (std::size_t k = 0; k < kLumenDirections; ++k)
-        reach[k] = (corners[k] - section.p_A_centre).dot(across.direction(k));
+        reach[k] = (corners[k] - section.p_A_centre).dot(across.direction(k)) + room[k];
     section.spare = 0.5 * (reach[0] + reach[kHalf]);
     for (std::size_t k = 0; k < kHalf; ++k)
         section.spare = std::min(section.spare, 0.5 * (reach[k] + reach[k + kHalf]));
@@ -186,13 +188,30 @@ std::array<Vec3, kLumenDirections> movesOf(const LumenSection& section, const Ti
     return moves;
 }
 
-MovedWay movedWay(const std::vector<LumenSection>& sections, const TissueMotion& motion)
+/// How far walls at these moves are pushed away from the way, in its directions.
+std::array<double, kLumenDirections> roomOf(const LumenSection& section,
+                                            const std::array<Vec3, kLumenDirections>& moves,
+                                            const AcrossWay& across, const TissueMotion& push)
+{
+    std::array<double, kLumenDirections> room{};
+    if (push)
+        for (std::size_t k = 0; k < kLumenDirections; ++k) {
+            const LumenLimit& limit = section.limits[k];
+            const Vec3 p_A = limit.p_A_wall + moves[k];
+            room[k] = std::max((push(p_A, limit.tissue) - p_A).dot(across.direction(k)), 0.0);
+        }
+    return room;
+}
+
+MovedWay movedWay(const std::vector<LumenSection>& sections, const TissueMotion& motion,
+                  const TissueMotion& push)
 {
     MovedWay way;
     std::vector<std::array<Vec3, kLumenDirections>> corners(sections.size());
+    std::vector<std::array<Vec3, kLumenDirections>> allMoves(sections.size());
     std::vector<Vec3> about(sections.size());
     for (std::size_t i = 0; i < sections.size(); ++i) {
-        const auto moves = movesOf(sections[i], motion);
+        const auto& moves = allMoves[i] = movesOf(sections[i], motion);
         about[i] = sections[i].p_A_centre
                    + 0.25 * (moves[0] + moves[kQuarter] + moves[kHalf] + moves[kHalf + kQuarter]);
         for (std::size_t k = 0; k < kLumenDirections; ++k) {
@@ -202,8 +221,10 @@ MovedWay movedWay(const std::vector<LumenSection>& sections, const TissueMotion&
     }
     for (std::size_t i = 0; i < sections.size(); ++i) {
         const Vec3 along = about[std::min(i + 1, about.size() - 1)] - about[i > 0 ? i - 1 : 0];
-        way.sections.push_back(
-            middled(about[i], acrossWay(along), corners[i], sections[i].give.si));
+        const AcrossWay across = acrossWay(along);
+        way.sections.push_back(middled(about[i], across, corners[i],
+                                       roomOf(sections[i], allMoves[i], across, push),
+                                       sections[i].give.si));
         way.along.push_back(
             i > 0 ? way.along.back()
                         + (way.sections[i].p_A_centre - way.sections[i - 1].p_A_centre).norm()
@@ -214,8 +235,7 @@ MovedWay movedWay(const std::vector<LumenSection>& sections, const TissueMotion&
 
 } // namespace
 
-TissueMotion tissueMotion(const AirwayField& changes, const FollowingThroat& throat,
-                          const BladeField& blade)
+TissueMotion tissueMotion(const AirwayField& changes, const FollowingThroat& throat)
 {
     return [&](const Vec3& p_A_made, AirwayTissue tissue) {
         Vec3 p_A = p_A_made + airwayPull<double>(changes.frame(), tissue, p_A_made).d;
@@ -226,18 +246,27 @@ TissueMotion tissueMotion(const AirwayField& changes, const FollowingThroat& thr
                                                               : ThroatTissue::Airway,
                               p_A)
                        .d;
-        if (blade.isThere())
-            p_A += bladePull<double>(blade.frame(), tissue, p_A).d;
         return p_A;
     };
 }
 
-MovedLumen moved(const AirwayLumen& lumen, const TissueMotion& motion)
+TissueMotion bladePushing(const BladeField& blade)
+{
+    if (!blade.isThere())
+        return {};
+    return [&](const Vec3& p_A, AirwayTissue tissue) {
+        return Vec3{p_A + bladePull<double>(blade.frame(), tissue, p_A).d};
+    };
+}
+
+MovedLumen moved(const AirwayLumen& lumen, const TissueMotion& motion, const TissueMotion& push)
 {
     MovedLumen made;
     made.tubeRadius = lumen.tubeRadius;
     for (std::size_t w = 0; w < kAirwayWays; ++w) {
-        made.ways[w] = movedWay(lumen.ways[w], motion);
+        // Of the ways only the trunk leads along a tongue.
+        const bool isTrunk = w == std::size_t(AirwayWay::Trunk);
+        made.ways[w] = movedWay(lumen.ways[w], motion, isTrunk ? push : TissueMotion{});
         if (made.ways[w].isThere())
             made.begins[w] = made.ways[w].along[lumen.begins[w]];
     }

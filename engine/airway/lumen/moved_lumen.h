@@ -15,10 +15,12 @@ namespace carina
 /// Where tissue goes that lies at a place of the surfaces, in A.
 using TissueMotion = std::function<Vec3(const Vec3& p_A, AirwayTissue tissue)>;
 
-/// As it is drawn: changed by events and breath, then taken by the neck, then by the jaw, and
-/// pushed by a blade. The arguments must outlive the motion.
-[[nodiscard]] TissueMotion tissueMotion(const AirwayField& changes, const FollowingThroat& throat,
-                                        const BladeField& blade);
+/// As it is drawn without a blade: changed by events and breath, then taken by the neck, then by
+/// the jaw. The arguments must outlive the motion.
+[[nodiscard]] TissueMotion tissueMotion(const AirwayField& changes, const FollowingThroat& throat);
+/// Where a blade pushes what lies at a place of that; nothing without a blade, which must outlive
+/// the motion.
+[[nodiscard]] TissueMotion bladePushing(const BladeField& blade);
 
 /// A section of a moved lumen, for the centre line of a tube.
 struct MovedSection {
@@ -85,7 +87,10 @@ struct MovedLumen {
 
 /// Moves a lumen with the tissue around it. Four corners of each section are moved with what they
 /// touch, those between by the share of these; centres go to the middle between them.
-[[nodiscard]] MovedLumen moved(const AirwayLumen& lumen, const TissueMotion& motion);
+/// @param push what makes room beside that: a wall goes away from the way with it, and not into the
+///             way, as the palate would that is drawn with the tongue before a blade
+[[nodiscard]] MovedLumen moved(const AirwayLumen& lumen, const TissueMotion& motion,
+                               const TissueMotion& push = {});
 /// As the surfaces have it.
 [[nodiscard]] MovedLumen unmoved(const AirwayLumen& lumen);
 

@@ -11,6 +11,7 @@ namespace
 constexpr double kSame = 1e-9;   // metres
 constexpr double kTube = 0.004;  // metres
 constexpr double kRadius = 0.01; // of the lumen, metres
+constexpr double kPush = 0.005;  // metres
 
 /// Straight down, 10 cm.
 AirwayLumen pipe()
@@ -43,6 +44,7 @@ private Q_SLOTS:
     void hasTheCurvatureOfItsWall();
     void goesOnBetweenItsSections();
     void followsAShift();
+    void isWidenedByAPushAndNotNarrowed();
     void narrowsAsWallsComeTogether();
     void isStoppedWhereItIsTooNarrow();
     void endsAtItsEnd();
@@ -149,6 +151,20 @@ void TestMovedLumen::followsAShift()
         const Vec3 p{0.001 * i, 0.0005 * i, -0.003 * i - 0.01};
         QVERIFY(std::abs(depthAt(before, p) - depthAt(after, p + shift)) < kSame);
     }
+}
+
+void TestMovedLumen::isWidenedByAPushAndNotNarrowed()
+{
+    // A blade that takes all around a pipe to one side gives room there, and leaves the other side.
+    constexpr double kNear = 3e-4; // metres: the section is round to so much
+    const auto still = [](const Vec3& p_A, AirwayTissue /*tissue*/) { return p_A; };
+    const MovedLumen wide = moved(pipe(), still, [](const Vec3& p_A, AirwayTissue /*tissue*/) {
+        return Vec3{p_A + kPush * Vec3::UnitX()};
+    });
+    const double room = kRadius - kTube;
+    QVERIFY(std::abs(depthAt(wide, {room + kPush, 0.0, -0.05})) < kNear);
+    QVERIFY(std::abs(depthAt(wide, {-room, 0.0, -0.05})) < kNear);
+    QVERIFY(wide.way(AirwayWay::Trunk).sections[12].p_A_centre.norm() < 0.048 + kSame);
 }
 
 void TestMovedLumen::narrowsAsWallsComeTogether()

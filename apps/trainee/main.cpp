@@ -306,6 +306,10 @@ Result<Left> takePart(const QCommandLineParser& parser, Outfit& outfit, program:
                                                  program::dataFolder(parser))};
     IntubationWatch watch{station.node(), place.id(), tools.posesOnScreen()};
     watch.readView([&window] { return window.glottisSeen(); });
+    window.stationScene().bendTubeBy(
+        [own = QPointer{&watch}](const StationMoment& moment, const TissueAround& tissue) {
+            return own ? own->tubeAt(moment, tissue) : TubeInAirway{};
+        });
     window.setMonitor(vitals.model(), sound);
     window.setHands(hands);
     vitals.setStethoscope([&window, hears = std::make_shared<Stethoscope>()] {

@@ -4,6 +4,7 @@
 #include "engine/session/respiration/respiration_timeline.h"
 #include "models/patient/shared_patient.h"
 #include "models/session/proposed.h"
+#include "models/station/sent_shape.h"
 
 #include <algorithm>
 #include <utility>
@@ -20,6 +21,8 @@ constexpr Duration kStillNews = kLongestNews - std::chrono::seconds{1};
 /// A step that was not taken, and is older than this with the answer, came too late.
 constexpr Duration kTooLate = kLongestNews - std::chrono::milliseconds{500};
 constexpr double kShutSpasm = 0.95; ///< severity from which no tube passes the cords; of ours
+/// A tip that cords hold up lies between them: of ours.
+constexpr Length kAtCords = millimetres(5.0);
 
 SessionTime wholeMultiple(SessionTime t)
 {
@@ -32,6 +35,11 @@ IntubationWatch::IntubationWatch(SessionNode& node, StationId station, ObjectPos
                                  QObject* parent)
     : QObject{parent}, m_node{node}, m_station{station}, m_own{std::move(own)}
 {
+    m_node.publishShape(ObjectKind::Tube, [board = m_shape]() -> std::optional<StreamShape> {
+        const auto shape = board->load();
+        return shape ? std::optional{*shape} : std::nullopt;
+    });
+    connect(&m_lumen, &PatientLumen::measured, this, &IntubationWatch::lumenMeasured);
     m_timer.callOnTimeout(this, &IntubationWatch::look);
     m_timer.start(std::chrono::duration_cast<std::chrono::milliseconds>(kEach));
 }
@@ -46,6 +54,7 @@ void IntubationWatch::lieIn(const PatientModel& patient)
 {
     m_patient = &patient;
     m_ways.reset();
+    m_tube.reset(); // it has another curve, if not another lumen
     if (m_laryngoscope)
         m_laryngoscope->lieIn(patient);
     else
@@ -57,6 +66,9 @@ void IntubationWatch::forget()
 {
     m_monitor = IntubationMonitor{};
     m_rest = {};
+    if (m_tube)
+        m_tube->letGo();
+    m_shape->store(nullptr);
     m_taken.reset();
     m_controls.reset();
     m_breathing = {};
@@ -79,25 +91,49 @@ void IntubationWatch::look()
         forget(); // whoever works meanwhile has another tube
         return;
     }
-    if (m_node.state()->phaseAt(*now) != SessionPhase::Running) {
+    findLumen();
+    takeMoments(*now);
+    shareShape();
+    if (m_node.state()->phaseAt(*now) != SessionPhase::Running)
+        return;
+    takeControls(*now);
+    takeBreath(*m_taken);
+    propose(*now);
+}
+
+/// A tube that was not touched has no curve at rest that is known: it is drawn as it fits the
+/// airway in which it ends, and has no other shape to be bent from.
+void IntubationWatch::findLumen()
+{
+    if (m_tube || m_patient->tube().fitsAirway)
+        return;
+    m_lumen.want(*m_patient);
+    if (m_lumen.lumen())
+        m_tube.emplace(m_patient->tube(), m_lumen.lumen());
+}
+
+void IntubationWatch::takeMoments(SessionTime now)
+{
+    const bool isRunning = m_node.state()->phaseAt(now) == SessionPhase::Running;
+    if (!isRunning && !m_tube) {
         m_taken.reset();
         return;
     }
     if (!m_ways)
         m_ways = waysOf(*m_patient);
-    const SessionTime until = wholeMultiple(*now - kBehind);
+    const SessionTime until = wholeMultiple(now - kBehind);
     if (!m_taken || until - *m_taken > kLongestSkip)
         m_taken = until - kEach;
     while (*m_taken < until) {
         *m_taken += kEach;
-        for (const IntubationEvent& event : m_monitor.take(airwayAt(*m_taken)))
+        const AirwayMoment moment = airwayAt(*m_taken);
+        if (!isRunning)
+            continue;
+        for (const IntubationEvent& event : m_monitor.take(moment))
             queue(event);
         if (const auto rest = m_rest.take(m_monitor))
             queue(*rest);
     }
-    takeControls(*now);
-    takeBreath(*m_taken);
-    propose(*now);
 }
 
 /// What moves tube, blade and tissue; the chest does not.
@@ -121,23 +157,96 @@ StationMoment IntubationWatch::momentAt(SessionTime t)
     return moment;
 }
 
+IntubationWatch::Surroundings IntubationWatch::surroundingsAt(SessionTime t)
+{
+    StationMoment moment = momentAt(t);
+    FollowingThroat throat = throatAt(moment, *m_patient);
+    AirwayField changes = m_laryngoscope->changesAt(moment);
+    LaryngoscopeSight sight = m_laryngoscope->at(moment, throat);
+    return {std::move(moment), std::move(throat), std::move(changes), std::move(sight)};
+}
+
 AirwayMoment IntubationWatch::airwayAt(SessionTime t)
 {
-    const StationMoment moment = momentAt(t);
-    const FollowingThroat throat = throatAt(moment, *m_patient);
-    const AirwayField changes = m_laryngoscope->changesAt(moment);
-    const LaryngoscopeSight sight = m_laryngoscope->at(moment, throat);
+    const Surroundings around = surroundingsAt(t);
+    const auto& [moment, throat, changes, sight] = around;
     const PatientWays ways = drawnWays(*m_ways, changes, throat, sight.tissue);
+    followTube(moment, around.tissue());
     TubeCurves tube;
-    std::vector<Vec3> drawn;
+    std::vector<Vec3> measured;
     if (moment.tube && !isAway(moment)) {
         tube.validity = moment.tube->validity;
-        drawn = drawnTube(*m_patient, throat.neck, moment.tube->X_FO);
-        tube.p_A_shown = drawn;
+        measured = drawnTube(*m_patient, throat.neck, moment.tube->X_FO);
+        tube.p_A_measured = measured;
+        tube.p_A_shown = m_tube && m_tube->isLaid() ? m_tube->tube().constrained() : measured;
     }
-    const bool areShut =
-        severityOf(moment.airwayEvents, AirwayEventKind::Laryngospasm) >= kShutSpasm;
-    return airwayMoment(t, ways, tube, bladeIn(moment, sight), areShut);
+    return airwayMoment(t, ways, tube, bladeIn(moment, sight), isShut(moment));
+}
+
+/// To this tube: by a spasm, or by whatever stops it above the cords.
+bool IntubationWatch::isShut(const StationMoment& moment) const
+{
+    if (severityOf(moment.airwayEvents, AirwayEventKind::Laryngospasm) >= kShutSpasm)
+        return true;
+    if (!m_tube || !m_tube->isLaid())
+        return false;
+    const TubeTip& tip = m_tube->tube().tip();
+    return tip.isStopped && tip.way == AirwayWay::Trunk && tip.pastGlottis <= kAtCords;
+}
+
+/// Beside a patient who is moved away it lies in no lumen.
+void IntubationWatch::followTube(const StationMoment& moment, const TissueAround& tissue)
+{
+    if (!m_tube)
+        return;
+    if (isAway(moment)) {
+        m_tube->letGo();
+        return;
+    }
+    const auto seen = [this](SessionTime t) -> std::optional<RigidTransform> {
+        const auto tube = m_own.at(ObjectKind::Tube, t);
+        const bool isSeen = tube && tube->validity != Validity::Lost;
+        return isSeen ? std::optional{tube->X_FO} : std::nullopt;
+    };
+    m_tube->follow(moment.time, seen, tissue);
+}
+
+TubeInAirway IntubationWatch::tubeAt(const StationMoment& moment, const TissueAround& tissue) const
+{
+    const bool isSeen = moment.tube && moment.tube->validity != Validity::Lost;
+    const bool isOwn = isAtWork() && moment.worker == m_node.self();
+    if (!isSeen || !isOwn || isAway(moment) || m_patient->tube().fitsAirway)
+        return {};
+    if (!m_tube)
+        return {{}, m_lumen.isImpossible() ? TubeDrawing::NoLumen : TubeDrawing::Awaited};
+    if (!m_tube->isLaid())
+        return {};
+    return {m_tube->ahead(moment.tube->X_FO, tissue).p_E,
+            course().shapes.isIn ? TubeDrawing::Apart : TubeDrawing::InAirway};
+}
+
+/// At the newest pose, from which the next picture here begins, too.
+void IntubationWatch::shareShape()
+{
+    const auto newest = m_own.newest(ObjectKind::Tube);
+    const auto before = m_shape->load();
+    if (newest && before && *newest - before->time < kShapeEach)
+        return;
+    m_shape->store(newest && m_tube && m_tube->isLaid() ? shapeAt(*newest) : nullptr);
+}
+
+/// Null where it does not bend.
+std::shared_ptr<const StreamShape> IntubationWatch::shapeAt(SessionTime t)
+{
+    const Surroundings around = surroundingsAt(t);
+    const auto& tube = around.moment.tube;
+    if (!tube || tube->validity == Validity::Lost || isAway(around.moment))
+        return nullptr;
+    const TubeAhead lies = m_tube->ahead(tube->X_FO, around.tissue());
+    const Length length = m_tube->tube().size().length;
+    const Length outside = std::clamp(length - lies.depth, Length{}, length);
+    return std::make_shared<const StreamShape>(
+        toStream(formOf(lies.p_E, length, outside, medianPlane(tube->X_FO)), t));
 }
 
 BladeSeen IntubationWatch::bladeIn(const StationMoment& moment, const LaryngoscopeSight& sight)
@@ -188,8 +297,29 @@ void IntubationWatch::takeBreath(SessionTime t)
         queue(m_monitor.told(IntubationStep::FirstBreath, *began));
 }
 
+/// Shapes that come together before it could be noted that they are apart, or the other way, are no
+/// step: where they go to and fro faster than the session takes it, other steps would wait.
+bool IntubationWatch::isTakenBack(IntubationStep step)
+{
+    if (step != IntubationStep::ShapesApart && step != IntubationStep::ShapesTogether)
+        return false;
+    const IntubationStep before = step == IntubationStep::ShapesApart
+                                      ? IntubationStep::ShapesTogether
+                                      : IntubationStep::ShapesApart;
+    const auto unsent = m_queued.begin() + (m_sent ? 1 : 0);
+    const auto waiting =
+        std::find_if(unsent, m_queued.end(),
+                     [before](const IntubationEvent& each) { return each.step == before; });
+    if (waiting == m_queued.end())
+        return false;
+    m_queued.erase(waiting);
+    return true;
+}
+
 void IntubationWatch::queue(const IntubationEvent& event)
 {
+    if (isTakenBack(event.step))
+        return;
     m_rest.note(event);
     const bool isRest = event.step == IntubationStep::AtRest;
     const std::size_t unsent = m_queued.size() - (m_sent ? 1 : 0);

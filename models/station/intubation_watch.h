@@ -2,18 +2,23 @@
 
 #include "engine/airway/monitor/rest_watch.h"
 #include "engine/anatomy/laryngoscopy/glottic_view.h"
+#include "engine/geometry/deformation/airway_field.h"
 #include "engine/session/respiration/respiration_follower.h"
 #include "engine/session/respiration/tube_breath_watch.h"
+#include "models/patient/patient_lumen.h"
 #include "models/station/drawn_ways.h"
+#include "models/station/elastic_tube.h"
 #include "models/station/laryngoscope_sight.h"
 #include "models/station/station_view.h"
 
 #include <QObject>
 #include <QTimer>
 
+#include <atomic>
 #include <deque>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 
 namespace carina
@@ -27,6 +32,11 @@ namespace carina
 /// Moments are kEach apart, at whole multiples of it in session time, and kBehind in the past,
 /// where poses are interpolated between samples and not predicted. Patient, neck, jaw and tissue
 /// are as they are drawn then.
+///
+/// A tube whose curve at rest was touched is followed, also while the session does not run, as an
+/// elastic rod in the patient's lumen (ElasticTube), from when that was measured: from the first
+/// moment at which somebody is at work. Before it, and where it was not touched, it is as its pose
+/// has it. How it bends is sent with its poses (SessionNode::publishShape).
 ///
 /// What no sensor feels follows from what people set, cuff and stylet, and from the mechanics: the
 /// first breath that bag or ventilator deliver with the tip past the cords, in the trachea or the
@@ -43,6 +53,8 @@ class IntubationWatch : public QObject
 public:
     static constexpr Duration kEach = std::chrono::milliseconds{20};
     static constexpr Duration kBehind = std::chrono::milliseconds{80}; ///< of ours
+    /// From one form of the tube that is sent to the next, at least: of ours.
+    static constexpr Duration kShapeEach = std::chrono::milliseconds{40};
 
     /// What was read of the glottis in the laryngoscope's picture last; nothing where none was.
     using ReadView = std::function<std::optional<GlotticView>()>;
@@ -67,6 +79,16 @@ public:
 
     [[nodiscard]] const IntubationCourse& course() const { return m_monitor.course(); }
 
+    /// How the tube of this program's participant is drawn in the airway at a moment; AsMeasured
+    /// where it is not theirs, is not seen, or does not bend.
+    /// @param tissue as it is drawn then
+    [[nodiscard]] TubeInAirway tubeAt(const StationMoment& moment,
+                                      const TissueAround& tissue) const;
+
+Q_SIGNALS:
+    /// The lumen for the tube that lies there was measured, or cannot be.
+    void lumenMeasured();
+
 private:
     /// As people have set them.
     struct Controls {
@@ -74,13 +96,37 @@ private:
         bool isStyletIn = true;
     };
 
+    /// What lies around a tube at a moment.
+    struct Surroundings {
+        StationMoment moment;
+        FollowingThroat throat;
+        AirwayField changes;
+        LaryngoscopeSight sight;
+
+        /// @pre this outlives it
+        [[nodiscard]] TissueAround tissue() const
+        {
+            return tissueAround(changes, throat, sight.tissue);
+        }
+    };
+    /// What the node's thread reads the shape from.
+    using ShapeBoard = std::atomic<std::shared_ptr<const StreamShape>>;
+
     void forget();
     [[nodiscard]] bool isAtWork() const;
+    void findLumen();
+    void takeMoments(SessionTime now);
     [[nodiscard]] StationMoment momentAt(SessionTime t);
+    [[nodiscard]] Surroundings surroundingsAt(SessionTime t);
     [[nodiscard]] AirwayMoment airwayAt(SessionTime t);
+    [[nodiscard]] bool isShut(const StationMoment& moment) const;
+    void followTube(const StationMoment& moment, const TissueAround& tissue);
+    void shareShape();
+    [[nodiscard]] std::shared_ptr<const StreamShape> shapeAt(SessionTime t);
     [[nodiscard]] BladeSeen bladeIn(const StationMoment& moment, const LaryngoscopeSight& sight);
     [[nodiscard]] Controls controlsAt(SessionTime t) const;
     void takeControls(SessionTime now);
+    [[nodiscard]] bool isTakenBack(IntubationStep step);
     void takeBreath(SessionTime t);
     void queue(const IntubationEvent& event);
     [[nodiscard]] bool isTaken(const IntubationEvent& event) const;
@@ -93,6 +139,10 @@ private:
     ReadView m_view = [] { return std::nullopt; };
     std::optional<PatientWays> m_ways; ///< of the patient, once they are needed
     const PatientModel* m_patient = nullptr;
+    PatientLumen m_lumen;
+    std::optional<ElasticTube> m_tube; ///< once its lumen is there
+    /// Shared with the source that the node has, which may outlive this.
+    std::shared_ptr<ShapeBoard> m_shape = std::make_shared<ShapeBoard>();
     std::optional<StationLaryngoscope> m_laryngoscope;
     IntubationMonitor m_monitor;
     RestWatch m_rest;

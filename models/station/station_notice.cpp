@@ -225,6 +225,7 @@ QString stationNotice(const SessionNode& node, const StationMoment& moment, View
                       mouseNotice(moment, output), standing(node, moment.time)};
     if (registration)
         lines.append(standingNotice(*registration));
+    lines.append(drawingText(moment.tubeDrawing));
     if (isAway(moment))
         lines.append(noticeWords(QT_TRANSLATE_NOOP(
             "StationNotice", "The virtual patient was moved away from its place")));

@@ -14,7 +14,8 @@ namespace carina
 /// the session), session not running, headset (if there is one) or tube at work not seen, with what
 /// to do where no tracker could see it. A line is added while a headset's picture is turned by
 /// mouse (looksByMouse), which says how, one while the registration cannot be relied on, one while
-/// the patient is displaced from its original pose, and one that names what is lifted out of it.
+/// the tube is drawn beside the tracked one, or not as it bends, one while the patient is displaced
+/// from its original pose, and one that names what is lifted out of it.
 ///
 /// A muted participant reads that it is muted, and one whose token was replaced why, for a minute.
 /// One whom an instructor moved, or from whom one took what they held, reads that for 15 s.

@@ -52,6 +52,7 @@ StationMoment StationView::at(SessionTime t, std::size_t level) const
         moment.position = station->second.respiration.settingsAt(t).position;
         moment.airwayEvents = airwayEventsAt(station->second, run, t);
         moment.headPosition = headPositionAt(station->second, t);
+        moment.tubeIsApart = station->second.respiration.tube().areShapesApartAt(t);
         moment.exaggeration = m_exaggeration;
         const ChestPose drawn = drawnPose(m_lungs, moment.breathing, level);
         moment.notDrawn = notDrawn(m_lungs, moment.breathing, drawn, level);
@@ -88,6 +89,8 @@ void StationView::addPeople(StationMoment& moment, const SessionState& state) co
         const auto poses = m_node.object(tube->object);
         if (const auto newest = poses ? poses->newest() : std::nullopt)
             moment.sampleAge = t - newest->time;
+        if (poses)
+            moment.tubeShape = poses->shapeAt(t);
     }
     if (const PersonPose* jaw = atWork(moment.people, ObjectKind::Jaw))
         moment.jaw = jaw->pose;

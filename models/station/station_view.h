@@ -7,6 +7,7 @@
 #include "models/patient/patient_model.h"
 #include "models/station/lifted_objects.h"
 #include "models/station/people_poses.h"
+#include "models/station/tube_drawing.h"
 
 #include <optional>
 
@@ -37,6 +38,11 @@ struct StationMoment {
     std::optional<ShownObject> patient;   ///< X_AV; empty before any action on the patient
     std::vector<LiftedObject> lifted;     ///< what is not in its place
     std::optional<Duration> sampleAge;    ///< of the tube's newest sample at `time`
+    /// How the tube at work bends, as its owner has it; nothing of an own one, and where it is not
+    /// told.
+    std::optional<ShapeBetween> tubeShape;
+    bool tubeIsApart = false; ///< from where it was measured, as it is noted in the session
+    TubeDrawing tubeDrawing = TubeDrawing::AsMeasured; ///< set by who draws it
 };
 
 /// The events of a patient's airway at a time: those that are decided, and a laryngospasm that is

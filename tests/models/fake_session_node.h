@@ -115,7 +115,8 @@ public:
         std::string name;
         PoseSource newest;
     };
-    std::vector<Published> published; ///< what this program shares
+    std::vector<Published> published;         ///< what this program shares
+    std::map<ObjectKind, ShapeSource> shapes; ///< how it bends
 
     // SessionNode.
 
@@ -166,6 +167,10 @@ public:
     void publish(ObjectKind kind, std::string name, PoseSource newest) override
     {
         published.push_back({kind, std::move(name), std::move(newest)});
+    }
+    void publishShape(ObjectKind kind, ShapeSource shape) override
+    {
+        shapes.insert_or_assign(kind, std::move(shape));
     }
     [[nodiscard]] std::shared_ptr<const RemoteObject> object(ObjectId id) const override
     {

@@ -447,6 +447,8 @@ QStringList InstructorWindow::unusual(const StationMoment& moment) const
         told += tr("▲ patient not in its original place");
     if (const QString lifted = liftedText(moment.lifted); !lifted.isEmpty())
         told += lifted;
+    if (const QString drawn = drawingText(moment.tubeDrawing); !drawn.isEmpty())
+        told += tr("▲ %1", "how the tube is drawn").arg(drawn);
     if (moment.exaggeration != 1.0)
         told += tr("▲ breathing shown %1 times as large as it is").arg(moment.exaggeration);
     if (inMillilitres(moment.notDrawn) >= 1.0)

@@ -49,6 +49,7 @@ SceneFrame LiveScope::frameOf(int level, LocalTime lit)
         return frame;
     frame.blade = m_sight.tissue;
     frame.bodies[kScopeBody] = m_sight.X_AL;
+    m_station.bendTubeAtWork(frame, moment);
     addContents(frame, m_station.laryngoscope().contentsAt(throat, m_sight.tissue));
     frame.eyes->push_back(scopePicture(m_sight.X_AL * cameraOnBlade(m_sight.blade),
                                        Laryngoscopy::fieldOfView(ScopeEye::Video),

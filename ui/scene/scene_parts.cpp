@@ -8,6 +8,9 @@ namespace
 {
 
 constexpr const char* kMandible = "mandible";
+constexpr const char* kMeasuredTube = "measured tube";
+/// Below those of what lies in a throat, and far above those of people.
+constexpr std::uint16_t kFirstIdOfMeasured = 0xd000;
 
 std::string bodyName(SurfaceBody body)
 {
@@ -118,6 +121,22 @@ void bendTube(SceneFrame& frame, const PatientModel& patient, const std::string&
 {
     if (patient.tube().fitsAirway)
         frame.bentInPlace[body] = patient.tube().X_AE;
+}
+
+SceneFigure measuredTubeFigure(const PatientModel& patient)
+{
+    SceneFigure figure{.body = kMeasuredTube,
+                       .name = {},
+                       .parts = tubeParts(patient, kMeasuredTube, kFirstIdOfMeasured)};
+    for (ScenePart& part : figure.parts)
+        part.group = MaterialGroup::Ghost;
+    return figure;
+}
+
+void addMeasuredTube(SceneFrame& frame, const PatientModel& patient)
+{
+    frame.bodies[kMeasuredTube] = frame.bodies.at(kTubeBody);
+    bendTube(frame, patient, kMeasuredTube);
 }
 
 SceneFrame sceneFrame(const StationMoment& moment, const ChestField& chest,

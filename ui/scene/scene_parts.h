@@ -2,6 +2,7 @@
 
 #include "models/patient/patient_model.h"
 #include "models/station/station_view.h"
+#include "widgets/scene/figures/scene_figure.h"
 #include "widgets/scene/surfaces/scene_part.h"
 #include "widgets/scene/view/scene_frame.h"
 
@@ -27,6 +28,11 @@ inline constexpr const char* kTubeBody = "tube";
 /// Has a body of tubeParts, or that of the patient's tube, bent by head and neck as the airway is
 /// that the tube lies in; one that was touched keeps its form.
 void bendTube(SceneFrame& frame, const PatientModel& patient, const std::string& body = kTubeBody);
+
+/// The tube as its tracked pose has it, where it is drawn otherwise: a faint outline.
+[[nodiscard]] SceneFigure measuredTubeFigure(const PatientModel& patient);
+/// Places it. @pre the frame has the body of the tube that is drawn with the patient
+void addMeasuredTube(SceneFrame& frame, const PatientModel& patient);
 
 /// The frame of that scene for a station's moment: the patient's chest is deformed by `chest`, neck
 /// and tissue around the jaw by `throat` (by default not at all). A lost body is not drawn. An

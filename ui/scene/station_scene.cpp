@@ -1,5 +1,6 @@
 #include "ui/scene/station_scene.h"
 
+#include "models/station/sent_shape.h"
 #include "ui/scene/scene_parts.h"
 #include "widgets/scene/view/scene_view.h"
 
@@ -27,6 +28,13 @@ Lie lieOf(BodyPosition position)
         return Lie::OnLeftSide;
     }
     return Lie::Upright;
+}
+
+/// The tube of another, as its owner has it.
+TubeInAirway asSent(const StationMoment& moment)
+{
+    return {lineOf(*moment.tubeShape),
+            moment.tubeIsApart ? TubeDrawing::Apart : TubeDrawing::InAirway};
 }
 
 } // namespace
@@ -58,6 +66,7 @@ SceneFrame StationScene::frameOf(int level, LocalTime lit)
     bendTubes(frame, m_moment, *m_patient);
     frame.airway = m_laryngoscope.changesAt(m_moment);
     frame.blade = m_laryngoscope.at(m_moment, throat).tissue;
+    m_moment.tubeDrawing = bendTubeAtWork(frame, m_moment);
     const auto contents = m_laryngoscope.contentsIn(m_moment, throat, frame.blade);
     addContents(frame, contents);
     showFigures(contents);
@@ -75,6 +84,24 @@ SceneFrame StationScene::frameOf(int level, LocalTime lit)
         addHeadset(frame);
     }
     return frame;
+}
+
+TubeDrawing StationScene::bendTubeAtWork(SceneFrame& frame, const StationMoment& moment) const
+{
+    if (!frame.bodies.contains(kTubeBody))
+        return TubeDrawing::AsMeasured;
+    const TubeInAirway lies =
+        moment.tubeShape
+            ? asSent(moment)
+            : m_tubeInAirway(moment, tissueAround(frame.airway, frame.throat, frame.blade));
+    if (lies.p_E.empty())
+        return lies.drawing;
+    frame.bentInPlace.erase(kTubeBody);
+    frame.bentAlong[kTubeBody] =
+        std::make_shared<const LineBend>(m_patient->tube().p_E_centre, lies.p_E);
+    if (lies.drawing == TubeDrawing::Apart)
+        addMeasuredTube(frame, *m_patient);
+    return lies.drawing;
 }
 
 void StationScene::addHeadset(SceneFrame& frame) const
@@ -113,14 +140,18 @@ void StationScene::showFigures(const std::vector<ThroatContent>& contents)
     std::vector<DrawnPerson> people = drawnPeople(m_moment, m_laryngoscope);
     std::vector<DrawnLift> lifts = drawnLifts(m_moment, *m_patient);
     std::vector<DrawnContent> drawn = drawnContents(contents);
-    if (people == m_people && lifts == m_lifts && drawn == m_contents)
+    const bool isApart = m_moment.tubeDrawing == TubeDrawing::Apart;
+    if (people == m_people && lifts == m_lifts && drawn == m_contents && isApart == m_isTubeApart)
         return;
+    m_isTubeApart = isApart;
     m_people = std::move(people);
     m_lifts = std::move(lifts);
     m_contents = std::move(drawn);
     std::vector<SceneFigure> figures = peopleFigures(m_people, *m_patient);
     std::ranges::move(liftedFigures(m_lifts, *m_patient), std::back_inserter(figures));
     std::ranges::move(contentFigures(m_contents), std::back_inserter(figures));
+    if (m_isTubeApart)
+        figures.push_back(measuredTubeFigure(*m_patient));
     m_scene.setFigures(figures);
 }
 
@@ -133,6 +164,7 @@ void StationScene::show(const PatientModel& patient, const StationView& view)
     m_people.clear(); // whose tubes are those of the patient before
     m_lifts.clear();
     m_contents.clear();
+    m_isTubeApart = false;
     m_scene.setFigures({});
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "models/patient/patient_model.h"
+#include "models/station/elastic_tube.h"
 #include "models/station/head_by_mouse.h"
 #include "models/station/headset_view.h"
 #include "models/station/laryngoscope_sight.h"
@@ -12,6 +13,7 @@
 
 #include <functional>
 #include <optional>
+#include <utility>
 
 namespace carina
 {
@@ -35,6 +37,13 @@ public:
     /// The own laryngoscope has this blade from now on; std::nullopt: that which its name says, as
     /// those of others.
     void showBlade(const std::optional<Blade>& blade) { m_laryngoscope.takeOwnBlade(blade); }
+
+    /// The tube that is drawn with the patient lies so in the airway from now on, where this tells
+    /// it; by default it is as at rest. @pre what it reads outlives this
+    void bendTubeBy(TubeInAirwayAt source) { m_tubeInAirway = std::move(source); }
+    /// Bends it, or the tube of another as that was sent, in a frame that has airway, throat and
+    /// blade of the moment.
+    TubeDrawing bendTubeAtWork(SceneFrame& frame, const StationMoment& moment) const;
 
     /// Selects the output: the eyes of a headset, or a screen. While no tracker here has a tool for
     /// the head, a headset's picture is seen from one that mouse and keys turn in the scene, in
@@ -95,7 +104,11 @@ private:
     std::vector<DrawnPerson> m_people;    ///< whose figures the scene has
     std::vector<DrawnLift> m_lifts;       ///< likewise
     std::vector<DrawnContent> m_contents; ///< likewise
+    bool m_isTubeApart = false;           ///< and whether one of the tube as it was measured
     StationLaryngoscope m_laryngoscope;
+    TubeInAirwayAt m_tubeInAirway = [](const StationMoment&, const TissueAround&) {
+        return TubeInAirway{};
+    };
     std::vector<Listener> m_listeners;
     HeadsetView m_standardHeadset; ///< for views through the eyes of others
     std::optional<ParticipantId> m_throughEyesOf;

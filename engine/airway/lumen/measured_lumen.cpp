@@ -307,6 +307,8 @@ void addOesophagus(AirwayLumen& lumen, const Patient& patient, const Centreline&
 
 } // namespace
 
+bool tellsLumen(PartRole role) { return isAirwayWall(role) || role == PartRole::Oesophagus; }
+
 Result<AirwayLumen> measuredLumen(std::span<const AnatomyPart> parts,
                                   const AirwayLandmarks& landmarks, Length tubeRadius)
 {

@@ -36,6 +36,9 @@ namespace carina
                                                 const AirwayLandmarks& landmarks,
                                                 Length tubeRadius);
 
+/// Whether a part is read for that: others may be left out.
+[[nodiscard]] bool tellsLumen(PartRole role);
+
 /// From the teeth to the carina in the reference man, to which all that follows belongs.
 inline constexpr Length kReferenceDepth = millimetres(260.0);
 

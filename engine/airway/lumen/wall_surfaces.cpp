@@ -12,25 +12,6 @@ namespace carina
 namespace
 {
 
-/// What lines an airway; bones, cartilages and muscles lie behind it, but they alone are there in
-/// sets without mucosa.
-bool isWall(PartRole role)
-{
-    constexpr std::array kWalls{PartRole::Trachea,
-                                PartRole::RightMainBronchus,
-                                PartRole::LeftMainBronchus,
-                                PartRole::Larynx,
-                                PartRole::LaryngealMucosa,
-                                PartRole::VocalFold,
-                                PartRole::Tongue,
-                                PartRole::Epiglottis,
-                                PartRole::Tooth,
-                                PartRole::Mandible,
-                                PartRole::Mucosa,
-                                PartRole::Pharynx};
-    return std::ranges::find(kWalls, role) != kWalls.end();
-}
-
 /// The triangles with a corner near the line.
 TriangleMesh near(const TriangleMesh& mesh, std::span<const Vec3> line, double reach)
 {
@@ -59,6 +40,23 @@ AirwayTissue tissueOfWall(const AnatomyPart& part)
 
 } // namespace
 
+bool isAirwayWall(PartRole role)
+{
+    constexpr std::array kWalls{PartRole::Trachea,
+                                PartRole::RightMainBronchus,
+                                PartRole::LeftMainBronchus,
+                                PartRole::Larynx,
+                                PartRole::LaryngealMucosa,
+                                PartRole::VocalFold,
+                                PartRole::Tongue,
+                                PartRole::Epiglottis,
+                                PartRole::Tooth,
+                                PartRole::Mandible,
+                                PartRole::Mucosa,
+                                PartRole::Pharynx};
+    return std::ranges::find(kWalls, role) != kWalls.end();
+}
+
 WallSurfaces::WallSurfaces(std::span<const AnatomyPart> parts, std::span<const Vec3> line,
                            Length reach)
 {
@@ -68,7 +66,7 @@ WallSurfaces::WallSurfaces(std::span<const AnatomyPart> parts, std::span<const V
     for (const AirwayTissue tissue : kTissues) {
         TriangleMesh whole;
         for (const AnatomyPart& part : parts)
-            if (isWall(part.role) && tissueOfWall(part) == tissue)
+            if (isAirwayWall(part.role) && tissueOfWall(part) == tissue)
                 append(whole, near(part.levels.front(), line, reach.si));
         if (!whole.empty())
             m_walls.push_back({SurfaceTree{whole}, tissue});

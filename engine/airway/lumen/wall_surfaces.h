@@ -12,6 +12,10 @@
 namespace carina
 {
 
+/// Whether a part lines an airway; bones, cartilages and muscles lie behind that, but they alone
+/// are there in sets without mucosa.
+[[nodiscard]] bool isAirwayWall(PartRole role);
+
 /// The surfaces that a tube meets in an airway, near a line; in A.
 class WallSurfaces
 {

@@ -62,13 +62,18 @@ SweptLine sweptLine(std::span<const Vec3> points)
         const Vec3& after = points[std::min(i + 1, points.size() - 1)];
         line.tangents.push_back((after - before).normalized());
     }
-    // Carried along from point to point by the turn of the tangent alone.
-    line.sides.push_back(line.tangents.front().unitOrthogonal());
-    for (std::size_t i = 1; i < points.size(); ++i) {
+    carrySide(line, line.tangents.front().unitOrthogonal());
+    return line;
+}
+
+/// From point to point by the turn of the tangent alone.
+void carrySide(SweptLine& line, const Vec3& side)
+{
+    line.sides = {side};
+    for (std::size_t i = 1; i < line.points.size(); ++i) {
         const Quat turn = Quat::FromTwoVectors(line.tangents[i - 1], line.tangents[i]);
         line.sides.push_back((turn * line.sides.back()).normalized());
     }
-    return line;
 }
 
 LinePlace placeAt(const SweptLine& line, double along)

@@ -18,6 +18,9 @@ struct SweptLine {
 
 /// The line through these points. @pre at least two points, no two neighbours equal.
 [[nodiscard]] SweptLine sweptLine(std::span<const Vec3> points);
+/// Gives the line another side at its beginning, and carries that along it.
+/// @pre the side is perpendicular to the first tangent, of length 1
+void carrySide(SweptLine& line, const Vec3& side);
 
 /// A point of the line with its tangent and side.
 struct LinePlace {

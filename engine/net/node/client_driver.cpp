@@ -110,6 +110,11 @@ void ClientDriver::publish(ObjectKind kind, std::string name, PoseSource newest)
     m_publications.add(kind, std::move(name), std::move(newest));
 }
 
+void ClientDriver::publishShape(ObjectKind kind, ShapeSource shape)
+{
+    m_publications.bend(kind, std::move(shape));
+}
+
 NodeDriver::Datagrams ClientDriver::advance(LocalTime now)
 {
     sendOwnStreams(now);

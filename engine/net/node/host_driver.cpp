@@ -286,6 +286,11 @@ void HostDriver::publish(ObjectKind kind, std::string name, PoseSource newest)
     m_publications.add(kind, std::move(name), std::move(newest));
 }
 
+void HostDriver::publishShape(ObjectKind kind, ShapeSource shape)
+{
+    m_publications.bend(kind, std::move(shape));
+}
+
 void HostDriver::act(ObjectId object, const ObjectAction& action, LocalTime now)
 {
     m_refusal.reset();

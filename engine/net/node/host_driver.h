@@ -40,6 +40,7 @@ public:
     void receive(PeerAddress from, std::span<const std::byte> bytes, LocalTime now) override;
     void propose(StationId station, FactBody body, LocalTime now) override;
     void publish(ObjectKind kind, std::string name, PoseSource newest) override;
+    void publishShape(ObjectKind kind, ShapeSource shape) override;
     void act(ObjectId object, const ObjectAction& action, LocalTime now) override;
     Datagrams advance(LocalTime now) override;
     [[nodiscard]] LocalTime nextWake() const override;

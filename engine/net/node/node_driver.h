@@ -15,6 +15,7 @@ public:
 
     virtual void propose(StationId station, FactBody body, LocalTime now) = 0;
     virtual void publish(ObjectKind kind, std::string name, PoseSource newest) = 0;
+    virtual void publishShape(ObjectKind kind, ShapeSource shape) = 0;
     virtual void act(ObjectId object, const ObjectAction& action, LocalTime now) = 0;
     /// Does what is due. To be called after every other call, and at nextWake(). @returns datagrams
     /// to send.

@@ -116,6 +116,9 @@ struct JoinSettings {
 /// Returns the newest measured pose of a local object in A; nothing before it was first seen. Must
 /// not block.
 using PoseSource = std::function<std::optional<PoseSample>()>;
+/// Returns how a local object bends, as it is drawn here; nothing where it does not. Must not
+/// block.
+using ShapeSource = std::function<std::optional<StreamShape>()>;
 
 /// One program's part in a session: runs the deterministic core of engine/sync with an encrypted
 /// UDP socket and a clock, on its own thread. All functions may be called from any thread.
@@ -172,6 +175,10 @@ public:
     /// `newest` is called on the node's thread, 60 times a second, for the newest sample
     /// X_A<object> (with its velocity, where known), which is sent where it is newer than the last.
     virtual void publish(ObjectKind kind, std::string name, PoseSource newest) = 0;
+    /// Sends how the local object of a kind bends with its poses from now on, while what `shape`
+    /// returns is not older than ShapeView::kLongestGap. It is called on the node's thread for each
+    /// sample.
+    virtual void publishShape(ObjectKind kind, ShapeSource shape) = 0;
     /// The poses X_A<object> of an object that another participant shares; nullptr for an unknown
     /// or own object, and for one whose owner is not present. Shared because a viewer may use it
     /// while the node removes the object.

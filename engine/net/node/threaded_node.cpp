@@ -112,6 +112,14 @@ void ThreadedNode::publish(ObjectKind kind, std::string name, PoseSource newest)
         Qt::QueuedConnection);
 }
 
+void ThreadedNode::publishShape(ObjectKind kind, ShapeSource shape)
+{
+    QMetaObject::invokeMethod(
+        m_loop.get(),
+        [this, kind, shape = std::move(shape)] { m_loop->driver().publishShape(kind, shape); },
+        Qt::QueuedConnection);
+}
+
 std::shared_ptr<const RemoteObject> ThreadedNode::object(ObjectId id) const
 {
     return m_board.objects.find(id);

@@ -45,6 +45,7 @@ public:
     void propose(StationId station, FactBody body) override;
     [[nodiscard]] std::vector<FactBody> pending() const override;
     void publish(ObjectKind kind, std::string name, PoseSource newest) override;
+    void publishShape(ObjectKind kind, ShapeSource shape) override;
     [[nodiscard]] std::shared_ptr<const RemoteObject> object(ObjectId id) const override;
     void act(ObjectId object, const ObjectAction& action) override;
     [[nodiscard]] std::optional<ShownObject> shown(ObjectId object, SessionTime t) const override;

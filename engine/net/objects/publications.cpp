@@ -1,6 +1,7 @@
 #include "engine/net/objects/publications.h"
 
 #include "engine/net/objects/pose_stream.h"
+#include "engine/sync/streams/shape_view.h"
 
 #include <algorithm>
 #include <utility>
@@ -11,6 +12,11 @@ namespace carina
 void Publications::add(ObjectKind kind, std::string name, PoseSource newest)
 {
     m_publications.push_back({kind, std::move(name), std::move(newest)});
+}
+
+void Publications::bend(ObjectKind kind, ShapeSource shape)
+{
+    m_shapes.insert_or_assign(kind, std::move(shape));
 }
 
 std::vector<Publications::Wanted> Publications::takeUnknown(const SessionState& state,
@@ -63,9 +69,21 @@ std::vector<Publications::Outgoing> Publications::sample(const SessionState& sta
         StreamCpo cpo = toStream(*newest);
         cpo.object = *id;
         cpo.sequence = ++publication.sequence;
+        if (cpo.validity != StreamValidity::Lost)
+            cpo.shape = shapeOf(publication.kind, cpo.time);
         samples.push_back({station, cpo});
     }
     return samples;
+}
+
+std::optional<StreamShape> Publications::shapeOf(ObjectKind kind, SessionTime ofSample) const
+{
+    const auto source = m_shapes.find(kind);
+    auto shape = source == m_shapes.end() ? std::nullopt : source->second();
+    if (!shape || ofSample - shape->time > ShapeView::kLongestGap)
+        return std::nullopt;
+    shape->time = std::min(shape->time, ofSample); // it may know a later pose
+    return shape;
 }
 
 std::optional<RigidTransform> Publications::measured(ObjectId object, const SessionState& state,

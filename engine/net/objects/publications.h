@@ -5,6 +5,7 @@
 #include "engine/sync/wire/stream_cpo.h"
 #include "engine/tracking/pose_history.h"
 
+#include <map>
 #include <memory>
 
 namespace carina
@@ -25,6 +26,8 @@ public:
     };
 
     void add(ObjectKind kind, std::string name, PoseSource newest);
+    /// As SessionNode::publishShape.
+    void bend(ObjectKind kind, ShapeSource shape);
 
     /// Objects that the session does not list as this participant's yet; each is returned once.
     [[nodiscard]] std::vector<Wanted> takeUnknown(const SessionState& state, ParticipantId self);
@@ -54,7 +57,10 @@ private:
     [[nodiscard]] static std::optional<ObjectId>
     idOf(const Publication& publication, const SessionState& state, ParticipantId self);
 
+    [[nodiscard]] std::optional<StreamShape> shapeOf(ObjectKind kind, SessionTime ofSample) const;
+
     std::vector<Publication> m_publications;
+    std::map<ObjectKind, ShapeSource> m_shapes;
     StreamTick m_tick;
 };
 

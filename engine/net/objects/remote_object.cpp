@@ -15,6 +15,10 @@ void RemoteObject::take(const StreamCpo& cpo, SessionTime drawn)
     m_newest = fromStream(next);
     m_past.push(*m_newest);
     m_hasPast = true;
+    if (next.shape && next.validity != StreamValidity::Lost)
+        m_shape.take(*next.shape);
+    else
+        m_shape.clear();
 }
 
 void RemoteObject::forgetPast(SessionTime before)
@@ -23,6 +27,7 @@ void RemoteObject::forgetPast(SessionTime before)
     if (!m_hasPast || m_newest->time >= before)
         return;
     m_past.clear();
+    m_shape.clear();
     m_past.push(*m_newest);
     m_hasPast = false;
 }
@@ -41,6 +46,12 @@ std::optional<PoseSample> RemoteObject::at(SessionTime t) const
         sample.motion.reset();
     sample.time = t;
     return sample;
+}
+
+std::optional<ShapeBetween> RemoteObject::shapeAt(SessionTime t) const
+{
+    const std::scoped_lock lock{m_mutex};
+    return m_shape.at(t);
 }
 
 std::optional<PoseSample> RemoteObject::newest() const

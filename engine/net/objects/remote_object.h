@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/sync/streams/shape_view.h"
 #include "engine/sync/streams/stream_view.h"
 #include "engine/tracking/pose_history.h"
 
@@ -30,6 +31,8 @@ public:
     /// more than StreamView::kStaleAfter after the newest sample. Without velocity once the
     /// velocity fades.
     [[nodiscard]] std::optional<PoseSample> at(SessionTime t) const;
+    /// How it bends then, as its owner has it; nothing where it does not, or that is not known.
+    [[nodiscard]] std::optional<ShapeBetween> shapeAt(SessionTime t) const;
     /// The newest sample as received.
     [[nodiscard]] std::optional<PoseSample> newest() const;
 
@@ -39,6 +42,7 @@ private:
     bool m_hasPast = false; // besides m_newest
     PoseHistory m_past{PoseHistory::Limits{.capacity = kKept}};
     StreamView m_ahead;
+    ShapeView m_shape;
 };
 
 } // namespace carina

@@ -60,6 +60,18 @@ TubePlace TubeTimeline::placeAt(SessionTime t, const PatientBuild& build) const
     return {noted.seat, diameter, m_cuff.at(t) ? 0.0 : kEmptyCuffLeak, m_obstruction.at(t)};
 }
 
+bool TubeTimeline::areShapesApartAt(SessionTime t) const
+{
+    const auto tells = [t](const NotedStep& note) {
+        const IntubationStep step = note.event.step;
+        return note.effect <= t
+               && (step == IntubationStep::ShapesApart || step == IntubationStep::ShapesTogether
+                   || step == IntubationStep::TubeOut);
+    };
+    const auto last = std::find_if(m_notes.rbegin(), m_notes.rend(), tells);
+    return last != m_notes.rend() && last->event.step == IntubationStep::ShapesApart;
+}
+
 SessionTime TubeTimeline::changeAfter(SessionTime t) const
 {
     return std::min({m_override.changeAfter(t), m_noted.changeAfter(t), m_blade.changeAfter(t),

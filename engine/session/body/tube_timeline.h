@@ -67,6 +67,9 @@ public:
     /// inflated. Both are obstructed as it was set.
     /// @param build for the diameter of a tube of which it is not known (usualTube)
     [[nodiscard]] TubePlace placeAt(SessionTime t, const PatientBuild& build) const;
+    /// Whether both shapes of the tube are apart, by the last entry that tells it since the tube
+    /// was out.
+    [[nodiscard]] bool areShapesApartAt(SessionTime t) const;
     /// Whether the last entry about the blade said that it is in the mouth.
     [[nodiscard]] bool bladeInMouthAt(SessionTime t) const { return m_blade.at(t); }
     [[nodiscard]] bool cuffInflatedAt(SessionTime t) const { return m_cuff.at(t); }

@@ -80,8 +80,8 @@ void HostStreams::gather(std::span<const StationId> stations, LocalTime now)
     for (Entry* entry : waiting) {
         Outgoing& outgoing = entry->second;
         const auto there = readers.find(outgoing.newest->station);
-        const double bytes =
-            double(kStreamCpoBytes) * (everywhere + (there == readers.end() ? 0.0 : there->second));
+        const double bytes = double(bytesOf(outgoing.newest->cpo))
+                             * (everywhere + (there == readers.end() ? 0.0 : there->second));
         const bool waitedLong = outgoing.wentOut != LocalTime{} && outgoing.wentOut <= waitsSince;
         const bool goes = outgoing.isFirst || waitedLong || share > 0 || m_mayGoOut >= bytes;
         if (!goes)

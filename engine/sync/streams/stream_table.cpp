@@ -1,5 +1,6 @@
 #include "engine/sync/streams/stream_table.h"
 
+#include "engine/sync/wire/cpo_codec.h"
 #include "engine/sync/wire/sequence.h"
 
 #include <map>
@@ -34,15 +35,21 @@ std::vector<StreamGroup> groupStreams(const std::vector<StreamSample>& samples)
 {
     std::vector<StreamGroup> groups;
     using Heading = std::tuple<ParticipantId, std::uint16_t, StationId>;
-    std::map<Heading, std::size_t> last; // group of each
+    struct Last {
+        std::size_t group;
+        std::size_t bytes = 0;
+    };
+    std::map<Heading, Last> last; // of each
     for (const StreamSample& sample : samples) {
         const Heading heading{sample.owner, sample.epoch, sample.station};
-        const auto [found, isNew] = last.try_emplace(heading, groups.size());
-        if (!isNew && groups[found->second].streams.size() >= kStreamsPerGroup)
-            found->second = groups.size();
-        if (found->second == groups.size())
+        Last& to = last.try_emplace(heading, Last{groups.size()}).first->second;
+        const std::size_t bytes = bytesOf(sample.cpo);
+        if (to.bytes + bytes > kStreamsPerGroup * kStreamCpoBytes)
+            to = Last{groups.size()};
+        if (to.group == groups.size())
             groups.push_back({sample.owner, sample.epoch, sample.station, {}});
-        groups[found->second].streams.push_back(sample.cpo);
+        groups[to.group].streams.push_back(sample.cpo);
+        to.bytes += bytes;
     }
     return groups;
 }

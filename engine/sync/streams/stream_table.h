@@ -45,7 +45,8 @@ private:
     std::unordered_map<ObjectId, Object> m_objects;
 };
 
-/// One group per owner, epoch and station, split at kStreamsPerGroup.
+/// One group per owner, epoch and station, split where a datagram is full: at kStreamsPerGroup
+/// without forms.
 /// @pre the times of the samples lie within kGroupTimeSpan of each other.
 [[nodiscard]] std::vector<StreamGroup> groupStreams(const std::vector<StreamSample>& samples);
 

@@ -7,10 +7,7 @@
 
 namespace carina
 {
-namespace
-{
 
-/// Seconds for which the velocity goes on in full, of a time since the sample.
 double carriedSeconds(Duration sinceSample)
 {
     const double full = toSeconds(std::clamp(sinceSample, Duration{}, StreamView::kHorizon));
@@ -18,8 +15,6 @@ double carriedSeconds(Duration sinceSample)
     const double faded = std::clamp(toSeconds(sinceSample - StreamView::kHorizon), 0.0, fade);
     return full + faded - faded * faded / (2.0 * fade);
 }
-
-} // namespace
 
 RigidTransform carriedOn(const StreamCpo& sample, SessionTime t)
 {

@@ -49,6 +49,10 @@ private:
     Difference m_difference;
 };
 
+/// Of a time since a sample the part for which its velocity is to go on in full, for the same way:
+/// all for StreamView::kHorizon, and then ever less until StreamView::kFade is over. Seconds.
+[[nodiscard]] double carriedSeconds(Duration sinceSample);
+
 /// The pose X_AO of a sample extrapolated to session time t, as in StreamView; constant before the
 /// time of the sample.
 [[nodiscard]] RigidTransform carriedOn(const StreamCpo& sample, SessionTime t);

@@ -4,6 +4,7 @@
 #include "engine/core/units.h"
 #include "engine/sync/wire/wire_quantities.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace carina
@@ -15,23 +16,41 @@ namespace
 constexpr unsigned kValidityShift = 2;
 constexpr std::uint8_t kTwoBits = 0x3;
 constexpr std::uint8_t kHasMotion = 0x10;
-constexpr std::uint8_t kKnownStreamFlags = 0x1F;
+constexpr std::uint8_t kHasShape = 0x20;
+constexpr std::uint8_t kKnownStreamFlags = 0x3F;
 
 constexpr float kAxisTolerance = 1e-5F;
 
+bool isSent(const std::optional<StreamShape>& shape, SessionTime ofSample)
+{
+    return shape && isInRange(*shape, ofSample);
+}
+
+template <std::size_t Bytes>
+void writeShape(BlockWriter<Bytes>& out, const StreamShape& shape, SessionTime ofSample)
+{
+    out.number(static_cast<std::uint16_t>((ofSample - shape.time) / kShapeAgeStep));
+    for (const double metres : {shape.length, shape.entry})
+        out.number(static_cast<std::uint16_t>(quantise(metres, kShapeLengthStep, kLargestUint16)));
+    out.number(static_cast<std::int16_t>(quantise(shape.plane, kPlaneStep, kLargestInt16)));
+    for (const double perMetre : shape.perMetre)
+        out.number(static_cast<std::int16_t>(quantise(perMetre, kCurvatureStep, kLargestInt16)));
+}
+
 void writeStream(ByteWriter& buffer, const StreamCpo& stream)
 {
-    BlockWriter<kStreamCpoBytes> out;
+    BlockWriter<kStreamCpoBytes + kStreamShapeBytes> out;
     const PackedRotation rotation = packRotation(stream.X_AO.rotation());
     const bool inReach = isInReach(stream.X_AO.translation());
     const StreamValidity validity = inReach ? stream.validity : StreamValidity::Lost;
     const StreamMotion motion = stream.motion.value_or(StreamMotion{});
+    const bool hasShape = isSent(stream.shape, stream.time);
 
     out.number(stream.object.value);
     out.number(stream.sequence);
-    out.number(static_cast<std::uint8_t>(rotation.largest
-                                         | static_cast<unsigned>(validity) << kValidityShift
-                                         | (stream.motion ? kHasMotion : 0U)));
+    out.number(static_cast<std::uint8_t>(
+        rotation.largest | static_cast<unsigned>(validity) << kValidityShift
+        | (stream.motion ? kHasMotion : 0U) | (hasShape ? kHasShape : 0U)));
     out.number(packError(stream.error));
     out.number(static_cast<std::uint32_t>(wireMicroseconds(stream.time)));
     for (const std::int16_t component : rotation.others)
@@ -44,6 +63,8 @@ void writeStream(ByteWriter& buffer, const StreamCpo& stream)
     for (const double radiansPerSecond : motion.w_AO)
         out.number(static_cast<std::int16_t>(
             quantise(radiansPerSecond, kAngularVelocityStep, kLargestInt16)));
+    if (hasShape)
+        writeShape(out, *stream.shape, stream.time);
     buffer.bytes(out.bytes());
 }
 
@@ -90,6 +111,26 @@ std::optional<StreamMotion> readMotion(ByteReader& in, bool known)
     return std::nullopt;
 }
 
+StreamShape readShape(ByteReader& in, SessionTime ofSample)
+{
+    StreamShape shape;
+    shape.time = ofSample - in.number<std::uint16_t>() * kShapeAgeStep;
+    const auto length = in.number<std::uint16_t>();
+    const auto entry = in.number<std::uint16_t>();
+    in.require(length > 0 && entry <= length, "length of a form");
+    shape.length = length * kShapeLengthStep;
+    shape.entry = entry * kShapeLengthStep;
+    const auto read = [&in](double step) {
+        const auto code = in.number<std::int16_t>();
+        in.require(code >= -kLargestInt16, "form");
+        return code * step;
+    };
+    shape.plane = read(kPlaneStep);
+    for (double& perMetre : shape.perMetre)
+        perMetre = read(kCurvatureStep);
+    return shape;
+}
+
 /// @param timeBase microseconds to which the sample's time is the nearest with its lower 32 bits
 StreamCpo readStream(ByteReader& in, std::int64_t timeBase)
 {
@@ -107,10 +148,30 @@ StreamCpo readStream(ByteReader& in, std::int64_t timeBase)
     const Vec3 p_AO = readPosition(in);
     stream.X_AO = RigidTransform{q_AO, p_AO};
     stream.motion = readMotion(in, (flags & kHasMotion) != 0);
+    if ((flags & kHasShape) != 0)
+        stream.shape = readShape(in, stream.time);
     return stream;
 }
 
 } // namespace
+
+bool isInRange(const StreamShape& shape, SessionTime ofSample)
+{
+    const Duration age = ofSample - shape.time;
+    // Written so that a NaN fails too.
+    return age >= Duration{} && age <= kLargestUint16 * kShapeAgeStep
+           && std::abs(shape.plane) <= kLargestInt16 * kPlaneStep
+           && shape.length >= kShapeLengthStep && shape.length <= kLargestUint16 * kShapeLengthStep
+           && shape.entry >= 0.0 && shape.entry <= shape.length
+           && std::ranges::all_of(shape.perMetre, [](double perMetre) {
+                  return std::abs(perMetre) <= kLargestInt16 * kCurvatureStep;
+              });
+}
+
+std::size_t bytesOf(const StreamCpo& stream)
+{
+    return kStreamCpoBytes + (isSent(stream.shape, stream.time) ? kStreamShapeBytes : 0);
+}
 
 void writeStreamGroup(ByteWriter& out, const StreamGroup& group)
 {

@@ -4,6 +4,7 @@
 #include "engine/core/session_time.h"
 #include "engine/geometry/rigid_transform.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -20,6 +21,21 @@ struct StreamMotion {
     Vec3 w_AO = Vec3::Zero(); ///< angular, rad/s
 };
 
+/// The form of an object that bends, as its owner draws it: of a tube TubeForm, in its numbers.
+///
+/// On the wire it is quantised: its time to 10 us, up to 655 ms before that of the sample, length
+/// and entry to 10 um up to 655 mm, the plane to 0.1 mrad, and each number to 0.002 per metre
+/// within +-65.5. A form with a value outside its range is not sent.
+struct StreamShape {
+    SessionTime time{};  ///< of the sample or before
+    double length = 0.0; ///< metres, above 0
+    double entry = 0.0;  ///< metres, from 0 to length
+    double plane = 0.0;  ///< radians, within half a turn
+    std::array<double, 8> perMetre{};
+
+    friend bool operator==(const StreamShape&, const StreamShape&) = default;
+};
+
 /// A control packet object (CPO) of a stream: pose and velocity of a shared object O at one time.
 ///
 /// On the wire it is quantised (docs/protocol.md): time to 1 us, each quaternion component to
@@ -33,7 +49,8 @@ struct StreamCpo {
     RigidTransform X_AO;
     std::optional<StreamMotion> motion; ///< nothing where the owner has no velocity
     StreamValidity validity = StreamValidity::Tracked;
-    double error = 0.0; ///< RMS error of the pose, metres
+    double error = 0.0;               ///< RMS error of the pose, metres
+    std::optional<StreamShape> shape; ///< of what bends, while its owner knows it
 };
 
 /// Stream samples of one owner at one station that are sent together.
@@ -44,7 +61,7 @@ struct StreamGroup {
     std::vector<StreamCpo> streams; ///< 1 to kStreamsPerGroup, within kGroupTimeSpan
 };
 
-/// The most that fit into one datagram.
+/// The most that fit into one datagram: without forms.
 inline constexpr std::size_t kStreamsPerGroup = 30;
 /// Largest distance of a time in a group from the first: 32 bits of microseconds hold it.
 inline constexpr Duration kGroupTimeSpan = std::chrono::minutes{30};

@@ -3,8 +3,12 @@
 #include "engine/anatomy/airway/airway_measure.h"
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "models/patient/patient_source.h"
+#include "models/station/sent_shape.h"
 #include "tests/models/fake_session_node.h"
 #include "tests/support/test_class.h"
+
+#include <QCoreApplication>
+#include <QEventLoop>
 
 #include <algorithm>
 #include <cmath>
@@ -19,14 +23,23 @@ namespace
 using test::FakeSessionNode;
 using namespace std::chrono_literals;
 
-constexpr double kDepth = 6e-3; // m: the tube's line is not the airway's middle
-constexpr double kTime = 0.1;   // s
+constexpr double kDepth = 6e-3;  // m: the tube's line is not the airway's middle
+constexpr double kTime = 0.1;    // s
+constexpr double kSent_m = 1e-3; // by which a shape that is sent may be off
 
 const PatientModel& patient()
 {
     static const SharedPatientModel made =
         patientOf(builtinPatient(BuiltinPatient::TwelveYears).value()).value();
     return *made;
+}
+
+/// The same with a tube of the same form that was touched.
+const PatientModel& touched()
+{
+    static const PatientModel made =
+        patient().withTube(patient().tube().p_E_centre, patient().tube().outerDiameter);
+    return made;
 }
 
 /// The trainee is at work with tube and laryngoscope, where a test says they are.
@@ -42,10 +55,10 @@ struct Work {
         return std::nullopt;
     };
     std::function<std::optional<RigidTransform>(SessionTime)> blade = tube;
-    IntubationWatch watch{
-        node, FakeSessionNode::kStation, {.at = [this](ObjectKind kind, SessionTime t) {
-            return poseOf(kind, t);
-        }}};
+    IntubationWatch watch{node,
+                          FakeSessionNode::kStation,
+                          {.at = [this](ObjectKind kind, SessionTime t) { return poseOf(kind, t); },
+                           .newest = [this](ObjectKind) { return node.now(); }}};
 
     [[nodiscard]] std::optional<PoseSample> poseOf(ObjectKind kind, SessionTime t) const
     {
@@ -57,6 +70,12 @@ struct Work {
         return pose ? std::optional{PoseSample{.time = t, .X_FO = *pose}} : std::nullopt;
     }
     void runs() { node.decide(fact::PhaseChanged{SessionPhase::Running}); }
+    [[nodiscard]] std::optional<StreamShape> shape() const
+    {
+        return node.shapes.at(ObjectKind::Tube)();
+    }
+    /// Until the lumen is measured, and a moment on.
+    void measureLumen();
     void goOn(Duration time)
     {
         const SessionTime until = *node.now() + time;
@@ -88,6 +107,25 @@ RigidTransform pushed(double deeper)
 {
     const Vec3 down = -waysOf(patient()).up_A();
     return RigidTransform::translation(deeper * down) * patient().tube().X_AE;
+}
+
+/// How it is drawn now.
+TubeInAirway drawnNow(const Work& work)
+{
+    StationMoment moment;
+    moment.time = *work.node.now();
+    moment.worker = FakeSessionNode::kTrainee;
+    moment.tube = work.poseOf(ObjectKind::Tube, moment.time);
+    return work.watch.tubeAt(moment, {[](const Vec3& p_A, AirwayTissue) { return p_A; }, {}});
+}
+
+void Work::measureLumen()
+{
+    goOn(20ms);
+    QEventLoop until;
+    QObject::connect(&watch, &IntubationWatch::lumenMeasured, &until, &QEventLoop::quit);
+    until.exec();
+    goOn(20ms);
 }
 
 double secondsFrom(SessionTime begin, SessionTime t) { return toSeconds(t - begin); }
@@ -262,6 +300,110 @@ private Q_SLOTS:
         work.goOn(2s);
         QCOMPARE(work.noted(IntubationStep::PassedShut).size(), 1U);
         QCOMPARE(spasm(), 0.0); // the tube holds them open
+    }
+
+    /// As soon as the lumen is measured; a tube that lies in its place does so in the airway, too.
+    void bendsTheTubeInTheAirway()
+    {
+        Work work;
+        work.watch.lieIn(touched());
+        work.tube = [](SessionTime) { return pushed(0.0); };
+        work.measureLumen();
+        QVERIFY(!drawnNow(work).p_E.empty());
+        const TubeShape& shape = touched().tube();
+        const TubeInAirway drawn = drawnNow(work);
+        QVERIFY((drawn.p_E.front() - shape.p_E_centre.front()).norm() < 1e-9);
+        QVERIFY((drawn.p_E.back() - shape.p_E_tip).norm() < kDepth);
+        QCOMPARE(drawn.drawing, TubeDrawing::InAirway);
+        work.runs();
+        work.goOn(2s);
+        const auto through = work.noted(IntubationStep::ThroughCords);
+        QCOMPARE(through.size(), 1U);
+        QCOMPARE(through.front().seat, TubeSeat::Trachea);
+    }
+
+    void leavesATubeThatWasNotTouched()
+    {
+        Work work;
+        work.tube = [](SessionTime) { return pushed(0.0); };
+        work.goOn(1s);
+        QCoreApplication::processEvents();
+        work.goOn(1s);
+        QVERIFY(drawnNow(work).p_E.empty());
+        QCOMPARE(drawnNow(work).drawing, TubeDrawing::AsMeasured);
+        QVERIFY(!work.shape());
+    }
+
+    void saysThatTheLumenIsBeingMeasured()
+    {
+        Work work;
+        work.watch.lieIn(touched());
+        work.tube = [](SessionTime) { return pushed(0.0); };
+        work.goOn(20ms);
+        QVERIFY(drawnNow(work).p_E.empty());
+        QCOMPARE(drawnNow(work).drawing, TubeDrawing::Awaited);
+    }
+
+    /// As it is drawn, as long as it is seen and this program's participant is at work.
+    void sendsHowTheTubeBends()
+    {
+        Work work;
+        work.watch.lieIn(touched());
+        work.tube = [](SessionTime) { return pushed(0.0); };
+        QVERIFY(!work.shape());
+        work.measureLumen();
+        QVERIFY(!drawnNow(work).p_E.empty());
+        const auto sent = work.shape();
+        QVERIFY(sent);
+        QVERIFY(*work.node.now() - sent->time < IntubationWatch::kShapeEach);
+        const std::vector<Vec3> line = lineOf(fromStream(*sent), TubeInLumen::kPieces);
+        const std::vector<Vec3> drawn = drawnNow(work).p_E;
+        QCOMPARE(line.size(), drawn.size());
+        for (std::size_t i = 0; i < line.size(); ++i)
+            QVERIFY((line[i] - drawn[i]).norm() < kSent_m);
+        work.tube = [](SessionTime) { return std::nullopt; };
+        work.goOn(IntubationWatch::kShapeEach);
+        QVERIFY(!work.shape());
+        work.tube = [](SessionTime) { return pushed(0.0); };
+        work.goOn(IntubationWatch::kShapeEach);
+        QVERIFY(work.shape());
+        work.node.becomes(FakeSessionNode::kInstructor);
+        work.goOn(IntubationWatch::kShapeEach);
+        QVERIFY(!work.shape());
+    }
+
+    /// Its tip is held by the airway's wall where the real one is far to the side.
+    void tellsThatTheShapesPart()
+    {
+        Work work;
+        work.watch.lieIn(touched());
+        work.runs();
+        work.tube = [](SessionTime) { return pushed(0.0); };
+        work.measureLumen();
+        QVERIFY(!drawnNow(work).p_E.empty());
+        const SessionTime begin = *work.node.now();
+        work.tube = [begin](SessionTime t) {
+            const double aside = std::min(0.02 * secondsFrom(begin, t), 0.015);
+            return RigidTransform::translation({aside, 0.0, 0.0}) * pushed(0.0);
+        };
+        work.goOn(3s);
+        QCOMPARE(drawnNow(work).drawing, TubeDrawing::Apart);
+        QCOMPARE(work.noted(IntubationStep::ShapesApart).size(), 1U);
+    }
+
+    void forgetsTheTubeOfAnotherPatient()
+    {
+        const PatientModel other =
+            patient().withTube(patient().tube().p_E_centre, millimetres(7.0));
+        Work work;
+        work.watch.lieIn(touched());
+        work.tube = [](SessionTime) { return pushed(0.0); };
+        work.measureLumen();
+        QVERIFY(!drawnNow(work).p_E.empty());
+        work.watch.lieIn(other);
+        QVERIFY(drawnNow(work).p_E.empty());
+        work.goOn(20ms); // its lumen is another one
+        QVERIFY(drawnNow(work).p_E.empty());
     }
 
     void notesNothingWhileTheSessionDoesNotRun()

@@ -73,6 +73,8 @@ private Q_SLOTS:
     void exaggeratesOnlyWhereAsked();
     void showsRestBeforeTheClockIsSet();
     void showsThePatientAsActionsHaveItAtTheTimeOfLight();
+    void tellsHowTheTubeIsDrawn();
+    void bendsTheTubeOfAnotherAsItWasSent();
     void tellsForAWhileThatOneWasMoved();
     void tellsForAWhileWhatWasTakenFromOne();
     void saysThatThePatientIsAway();
@@ -325,6 +327,49 @@ void TestStationView::tellsForAWhileThatOneWasMoved()
     QCOMPARE(noticeAfter(std::chrono::seconds{14}),
              QStringLiteral("The instructor has moved you to the station “Room 5”"));
     QCOMPARE(noticeAfter(std::chrono::seconds{15}), QString{});
+}
+
+void TestStationView::tellsHowTheTubeIsDrawn()
+{
+    FakeSessionNode node{FakeSessionNode::kTrainee};
+    node.linkReports.emplace_back().state = LinkState::Connected;
+    node.decide(fact::PhaseChanged{SessionPhase::Running});
+    StationMoment moment;
+    moment.time = *node.now() + std::chrono::seconds{1};
+    moment.tube = tellingPose(ObjectKind::Tube, kNow);
+    const auto notice = [&] { return stationNotice(node, moment, ViewOutput::Screen); };
+    QCOMPARE(notice(), QString{});
+    moment.tubeDrawing = TubeDrawing::InAirway;
+    QCOMPARE(notice(), QString{});
+    for (const auto& [drawing, word] :
+         {std::pair{TubeDrawing::Apart, "5\u00a0mm beside the virtual one"},
+          {TubeDrawing::Awaited, "being measured"},
+          {TubeDrawing::NoLumen, "cannot be measured"}}) {
+        moment.tubeDrawing = drawing;
+        QVERIFY2(notice().contains(QString::fromUtf8(word)), qPrintable(notice()));
+    }
+}
+
+/// Of another at work as it was sent, with what is noted of it; nothing of an own one.
+void TestStationView::bendsTheTubeOfAnotherAsItWasSent()
+{
+    const LungPair pair = lungs();
+    FakeSessionNode node{FakeSessionNode::kInstructor};
+    StreamCpo cpo;
+    cpo.object = FakeSessionNode::kTube;
+    cpo.time = kNow;
+    cpo.shape = StreamShape{kNow, 0.3, 0.1, 0.0, {4.0}};
+    node.takes(cpo);
+    const StationView view{node, FakeSessionNode::kStation, pair};
+    const StationMoment moment = view.at(kNow, 0);
+    QVERIFY(moment.tubeShape && moment.tubeShape->to.perMetre[0] == 4.0);
+    QVERIFY(!moment.tubeIsApart);
+    node.decide(fact::PhaseChanged{SessionPhase::Running});
+    node.decide(fact::IntubationNoted{{.step = IntubationStep::ShapesApart, .at = kNow}, {}},
+                FakeSessionNode::kTrainee);
+    QVERIFY(view.at(kNow + std::chrono::milliseconds{200}, 0).tubeIsApart);
+    node.becomes(FakeSessionNode::kTrainee);
+    QVERIFY(!view.at(kNow, 0).tubeShape);
 }
 
 /// And not what one gave away, or has got back.

@@ -124,6 +124,25 @@ private Q_SLOTS:
         QVERIFY(rigid.bentInPlace.empty());
     }
 
+    /// As an outline, where it is tracked.
+    void showsWhereATubeWasMeasured()
+    {
+        const auto patient = patientOf(builtinPatient(BuiltinPatient::TwelveYears).value());
+        QVERIFY(patient.has_value());
+        const SceneFigure figure = measuredTubeFigure(**patient);
+        QVERIFY(!figure.parts.empty());
+        for (const ScenePart& part : figure.parts) {
+            QCOMPARE(part.body, figure.body);
+            QVERIFY(part.group == MaterialGroup::Ghost);
+        }
+        StationMoment moment;
+        moment.tube.emplace().X_FO = RigidTransform::translation({0.5, 0.0, 0.0});
+        SceneFrame frame = sceneFrame(moment, ChestField{});
+        QVERIFY(!frame.bodies.contains(figure.body));
+        addMeasuredTube(frame, **patient);
+        QCOMPARE(frame.bodies.at(figure.body).X_AF.translation(), moment.tube->X_FO.translation());
+    }
+
 private:
     static inline const Vec3 kPoint{0.01, -0.02, 0.3};
 

@@ -273,9 +273,12 @@ int rowsFor(const Frustum& frustum)
 
 bool isOpaque(const ScenePart& part) { return drawLayerOf(part.group) != DrawLayer::Blended; }
 
-/// Where the neck takes a point of a body, in the frame of that body.
+/// Where the neck, or a line along which it is bent, takes a point of a body, in the frame of that
+/// body.
 Vec3 bentAt(const std::string& body, const Vec3& p_F, const SceneFrame& frame)
 {
+    if (const auto along = frame.bentAlong.find(body); along != frame.bentAlong.end())
+        return along->second->taken(p_F);
     const NeckField& neck = frame.throat.neck;
     if (!neck.isBent())
         return p_F;

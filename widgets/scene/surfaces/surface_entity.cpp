@@ -46,6 +46,7 @@ SurfaceEntity::SurfaceEntity(MergedSurface surface, Qt3DRender::QEffect* effect,
       m_entity(std::make_unique<Qt3DCore::QEntity>(parent)),
       m_material(new Qt3DRender::QMaterial(m_entity.get())),
       m_columns(surfaceColumns(surface.vertices, m_entity.get())),
+      m_bent(m_columns.vertices),
       m_chest(new Qt3DRender::QParameter(QStringLiteral("chest"), QMatrix4x4{})),
       m_motions(motionParameters(!m_key.region)),
       m_airway(parametersOf(airwayUniforms({}))),
@@ -110,6 +111,13 @@ void SurfaceEntity::setNeck(const SceneFrame& frame)
         m_neck[i]->setValue(uniforms[i].value);
 }
 
+/// Those that are blended are sorted as they lie at rest.
+void SurfaceEntity::setLine(const SceneFrame& frame)
+{
+    const auto along = frame.bentAlong.find(m_key.body);
+    m_bent.follow(along == frame.bentAlong.end() ? nullptr : along->second.get());
+}
+
 /// Gives each group that is lifted out, and of which parts are here, a share of its own.
 void SurfaceEntity::liftShares(const SceneFrame& frame)
 {
@@ -141,6 +149,7 @@ void SurfaceEntity::apply(const SceneFrame& frame)
     setMotion(frame.chest);
     setAirway(frame.airway);
     setNeck(frame);
+    setLine(frame);
     m_throat->setValue(throatUniform(frame.throat.field));
     // What has the mandible for its body has moved with the jaw, and no blade pushes it.
     const bool follows = m_key.body == frame.bends;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "widgets/scene/surfaces/bent_vertices.h"
 #include "widgets/scene/surfaces/merged_surface.h"
 #include "widgets/scene/surfaces/surface_share.h"
 #include "widgets/scene/view/scene_frame.h"
@@ -19,8 +20,8 @@ namespace carina
 {
 
 /// One merged surface in Qt 3D's scene: its buffers, the pose of its body and its deformation. The
-/// vertex buffer holds all levels of detail and does not change. It is drawn in shares: what is in
-/// its place, and each group of parts that is lifted out.
+/// vertex buffer holds all levels of detail and does not change, but of what is bent along a line.
+/// It is drawn in shares: what is in its place, and each group of parts that is lifted out.
 class SurfaceEntity
 {
 public:
@@ -43,6 +44,7 @@ private:
     void setMotion(const BreathingChest& chest);
     void setAirway(const AirwayField& airway);
     void setNeck(const SceneFrame& frame);
+    void setLine(const SceneFrame& frame);
     void liftShares(const SceneFrame& frame);
     [[nodiscard]] std::vector<SurfacePiece> piecesOf(const SurfaceShare& share) const;
 
@@ -56,6 +58,7 @@ private:
     std::unique_ptr<Qt3DCore::QEntity> m_entity; ///< parent of the shares'
     Qt3DRender::QMaterial* m_material;
     SurfaceColumns m_columns;
+    BentVertices m_bent;
     Qt3DRender::QParameter* m_chest;
     /// Of its region, or of each region, by ChestRegion. One parameter for each matrix: Qt 6.4
     /// leaks a list each time it is set.

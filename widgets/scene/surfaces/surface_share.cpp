@@ -54,6 +54,7 @@ SurfaceColumns surfaceColumns(const std::vector<SurfaceVertex>& vertices, Qt3DCo
     SurfaceColumns columns;
     auto* buffer = new Qt3DCore::QBuffer{owner};
     buffer->setData(bytesOf(vertices));
+    columns.vertices = buffer;
     for (const Column& column : kVertexColumns) {
         auto* attribute = new Qt3DCore::QAttribute{owner};
         attribute->setName(QString::fromLatin1(column.name));

@@ -26,6 +26,7 @@ namespace carina
 
 /// The vertices of a merged surface, in one buffer that its shares have in common.
 struct SurfaceColumns {
+    Qt3DCore::QBuffer* vertices = nullptr; ///< of SurfaceVertex
     std::vector<Qt3DCore::QAttribute*> attributes;
     Vec3f low = Vec3f::Zero(); ///< bounds of the positions
     Vec3f high = Vec3f::Zero();

@@ -35,6 +35,11 @@ bool areAlike(const ChestMotion& a, const ChestMotion& b)
     return motionUniform(a) == motionUniform(b);
 }
 
+bool areAlike(const std::shared_ptr<const LineBend>& a, const std::shared_ptr<const LineBend>& b)
+{
+    return std::ranges::equal(a->rest(), b->rest()) && std::ranges::equal(a->bent(), b->bent());
+}
+
 template <class Value>
 bool areAlike(const std::pair<const std::string, Value>& a,
               const std::pair<const std::string, Value>& b)
@@ -89,7 +94,7 @@ bool areDrawnAlike(const SceneFrame& a, const SceneFrame& b)
 {
     return areEyesAlike(a, b) && areAllAlike(a.bodies, b.bodies) && areAllAlike(a.lifted, b.lifted)
            && a.bends == b.bends && areAllAlike(a.bentInPlace, b.bentInPlace)
-           && isTissueAlike(a, b);
+           && areAllAlike(a.bentAlong, b.bentAlong) && isTissueAlike(a, b);
 }
 
 } // namespace carina

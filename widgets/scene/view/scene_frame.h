@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/anatomy/chest/chest_region.h"
+#include "engine/anatomy/shapes/line_bend.h"
 #include "engine/core/session_time.h"
 #include "engine/display/eye_picture.h"
 #include "engine/geometry/deformation/airway_field.h"
@@ -12,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -69,6 +71,8 @@ struct SceneFrame {
     /// which the neck gives it there, seen from F, which goes with the head. Others keep their
     /// forms.
     std::map<std::string, RigidTransform> bentInPlace;
+    /// What is bent along a line instead, in its own frame: by the name of its body.
+    std::map<std::string, std::shared_ptr<const LineBend>> bentAlong;
     BladeField blade; ///< which pushes tissue of that body that has followed the jaw
 
     /// The pose of each moving body, by name. A body that is not listed is not drawn: a lost pose

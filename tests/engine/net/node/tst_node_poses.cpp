@@ -3,6 +3,12 @@
 
 namespace carina::node_poses_test
 {
+namespace
+{
+
+constexpr double kCurvatureOff = 2e-3; ///< 1/m: as it is sent
+
+} // namespace
 
 class TestNodePoses : public QObject
 {
@@ -34,6 +40,35 @@ private Q_SLOTS:
         QCOMPARE(object.owner, anna->self());
         QCOMPARE(object.kind, ObjectKind::Tube);
         QCOMPARE(object.name, std::string{"Tube"});
+    }
+
+    /// From a participant by way of the host, and from the host.
+    void whatBendsDoesSoAtTheOthers()
+    {
+        MemoryDisk disk;
+        const auto instructor = host(disk);
+        const auto anna = join(*instructor, "Anna");
+        const auto ben = join(*instructor, "Ben");
+        const auto bends = [](const SessionNode& node) -> ShapeSource {
+            return [&node]() -> std::optional<StreamShape> {
+                const auto now = node.now();
+                return now ? std::optional{StreamShape{*now, 0.3, 0.1, 0.5, {1.0, -2.0}}}
+                           : std::nullopt;
+            };
+        };
+        anna->publish(ObjectKind::Tube, "Tube", stillTube(*anna));
+        anna->publishShape(ObjectKind::Tube, bends(*anna));
+        for (const auto* node : {instructor.get(), ben.get()}) {
+            QTRY_VERIFY_WITH_TIMEOUT(onlyObject(*node) && onlyObject(*node)->shapeAt(*node->now()),
+                                     kSoonMs);
+            const auto shape = onlyObject(*node)->shapeAt(*node->now());
+            QVERIFY(shape && std::abs(shape->to.length - 0.3) < 1e-5);
+            QVERIFY(std::abs(shape->to.perMetre[0] - 1.0) < kCurvatureOff);
+            QVERIFY(std::abs(shape->to.perMetre[1] + 2.0) < kCurvatureOff);
+        }
+        anna->publishShape(ObjectKind::Tube, [] { return std::nullopt; });
+        QTRY_VERIFY_WITH_TIMEOUT(!onlyObject(*ben)->shapeAt(*ben->now()), kSoonMs);
+        QVERIFY(onlyObject(*ben)->newest());
     }
 
     void hostsPosesReachTheOthers()

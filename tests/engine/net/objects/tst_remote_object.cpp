@@ -138,6 +138,32 @@ private Q_SLOTS:
         QVERIFY(!shown.motion);
         QVERIFY(std::abs(shown.X_FO.translation().x() - 0.3) < kExact);
     }
+
+    /// As long as each sample says how.
+    void bendsAsItsOwnerHasIt()
+    {
+        RemoteObject object;
+        StreamCpo cpo = movingAt(0ms, 0.0);
+        object.take(cpo, kStart);
+        QVERIFY(!object.shapeAt(kStart));
+        const auto bends = [&](Duration after, double perMetre) {
+            cpo = movingAt(after, 0.0);
+            cpo.shape = StreamShape{cpo.time, 0.3, 0.1, 0.0, {perMetre}};
+            object.take(cpo, cpo.time);
+        };
+        bends(20ms, 1.0);
+        bends(40ms, 3.0);
+        QVERIFY(std::abs(object.shapeAt(kStart + 30ms)->times - 0.5) < kExact);
+        QVERIFY(std::abs(object.shapeAt(kStart + 50ms)->times - 1.5) < kExact);
+        QCOMPARE(object.shapeAt(kStart + 50ms)->to.perMetre[0], 3.0);
+        object.take(movingAt(60ms, 0.0), kStart + 60ms);
+        QVERIFY(!object.shapeAt(kStart + 60ms));
+        bends(80ms, 1.0);
+        cpo.time += 20ms;
+        cpo.validity = StreamValidity::Lost;
+        object.take(cpo, cpo.time);
+        QVERIFY(!object.shapeAt(kStart + 100ms));
+    }
 };
 
 CARINA_TEST(TestRemoteObject)

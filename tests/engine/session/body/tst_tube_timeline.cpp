@@ -154,6 +154,23 @@ private Q_SLOTS:
         QVERIFY(tube.styletInAt(atSeconds(5.0)));
     }
 
+    /// Until they are together again, or the tube is out; other steps tell nothing of it.
+    void tellsWhetherBothShapesAreApart()
+    {
+        TubeTimeline tube;
+        QVERIFY(!tube.areShapesApartAt(atSeconds(0.0)));
+        tube.note(atSeconds(1.0), noted(IntubationStep::ShapesApart, TubeSeat::None), {});
+        tube.note(atSeconds(2.0), noted(IntubationStep::ThroughCords, TubeSeat::Trachea), {});
+        tube.note(atSeconds(3.0), noted(IntubationStep::ShapesTogether, TubeSeat::Trachea), {});
+        tube.note(atSeconds(4.0), noted(IntubationStep::ShapesApart, TubeSeat::Trachea), {});
+        tube.note(atSeconds(5.0), noted(IntubationStep::TubeOut, TubeSeat::None), {});
+        const auto areApart = [&](double seconds) {
+            return tube.areShapesApartAt(atSeconds(seconds));
+        };
+        QVERIFY(!areApart(0.9) && areApart(1.0) && areApart(2.5));
+        QVERIFY(!areApart(3.0) && areApart(4.0) && !areApart(5.0));
+    }
+
     void namesTheNextChange()
     {
         TubeTimeline tube;

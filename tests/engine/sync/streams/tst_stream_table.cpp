@@ -1,6 +1,8 @@
 #include "engine/sync/strategies/drift.h"
 #include "engine/sync/streams/stream_table.h"
 #include "engine/sync/streams/stream_tick.h"
+#include "engine/sync/wire/datagram_codec.h"
+#include "engine/sync/wire/record_codec.h"
 #include "engine/sync/wire/sequence.h"
 #include "tests/support/test_class.h"
 
@@ -144,6 +146,22 @@ private Q_SLOTS:
         QCOMPARE(groups[1].streams.size(), kStreamsPerGroup);
         QCOMPARE(groups[2].streams.size(), std::size_t{1});
         QVERIFY(groupStreams({}).empty());
+    }
+
+    /// Forms are long: as many bytes go together as of samples without.
+    void splitsAGroupOfLongSamples()
+    {
+        StreamSample bent = sample(1, 1);
+        bent.cpo.shape = StreamShape{bent.cpo.time, 0.3, 0.1, 0.0, {}};
+        const auto groups = groupStreams(std::vector<StreamSample>(kStreamsPerGroup, bent));
+        QCOMPARE(groups.size(), std::size_t{2});
+        for (const StreamGroup& group : groups) {
+            std::vector<std::byte> bytes;
+            ByteWriter out{bytes};
+            writeRecord(out, group);
+            QVERIFY(bytes.size() + kBundleHeaderBytes <= kLargestDatagram);
+        }
+        QCOMPARE(groups[0].streams.size() + groups[1].streams.size(), kStreamsPerGroup);
     }
 
     void afterIsLessThanHalfTheRangeAhead()

@@ -26,11 +26,11 @@ inline BundleHeader goldenHeader()
 }
 
 inline constexpr const char* kGoldenHeaderHex =
-    "43 41 0f 03  44 33 22 11  88 77 66 55  01 02  08 07 06 05 04 03 02 01"
+    "43 41 10 03  44 33 22 11  88 77 66 55  01 02  08 07 06 05 04 03 02 01"
     "fe ff ff ff ff ff ff ff  ff ff ff ff";
 
 inline constexpr const char* kPlainHeaderHex =
-    "43 41 0f 00  01 00 00 00  02 00 00 00  ff ff  00 00 00 00 00 00 00 00"
+    "43 41 10 00  01 00 00 00  02 00 00 00  ff ff  00 00 00 00 00 00 00 00"
     "00 00 00 00 00 00 00 00  00 00 00 00";
 
 /// A quarter turn about z at (0.1, -0.2, 0.3) m, 2^32 + 5 us after the epoch.
@@ -45,6 +45,18 @@ inline StreamCpo goldenStream()
     stream.motion = StreamMotion{Vec3{1.0, -0.5, 0.0}, Vec3{90.0, -0.02, 0.0} * kDegree};
     stream.validity = StreamValidity::PartlyOccluded;
     stream.error = 0.001;
+    return stream;
+}
+
+/// The same, and it bends, as it did 20 ms before.
+inline StreamCpo goldenBentStream()
+{
+    StreamCpo stream = goldenStream();
+    stream.shape = StreamShape{stream.time - std::chrono::milliseconds{20},
+                               0.3,
+                               0.1,
+                               0.5 * 3.14159265358979323846,
+                               {1.0, -2.0, 0.002, 65.534, -65.534, 0.0, 4.0, -0.002}};
     return stream;
 }
 
@@ -154,6 +166,12 @@ inline std::vector<GoldenRecord> goldenRecords()
         {"hello to a station", Hello{goldenKey(), FactNumber{9}, goldenProposal(), "R5"},
          "07  a0 a1 a2 a3 a4 a5 a6 a7 a8 a9 aa ab ac ad ae af  09 00 00 00 00 00 00 00"
          "18 17 16 15 14 13 12 11  04 03  02 00 aa bb  02 52 35"},
+        {"stream group with a form",
+         StreamGroup{ParticipantId{2}, 0x0405, StationId{6}, {goldenBentStream()}},
+         "01  02 00  05 04  06 00  01 00 00 00  01"
+         "02 01  04 03  36  14  05 00 00 00  00 00 00 00 ff 7f  10 27 00 e0 b1 ff 30 75 00"
+         "10 27 78 ec 00 00  94 11 ff ff 00 00"
+         "d0 07  30 75  10 27  00 40  f4 01 18 fc 01 00 ff 7f 01 80 00 00 d0 07 ff ff"},
     };
 }
 

@@ -22,6 +22,15 @@ std::vector<std::byte> headerAnd(const char* recordHex)
     return bytes;
 }
 
+bool isSound(const StreamShape& shape, SessionTime ofSample)
+{
+    return shape.time <= ofSample && ofSample - shape.time < std::chrono::seconds{1}
+           && shape.length > 0.0 && shape.length < 1.0 && shape.entry >= 0.0
+           && shape.entry <= shape.length && std::abs(shape.plane) < 3.15
+           && std::ranges::all_of(shape.perMetre,
+                                  [](double perMetre) { return std::abs(perMetre) < 66.0; });
+}
+
 /// Everything that a node relies on after decoding.
 bool isSound(const StreamCpo& stream)
 {
@@ -29,6 +38,7 @@ bool isSound(const StreamCpo& stream)
         !stream.motion || (stream.motion->v_AO.allFinite() && stream.motion->w_AO.allFinite());
     return stream.X_AO.matrix().allFinite() && moves && stream.validity <= StreamValidity::Lost
            && stream.error >= 0.0 && stream.error <= 0.013
+           && (!stream.shape || isSound(*stream.shape, stream.time))
            && std::chrono::abs(stream.time.time_since_epoch()) <= Duration{std::int64_t{1} << 61};
 }
 
@@ -151,8 +161,8 @@ private Q_SLOTS:
         row("time too far back", 0, 7, "df 5e f8 ff", "time");
         row("times far apart", 0, 55, "00 00 00 80", "time");
         row("validity", 0, 16, "1e", "validity");
-        row("unknown stream flag", 0, 16, "36", "stream flags");
-        row("first unknown stream flag", 0, 53, "20", "stream flags");
+        row("unknown stream flag", 0, 16, "56", "stream flags");
+        row("first unknown stream flag", 0, 53, "4b", "stream flags");
         row("last stream flag", 0, 16, "96", "stream flags");
         row("rotation's lowest code", 0, 22, "00 80", "rotation");
         row("rotation too long", 0, 22, "ff 7f", "rotation");
@@ -161,6 +171,12 @@ private Q_SLOTS:
         row("angular velocity's lowest code", 0, 47, "00 80", "velocity");
         row("motion without its flag", 0, 16, "06", "motion");
         row("angular motion without its flag", 0, 80, "01", "motion");
+        row("form without its bytes", 0, 53, "2b", "length");
+        row("form without a length", 19, 51, "00 00 00 00", "length of a form");
+        row("form that enters beyond its end", 19, 53, "31 75", "length of a form");
+        row("plane's lowest code", 19, 55, "00 80", "form");
+        row("form's lowest code", 19, 57, "00 80", "form");
+        row("form's last code the lowest", 19, 71, "00 80", "form");
         row("action kind", 1, 9, "03", "action kind");
         row("event beyond the range of times", 1, 10, "01 00 00 00 00 00 00 20", "time");
         row("quaternion too long", 1, 18, "00 00 80 00 00 00 f0 3f", "rotation");
@@ -245,6 +261,10 @@ private Q_SLOTS:
         row("largest error", 0, 17, "ff");
         row("longest quaternion", 1, 18, "00 00 40 00 00 00 f0 3f");
         row("shortest quaternion", 1, 18, "00 00 80 ff ff ff ef 3f");
+        row("form as old as may be", 19, 49, "ff ff");
+        row("shortest form", 19, 51, "01 00 01 00");
+        row("form that is outside", 19, 53, "30 75");
+        row("form's lowest value", 19, 57, "01 80");
         row("first kind of action", 1, 9, "00");
         row("smallest scale", 1, 90, "01 00 00 00");
         row("farthest position", 1, 50, "00 00 00 00 80 84 2e 41");

@@ -52,6 +52,7 @@ private Q_SLOTS:
     void followsAHeadThatBeginsToMove_data();
     void followsAHeadThatBeginsToMove();
     void bendsWhatLiesInABody();
+    void bendsWhatLiesAlongALine();
     void movesGumsOfTheJawWithItAlone();
 };
 
@@ -162,6 +163,33 @@ void TestJawInView::bendsWhatLiesInABody()
     QVERIFY(draws(*view, 10));
     QVERIFY2(std::abs(seen - row(p_A_tip)) < kTolerance, qPrintable(QString::number(seen)));
     QVERIFY((drawnAt(tip, p_F_tip, shown).value() - p_A_tip).norm() < 1e-12);
+}
+
+/// As a tube whose rod has turned aside, and back again.
+void TestJawInView::bendsWhatLiesAlongALine()
+{
+    const std::vector<Vec3> rest{Vec3::Zero(), {0.0, 0.0, -0.1}, {0.0, 0.0, -0.2}};
+    const std::vector<Vec3> aside{Vec3::Zero(), {0.0, 0.0, -0.1}, {0.1, 0.0, -0.1}};
+    const Vec3 p_F_tip = rest.back();
+    const ScenePart tip = spherePart(1, MaterialGroup::Tool, p_F_tip, kRadius, "tube");
+    SceneFrame shown = frontFrame();
+    shown.bodies["tube"] = RigidTransform{};
+    double seen = -1.0;
+    const auto view = shownView({tip}, [&](int, LocalTime) { return shown; });
+    view->onFrameDrawn([&](const DrawnFrame&) {
+        const auto centre = redCentre(onScreen(*view));
+        seen = centre ? centre->y() : -1.0;
+    });
+    QVERIFY(draws(*view, 10));
+    QVERIFY(std::abs(row(aside.back()) - row(p_F_tip)) > 2.0 * kTolerance);
+    QVERIFY2(std::abs(seen - row(p_F_tip)) < kTolerance, qPrintable(QString::number(seen)));
+    shown.bentAlong["tube"] = std::make_shared<const LineBend>(rest, aside);
+    QVERIFY(draws(*view, 10));
+    QVERIFY2(std::abs(seen - row(aside.back())) < kTolerance, qPrintable(QString::number(seen)));
+    QVERIFY((drawnAt(tip, p_F_tip, shown).value() - aside.back()).norm() < 1e-12);
+    shown.bentAlong.clear();
+    QVERIFY(draws(*view, 10));
+    QVERIFY2(std::abs(seen - row(p_F_tip)) < kTolerance, qPrintable(QString::number(seen)));
 }
 
 /// Tissue whose body is the mandible goes where that does, and not on from there: neither the jaw

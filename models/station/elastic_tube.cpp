@@ -1,0 +1,89 @@
+#include "models/station/elastic_tube.h"
+
+#include "engine/anatomy/airway/centreline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace carina
+{
+namespace
+{
+
+static_assert(ElasticTube::kStep == std::chrono::milliseconds{10} && kTubeStep == 0.01);
+
+SessionTime stepUntil(SessionTime t)
+{
+    return SessionTime{t.time_since_epoch() / ElasticTube::kStep * ElasticTube::kStep};
+}
+
+std::vector<Vec3> taken(std::span<const Vec3> line, const RigidTransform& X)
+{
+    std::vector<Vec3> moved;
+    moved.reserve(line.size());
+    for (const Vec3& p : line)
+        moved.push_back(X * p);
+    return moved;
+}
+
+} // namespace
+
+TissueAround tissueAround(const AirwayField& changes, const FollowingThroat& throat,
+                          const BladeField& blade)
+{
+    return {tissueMotion(changes, throat), bladePushing(blade)};
+}
+
+TubeSize sizeOf(const TubeShape& shape)
+{
+    const std::vector<Length> sizes = tubeSizes();
+    const Length inner = *std::ranges::min_element(sizes, {}, [&](Length size) {
+        return std::abs((outerDiameterOf(size) - shape.outerDiameter).si);
+    });
+    TubeSize size = tubeOfSize(inner).value();
+    size.outer = shape.outerDiameter;
+    size.length = lengthOf(shape.p_E_centre);
+    return size;
+}
+
+ElasticTube::ElasticTube(const TubeShape& shape, std::shared_ptr<const AirwayLumen> lumen)
+    : m_lumen{std::move(lumen)}, m_begun{sizeOf(shape), shape.p_E_centre}, m_tube{m_begun}
+{
+}
+
+void ElasticTube::follow(SessionTime until, const ConnectorAt& connectorAt,
+                         const TissueAround& tissue)
+{
+    const SessionTime last = stepUntil(until);
+    const SessionTime next = m_stepped ? *m_stepped + kStep : last;
+    if (next > last)
+        return;
+    m_stepped = last;
+    const MovedLumen lumen = moved(*m_lumen, tissue.motion, tissue.push);
+    for (SessionTime t = std::max(next, last - (kMostSteps - 1) * kStep); t <= last; t += kStep) {
+        const auto X_AE = connectorAt(t);
+        if (!X_AE)
+            continue;
+        m_tube.step(*X_AE, lumen);
+        m_isLaid = true;
+    }
+}
+
+void ElasticTube::letGo()
+{
+    if (!m_stepped)
+        return;
+    m_tube = m_begun;
+    m_isLaid = false;
+    m_stepped.reset();
+}
+
+TubeAhead ElasticTube::ahead(const RigidTransform& X_AE, const TissueAround& tissue) const
+{
+    TubeInLumen there = m_tube;
+    there.step(X_AE, moved(*m_lumen, tissue.motion, tissue.push));
+    return {taken(there.constrained(), X_AE.inverse()), there.tip().depth};
+}
+
+} // namespace carina

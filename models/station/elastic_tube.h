@@ -1,0 +1,87 @@
+#pragma once
+
+#include "engine/airway/tube/tube_in_lumen.h"
+#include "engine/anatomy/shapes/tube.h"
+#include "engine/core/session_time.h"
+#include "models/station/station_view.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace carina
+{
+
+/// How the tissue around an airway lies at a moment, other than in the surfaces.
+struct TissueAround {
+    TissueMotion motion; ///< as it is drawn without a blade
+    TissueMotion push;   ///< by a blade, which makes room beside that
+};
+/// The arguments must outlive it.
+[[nodiscard]] TissueAround tissueAround(const AirwayField& changes, const FollowingThroat& throat,
+                                        const BladeField& blade);
+
+/// How a tube lies at the pose of its connector.
+struct TubeAhead {
+    std::vector<Vec3> p_E; ///< its centre line in the connector's frame
+    Length depth{};        ///< at the teeth, along it; 0 outside of the mouth
+};
+
+/// The tube with which somebody works, in the patient's airway: an elastic rod that is held at its
+/// connector and stays in the lumen (TubeInLumen).
+///
+/// A fold in session time. Its steps are at whole multiples of kStep, with the pose that the
+/// connector had then and the lumen as tissue lay at the moment until which it follows. So the
+/// same poses and moments give the same shape. At most kMostSteps are taken at once; of a longer
+/// pause only the last ones, and where the connector has gone far meanwhile the tube is laid anew.
+class ElasticTube
+{
+public:
+    /// X_AE at a session time; nothing where it was not seen.
+    using ConnectorAt = std::function<std::optional<RigidTransform>(SessionTime)>;
+
+    /// @param shape its curve at rest and its thickness
+    /// @param lumen for tubes as thick as that, with a trunk
+    ElasticTube(const TubeShape& shape, std::shared_ptr<const AirwayLumen> lumen);
+
+    /// Takes the steps that are due until a moment.
+    void follow(SessionTime until, const ConnectorAt& connectorAt, const TissueAround& tissue);
+    /// Forgets how it lay.
+    void letGo();
+
+    /// Whether it was seen since it was made or let go.
+    [[nodiscard]] bool isLaid() const { return m_isLaid; }
+    /// As it lies after the latest step. @pre isLaid()
+    [[nodiscard]] const TubeInLumen& tube() const { return m_tube; }
+    /// Where its connector has gone on to X_AE since: one step on from the latest, which the fold
+    /// does not keep. For a picture, which shows a later time than that of poses that are known for
+    /// good.
+    /// @pre isLaid()
+    [[nodiscard]] TubeAhead ahead(const RigidTransform& X_AE, const TissueAround& tissue) const;
+
+    static constexpr Duration kStep{std::chrono::nanoseconds{10'000'000}};
+    static constexpr int kMostSteps = 50;
+
+private:
+    std::shared_ptr<const AirwayLumen> m_lumen;
+    TubeInLumen m_begun; ///< which was never stepped
+    TubeInLumen m_tube;
+    bool m_isLaid = false;
+    std::optional<SessionTime> m_stepped; ///< the time of the latest step
+};
+
+/// How a tube lies in the airway that it is drawn in.
+struct TubeInAirway {
+    std::vector<Vec3> p_E; ///< centre line; empty: as at rest
+    TubeDrawing drawing = TubeDrawing::AsMeasured;
+};
+using TubeInAirwayAt =
+    std::function<TubeInAirway(const StationMoment& moment, const TissueAround& tissue)>;
+
+/// The size of a tube of which thickness and curve are known: its inner diameter is that of the
+/// size that is most nearly as thick. How stiff it is matters to the forces that it reports, and
+/// not to its shape, as nothing acts on it but walls, which are as much stiffer (ElasticRod).
+[[nodiscard]] TubeSize sizeOf(const TubeShape& shape);
+
+} // namespace carina

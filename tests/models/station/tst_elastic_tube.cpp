@@ -1,0 +1,161 @@
+#include "models/station/elastic_tube.h"
+#include "tests/engine/airway/tube/bent_lumen.h"
+#include "tests/support/test_class.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace carina::elastic_tube_test
+{
+namespace
+{
+
+using test::BentLumen;
+using test::fed;
+using namespace std::chrono_literals;
+
+constexpr double kDepth_m = 4e-3;
+constexpr double kOutside_m = 0.5e-3;
+constexpr double kSettled_m = 0.2e-3; ///< by which a tube at rest goes on in one step
+constexpr double kInside = 0.2;       ///< metres of tube, when it is in
+constexpr double kSpeed = 0.15;       ///< m/s
+constexpr SessionTime kBegin{10s};
+constexpr SessionTime kEnd{13s};
+
+const TubeSize& size()
+{
+    static const TubeSize it = tubeOfSize(millimetres(7.0)).value();
+    return it;
+}
+
+TubeShape shape()
+{
+    TubeShape it;
+    it.p_E_centre = restCurve(size(), 200);
+    it.p_E_tip = it.p_E_centre.back();
+    it.outerDiameter = size().outer;
+    it.fitsAirway = false;
+    return it;
+}
+
+ElasticTube tube()
+{
+    return {shape(),
+            std::make_shared<const AirwayLumen>(BentLumen{}.lumenFor(0.5 * shape().outerDiameter))};
+}
+
+/// A hand that feeds it from in front of the teeth, and then holds it.
+std::optional<RigidTransform> hand(SessionTime t)
+{
+    const double inside = -0.02 + kSpeed * toSeconds(t - kBegin);
+    return fed(size(), std::min(inside, kInside));
+}
+
+TissueAround still()
+{
+    return {[](const Vec3& p_A, AirwayTissue) { return p_A; }, {}};
+}
+
+void follow(ElasticTube& tube, Duration each)
+{
+    for (SessionTime t = kBegin; t <= kEnd; t += each)
+        tube.follow(t, hand, still());
+}
+
+bool areSame(std::span<const Vec3> a, std::span<const Vec3> b) { return std::ranges::equal(a, b); }
+
+} // namespace
+
+class TestElasticTube : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void hasTheSizeOfTheShape()
+    {
+        const TubeSize found = sizeOf(shape());
+        QVERIFY(std::abs((found.inner - size().inner).si) < 1e-9);
+        QCOMPARE(found.outer, size().outer);
+        QVERIFY(std::abs((found.length - size().length).si) < 1e-4);
+    }
+
+    void followsItsConnectorInTheLumen()
+    {
+        ElasticTube followed = tube();
+        QVERIFY(!followed.isLaid());
+        follow(followed, 20ms);
+        QVERIFY(followed.isLaid());
+        const double room = BentLumen{}.radius - size().outerRadius().si;
+        const std::span<const Vec3> nodes = followed.tube().constrained();
+        for (const Vec3& p_A : nodes)
+            if (p_A.y() > 0.0)
+                QVERIFY(BentLumen{}.fromMiddle(p_A) < room + kOutside_m);
+        QVERIFY(std::abs(followed.tube().tip().depth.si - kInside) < kDepth_m);
+    }
+
+    void givesTheSameShapeHoweverOftenItIsAsked()
+    {
+        ElasticTube often = tube();
+        ElasticTube seldom = tube();
+        follow(often, 20ms);
+        follow(seldom, 100ms);
+        QVERIFY(areSame(often.tube().constrained(), seldom.tube().constrained()));
+    }
+
+    void takesNoMoreStepsAtOnceThanItMay()
+    {
+        ElasticTube followed = tube();
+        int asked = 0;
+        const auto counted = [&asked](SessionTime t) {
+            ++asked;
+            return hand(t);
+        };
+        followed.follow(kBegin, counted, still());
+        QCOMPARE(asked, 1);
+        followed.follow(kBegin + 10s, counted, still());
+        QCOMPARE(asked, 1 + ElasticTube::kMostSteps);
+    }
+
+    void isNotLaidWhereItIsNotSeen()
+    {
+        ElasticTube followed = tube();
+        const auto unseen = [](SessionTime) { return std::optional<RigidTransform>{}; };
+        followed.follow(kBegin, unseen, still());
+        QVERIFY(!followed.isLaid());
+    }
+
+    void forgetsHowItLay()
+    {
+        ElasticTube followed = tube();
+        follow(followed, 20ms);
+        followed.letGo();
+        QVERIFY(!followed.isLaid());
+        ElasticTube fresh = tube();
+        for (ElasticTube* it : {&followed, &fresh})
+            it->follow(kBegin + 500ms, hand, still());
+        QVERIFY(areSame(followed.tube().constrained(), fresh.tube().constrained()));
+    }
+
+    void goesAheadAndKeepsNothingOfIt()
+    {
+        ElasticTube followed = tube();
+        follow(followed, 20ms);
+        const std::span<const Vec3> nodes = followed.tube().constrained();
+        const std::vector<Vec3> before{nodes.begin(), nodes.end()};
+        const RigidTransform X_AE = *hand(kEnd);
+        const std::vector<Vec3> p_E = followed.ahead(X_AE, still()).p_E;
+        QCOMPARE(p_E.size(), before.size());
+        for (std::size_t i = 0; i < p_E.size(); ++i)
+            QVERIFY((X_AE * p_E[i] - before[i]).norm() < kSettled_m);
+        const RigidTransform withdrawn = fed(size(), kInside - 0.01);
+        const Vec3 p_A_tip = withdrawn * followed.ahead(withdrawn, still()).p_E.back();
+        QVERIFY(std::abs((p_A_tip - before.back()).norm() - 0.01) < kDepth_m);
+        QVERIFY(areSame(followed.tube().constrained(), before));
+    }
+};
+
+CARINA_TEST(TestElasticTube)
+
+} // namespace carina::elastic_tube_test
+
+#include "tst_elastic_tube.moc"

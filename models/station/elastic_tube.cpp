@@ -66,7 +66,8 @@ void ElasticTube::follow(SessionTime until, const ConnectorAt& connectorAt,
         if (!X_AE)
             continue;
         m_tube.step(*X_AE, lumen);
-        m_isLaid = true;
+        m_X_AE = *X_AE;
+        m_laid = t;
     }
 }
 
@@ -75,15 +76,25 @@ void ElasticTube::letGo()
     if (!m_stepped)
         return;
     m_tube = m_begun;
-    m_isLaid = false;
+    m_laid.reset();
     m_stepped.reset();
 }
 
-TubeAhead ElasticTube::ahead(const RigidTransform& X_AE, const TissueAround& tissue) const
+std::vector<Vec3> ElasticTube::line() const
 {
+    return taken(m_tube.constrained(), m_X_AE.inverse());
+}
+
+std::vector<Vec3> ElasticTube::ahead(SessionTime t, const RigidTransform& X_AE,
+                                     const TissueAround& tissue) const
+{
+    const MovedLumen lumen = moved(*m_lumen, tissue.motion, tissue.push);
+    const double due = std::ceil(toSeconds(t - *m_laid) / toSeconds(kStepAhead));
+    const int steps = int(std::clamp(due, 1.0, double(kMostStepsAhead)));
     TubeInLumen there = m_tube;
-    there.step(X_AE, moved(*m_lumen, tissue.motion, tissue.push));
-    return {taken(there.constrained(), X_AE.inverse()), there.tip().depth};
+    for (int i = 1; i <= steps; ++i)
+        there.step(interpolate(m_X_AE, X_AE, double(i) / steps), lumen);
+    return taken(there.constrained(), X_AE.inverse());
 }
 
 } // namespace carina

@@ -22,12 +22,6 @@ struct TissueAround {
 [[nodiscard]] TissueAround tissueAround(const AirwayField& changes, const FollowingThroat& throat,
                                         const BladeField& blade);
 
-/// How a tube lies at the pose of its connector.
-struct TubeAhead {
-    std::vector<Vec3> p_E; ///< its centre line in the connector's frame
-    Length depth{};        ///< at the teeth, along it; 0 outside of the mouth
-};
-
 /// The tube with which somebody works, in the patient's airway: an elastic rod that is held at its
 /// connector and stays in the lumen (TubeInLumen).
 ///
@@ -51,23 +45,31 @@ public:
     void letGo();
 
     /// Whether it was seen since it was made or let go.
-    [[nodiscard]] bool isLaid() const { return m_isLaid; }
+    [[nodiscard]] bool isLaid() const { return m_laid.has_value(); }
+    /// The time of the latest step in which it was seen. @pre isLaid()
+    [[nodiscard]] SessionTime laidAt() const { return *m_laid; }
+    /// Its centre line after that step, in the frame E of its connector. @pre isLaid()
+    [[nodiscard]] std::vector<Vec3> line() const;
     /// As it lies after the latest step. @pre isLaid()
     [[nodiscard]] const TubeInLumen& tube() const { return m_tube; }
-    /// Where its connector has gone on to X_AE since: one step on from the latest, which the fold
-    /// does not keep. For a picture, which shows a later time than that of poses that are known for
-    /// good.
+    /// The same where its connector has gone on to X_AE until t, evenly: a few steps on from the
+    /// latest, which the fold does not keep. For a picture, which shows a later time than that of
+    /// poses that are known for good.
     /// @pre isLaid()
-    [[nodiscard]] TubeAhead ahead(const RigidTransform& X_AE, const TissueAround& tissue) const;
+    [[nodiscard]] std::vector<Vec3> ahead(SessionTime t, const RigidTransform& X_AE,
+                                          const TissueAround& tissue) const;
 
     static constexpr Duration kStep{std::chrono::nanoseconds{10'000'000}};
     static constexpr int kMostSteps = 50;
+    static constexpr Duration kStepAhead = 2 * kStep; ///< of ours, as the most of these steps
+    static constexpr int kMostStepsAhead = 8;
 
 private:
     std::shared_ptr<const AirwayLumen> m_lumen;
     TubeInLumen m_begun; ///< which was never stepped
     TubeInLumen m_tube;
-    bool m_isLaid = false;
+    RigidTransform m_X_AE;                ///< at the latest step in which it was seen
+    std::optional<SessionTime> m_laid;    ///< the time of that
     std::optional<SessionTime> m_stepped; ///< the time of the latest step
 };
 

@@ -221,7 +221,7 @@ TubeInAirway IntubationWatch::tubeAt(const StationMoment& moment, const TissueAr
         return {{}, m_lumen.isImpossible() ? TubeDrawing::NoLumen : TubeDrawing::Awaited};
     if (!m_tube->isLaid())
         return {};
-    return {m_tube->ahead(moment.tube->X_FO, tissue).p_E,
+    return {m_tube->ahead(moment.time, moment.tube->X_FO, tissue),
             course().shapes.isIn ? TubeDrawing::Apart : TubeDrawing::InAirway};
 }
 
@@ -242,11 +242,8 @@ std::shared_ptr<const StreamShape> IntubationWatch::shapeAt(SessionTime t)
     const auto& tube = around.moment.tube;
     if (!tube || tube->validity == Validity::Lost || isAway(around.moment))
         return nullptr;
-    const TubeAhead lies = m_tube->ahead(tube->X_FO, around.tissue());
-    const Length length = m_tube->tube().size().length;
-    const Length outside = std::clamp(length - lies.depth, Length{}, length);
     return std::make_shared<const StreamShape>(
-        toStream(formOf(lies.p_E, length, outside, medianPlane(tube->X_FO)), t));
+        toStream(restOf(m_patient->tube()), m_tube->ahead(t, tube->X_FO, around.tissue()), t));
 }
 
 BladeSeen IntubationWatch::bladeIn(const StationMoment& moment, const LaryngoscopeSight& sight)

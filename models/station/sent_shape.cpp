@@ -1,25 +1,67 @@
 #include "models/station/sent_shape.h"
 
-#include "engine/airway/tube/tube_in_lumen.h"
+#include "engine/anatomy/airway/centreline.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace carina
 {
-
-StreamShape toStream(const TubeForm& form, SessionTime t)
+namespace
 {
-    return {t, form.length.si, form.entry.si, form.plane.si, form.perMetre};
+
+constexpr int kPieces = TubeInLumen::kPieces;
+
+/// By how much a tube has bent towards -y before the middle of a piece of its line.
+double bentAt(std::span<const Vec3> p_E, std::size_t piece)
+{
+    const Vec3 way = p_E[piece + 1] - p_E[piece];
+    return std::atan2(-way.y(), -way.z());
 }
 
-TubeForm fromStream(const StreamShape& shape)
+} // namespace
+
+/// A chord of an arc has the direction of the arc at its middle.
+TubeRest restOf(const TubeShape& shape)
 {
-    return {metres(shape.length), metres(shape.entry), radians(shape.plane), shape.perMetre};
+    const std::vector<Vec3> p_E = inPieces(shape.p_E_centre, kPieces);
+    const double piece = lengthOf(shape.p_E_centre).si / kPieces;
+    const double half = 0.5 * kPieces * piece;
+    const double first = bentAt(p_E, kPieces / 2 - 1) / (half - 0.5 * piece);
+    const double second = (bentAt(p_E, kPieces - 1) - first * half) / (half - 0.5 * piece);
+    return {lengthOf(shape.p_E_centre), {first, second}, shape.outerDiameter};
+}
+
+TubeRest restOf(const StreamShape& shape)
+{
+    return {metres(shape.length), shape.atRest, metres(shape.thickness)};
+}
+
+std::vector<Vec3> lineAtRest(const TubeRest& rest)
+{
+    return inPieces(centrelineOfTube(rest), kPieces);
+}
+
+StreamShape toStream(const TubeRest& rest, std::span<const Vec3> p_E, SessionTime t)
+{
+    StreamShape shape{t, rest.length.si, rest.outerDiameter.si, rest.bends, {}};
+    const TubeShapeCode code = encoded(p_E, RigidTransform{}, lineAtRest(rest)).code;
+    std::ranges::copy(code.perMetre, shape.perMetre.begin());
+    return shape;
+}
+
+std::vector<Vec3> lineOf(const StreamShape& shape)
+{
+    TubeShapeCode code;
+    std::ranges::transform(shape.perMetre, code.perMetre.begin(),
+                           [](double perMetre) { return float(perMetre); });
+    return decoded(code, lineAtRest(restOf(shape)));
 }
 
 std::vector<Vec3> lineOf(const ShapeBetween& shape)
 {
-    constexpr int kPieces = TubeInLumen::kPieces;
-    const std::vector<Vec3> from = lineOf(fromStream(shape.from), kPieces);
-    std::vector<Vec3> line = lineOf(fromStream(shape.to), kPieces);
+    const std::vector<Vec3> from = lineOf(shape.from);
+    std::vector<Vec3> line = lineOf(shape.to);
     for (std::size_t i = 0; i < line.size(); ++i)
         line[i] = from[i] + shape.times * (line[i] - from[i]);
     return line;

@@ -89,8 +89,10 @@ void StationView::addPeople(StationMoment& moment, const SessionState& state) co
         const auto poses = m_node.object(tube->object);
         if (const auto newest = poses ? poses->newest() : std::nullopt)
             moment.sampleAge = t - newest->time;
-        if (poses)
+        if (poses) {
+            moment.tubePoses = poses;
             moment.tubeShape = poses->shapeAt(t);
+        }
     }
     if (const PersonPose* jaw = atWork(moment.people, ObjectKind::Jaw))
         moment.jaw = jaw->pose;

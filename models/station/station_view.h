@@ -9,6 +9,7 @@
 #include "models/station/people_poses.h"
 #include "models/station/tube_drawing.h"
 
+#include <memory>
 #include <optional>
 
 namespace carina
@@ -38,8 +39,9 @@ struct StationMoment {
     std::optional<ShownObject> patient;   ///< X_AV; empty before any action on the patient
     std::vector<LiftedObject> lifted;     ///< what is not in its place
     std::optional<Duration> sampleAge;    ///< of the tube's newest sample at `time`
-    /// How the tube at work bends, as its owner has it; nothing of an own one, and where it is not
-    /// told.
+    /// The poses of the tube at work, of another; null of an own one.
+    std::shared_ptr<const RemoteObject> tubePoses;
+    /// How that bends, as its owner has it; nothing where it is not told.
     std::optional<ShapeBetween> tubeShape;
     bool tubeIsApart = false; ///< from where it was measured, as it is noted in the session
     TubeDrawing tubeDrawing = TubeDrawing::AsMeasured; ///< set by who draws it

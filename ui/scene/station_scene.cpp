@@ -1,6 +1,5 @@
 #include "ui/scene/station_scene.h"
 
-#include "models/station/sent_shape.h"
 #include "ui/scene/scene_parts.h"
 #include "widgets/scene/view/scene_view.h"
 
@@ -30,13 +29,6 @@ Lie lieOf(BodyPosition position)
     return Lie::Upright;
 }
 
-/// The tube of another, as its owner has it.
-TubeInAirway asSent(const StationMoment& moment)
-{
-    return {lineOf(*moment.tubeShape),
-            moment.tubeIsApart ? TubeDrawing::Apart : TubeDrawing::InAirway};
-}
-
 } // namespace
 
 StationScene::StationScene(SceneView& scene, const PatientModel& patient, const StationView& view)
@@ -46,6 +38,7 @@ StationScene::StationScene(SceneView& scene, const PatientModel& patient, const 
       m_laryngoscope{patient},
       m_standardHeadset{HeadsetView::standard()}
 {
+    m_distantTube.lieIn(patient);
     m_scene.setParts(sceneParts(patient), patient.reach());
     m_scene.nameSides(kPatientBody);
     m_scene.setFrameSource([this](int level, LocalTime lit) { return frameOf(level, lit); });
@@ -86,14 +79,13 @@ SceneFrame StationScene::frameOf(int level, LocalTime lit)
     return frame;
 }
 
-TubeDrawing StationScene::bendTubeAtWork(SceneFrame& frame, const StationMoment& moment) const
+TubeDrawing StationScene::bendTubeAtWork(SceneFrame& frame, const StationMoment& moment)
 {
     if (!frame.bodies.contains(kTubeBody))
         return TubeDrawing::AsMeasured;
+    const TissueAround tissue = tissueAround(frame.airway, frame.throat, frame.blade);
     const TubeInAirway lies =
-        moment.tubeShape
-            ? asSent(moment)
-            : m_tubeInAirway(moment, tissueAround(frame.airway, frame.throat, frame.blade));
+        moment.tubePoses ? m_distantTube.at(moment, tissue) : m_tubeInAirway(moment, tissue);
     if (lies.p_E.empty())
         return lies.drawing;
     frame.bentInPlace.erase(kTubeBody);
@@ -160,6 +152,7 @@ void StationScene::show(const PatientModel& patient, const StationView& view)
     m_patient = &patient;
     m_view = &view;
     m_laryngoscope.lieIn(patient);
+    m_distantTube.lieIn(patient);
     m_scene.setParts(sceneParts(patient), patient.reach());
     m_people.clear(); // whose tubes are those of the patient before
     m_lifts.clear();

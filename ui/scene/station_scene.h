@@ -1,6 +1,7 @@
 #pragma once
 
 #include "models/patient/patient_model.h"
+#include "models/station/distant_tube.h"
 #include "models/station/elastic_tube.h"
 #include "models/station/head_by_mouse.h"
 #include "models/station/headset_view.h"
@@ -43,7 +44,7 @@ public:
     void bendTubeBy(TubeInAirwayAt source) { m_tubeInAirway = std::move(source); }
     /// Bends it, or the tube of another as that was sent, in a frame that has airway, throat and
     /// blade of the moment.
-    TubeDrawing bendTubeAtWork(SceneFrame& frame, const StationMoment& moment) const;
+    TubeDrawing bendTubeAtWork(SceneFrame& frame, const StationMoment& moment);
 
     /// Selects the output: the eyes of a headset, or a screen. While no tracker here has a tool for
     /// the head, a headset's picture is seen from one that mouse and keys turn in the scene, in
@@ -109,6 +110,7 @@ private:
     TubeInAirwayAt m_tubeInAirway = [](const StationMoment&, const TissueAround&) {
         return TubeInAirway{};
     };
+    DistantTube m_distantTube; ///< of another
     std::vector<Listener> m_listeners;
     HeadsetView m_standardHeadset; ///< for views through the eyes of others
     std::optional<ParticipantId> m_throughEyesOf;

@@ -14,7 +14,7 @@ void ShapeView::take(const StreamShape& shape)
         return;
     if (!m_shapes.empty()
         && (shape.time - m_shapes.back().time > kLongestGap
-            || shape.length != m_shapes.back().length))
+            || !shape.isOfSameObject(m_shapes.back())))
         m_shapes.clear();
     if (m_shapes.size() == kKept)
         m_shapes.pop_front();

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace carina
 {
@@ -29,12 +30,17 @@ bool isSent(const std::optional<StreamShape>& shape, SessionTime ofSample)
 template <std::size_t Bytes>
 void writeShape(BlockWriter<Bytes>& out, const StreamShape& shape, SessionTime ofSample)
 {
-    out.number(static_cast<std::uint16_t>((ofSample - shape.time) / kShapeAgeStep));
-    for (const double metres : {shape.length, shape.entry})
-        out.number(static_cast<std::uint16_t>(quantise(metres, kShapeLengthStep, kLargestUint16)));
-    out.number(static_cast<std::int16_t>(quantise(shape.plane, kPlaneStep, kLargestInt16)));
-    for (const double perMetre : shape.perMetre)
-        out.number(static_cast<std::int16_t>(quantise(perMetre, kCurvatureStep, kLargestInt16)));
+    out.number(static_cast<std::uint8_t>((ofSample - shape.time) / kShapeAgeStep));
+    out.number(static_cast<std::uint8_t>(quantise(shape.thickness, kThicknessStep, kLargestUint8)));
+    out.number(
+        static_cast<std::uint16_t>(quantise(shape.length, kShapeLengthStep, kLargestUint16)));
+    const auto write = [&out](std::span<const double> numbers) {
+        for (const double perMetre : numbers)
+            out.number(
+                static_cast<std::int16_t>(quantise(perMetre, kCurvatureStep, kLargestInt16)));
+    };
+    write(shape.atRest);
+    write(shape.perMetre);
 }
 
 void writeStream(ByteWriter& buffer, const StreamCpo& stream)
@@ -114,20 +120,21 @@ std::optional<StreamMotion> readMotion(ByteReader& in, bool known)
 StreamShape readShape(ByteReader& in, SessionTime ofSample)
 {
     StreamShape shape;
-    shape.time = ofSample - in.number<std::uint16_t>() * kShapeAgeStep;
+    shape.time = ofSample - in.number<std::uint8_t>() * kShapeAgeStep;
+    const auto thickness = in.number<std::uint8_t>();
     const auto length = in.number<std::uint16_t>();
-    const auto entry = in.number<std::uint16_t>();
-    in.require(length > 0 && entry <= length, "length of a form");
+    in.require(thickness > 0 && length > 0, "size of a form");
+    shape.thickness = thickness * kThicknessStep;
     shape.length = length * kShapeLengthStep;
-    shape.entry = entry * kShapeLengthStep;
-    const auto read = [&in](double step) {
-        const auto code = in.number<std::int16_t>();
-        in.require(code >= -kLargestInt16, "form");
-        return code * step;
+    const auto read = [&in](std::span<double> numbers) {
+        for (double& perMetre : numbers) {
+            const auto code = in.number<std::int16_t>();
+            in.require(code >= -kLargestInt16, "form");
+            perMetre = code * kCurvatureStep;
+        }
     };
-    shape.plane = read(kPlaneStep);
-    for (double& perMetre : shape.perMetre)
-        perMetre = read(kCurvatureStep);
+    read(shape.atRest);
+    read(shape.perMetre);
     return shape;
 }
 
@@ -159,13 +166,14 @@ bool isInRange(const StreamShape& shape, SessionTime ofSample)
 {
     const Duration age = ofSample - shape.time;
     // Written so that a NaN fails too.
-    return age >= Duration{} && age <= kLargestUint16 * kShapeAgeStep
-           && std::abs(shape.plane) <= kLargestInt16 * kPlaneStep
+    const auto canBeSent = [](double perMetre) {
+        return std::abs(perMetre) <= kLargestInt16 * kCurvatureStep;
+    };
+    return age >= Duration{} && age <= kLargestUint8 * kShapeAgeStep
+           && shape.thickness >= kThicknessStep && shape.thickness <= kLargestUint8 * kThicknessStep
            && shape.length >= kShapeLengthStep && shape.length <= kLargestUint16 * kShapeLengthStep
-           && shape.entry >= 0.0 && shape.entry <= shape.length
-           && std::ranges::all_of(shape.perMetre, [](double perMetre) {
-                  return std::abs(perMetre) <= kLargestInt16 * kCurvatureStep;
-              });
+           && std::ranges::all_of(shape.atRest, canBeSent)
+           && std::ranges::all_of(shape.perMetre, canBeSent);
 }
 
 std::size_t bytesOf(const StreamCpo& stream)

@@ -21,17 +21,23 @@ struct StreamMotion {
     Vec3 w_AO = Vec3::Zero(); ///< angular, rad/s
 };
 
-/// The form of an object that bends, as its owner draws it: of a tube TubeForm, in its numbers.
+/// The form of an object that bends, as its owner draws it: of a tube what it is at rest
+/// (TubeRest), and by how much it bends from that in eight numbers (TubeShapeCode).
 ///
-/// On the wire it is quantised: its time to 10 us, up to 655 ms before that of the sample, length
-/// and entry to 10 um up to 655 mm, the plane to 0.1 mrad, and each number to 0.002 per metre
-/// within +-65.5. A form with a value outside its range is not sent.
+/// On the wire it is quantised: its time to 1 ms, up to 255 ms before that of the sample, the
+/// length to 10 um up to 655 mm, the thickness to 0.1 mm up to 25.5 mm, and each number per metre
+/// to 0.002 within +-65.5. A form with a value outside its range is not sent.
 struct StreamShape {
-    SessionTime time{};  ///< of the sample or before
-    double length = 0.0; ///< metres, above 0
-    double entry = 0.0;  ///< metres, from 0 to length
-    double plane = 0.0;  ///< radians, within half a turn
+    SessionTime time{};             ///< of the sample or before
+    double length = 0.0;            ///< metres, above 0
+    double thickness = 0.0;         ///< metres, above 0
+    std::array<double, 2> atRest{}; ///< curvature of its halves, per metre
     std::array<double, 8> perMetre{};
+
+    [[nodiscard]] bool isOfSameObject(const StreamShape& other) const
+    {
+        return length == other.length && thickness == other.thickness && atRest == other.atRest;
+    }
 
     friend bool operator==(const StreamShape&, const StreamShape&) = default;
 };

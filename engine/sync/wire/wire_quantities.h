@@ -16,6 +16,7 @@ namespace carina
 {
 
 inline constexpr std::int32_t kLargestInt16 = 32767;
+inline constexpr std::int32_t kLargestUint8 = 255;
 inline constexpr std::int32_t kLargestUint16 = 65535;
 inline constexpr std::int32_t kLargestInt24 = 8388607;
 
@@ -23,10 +24,10 @@ inline constexpr double kPositionStep = 1e-5;                                   
 inline constexpr double kVelocityStep = 1e-4;                                   ///< m/s
 inline constexpr double kAngularVelocityStep = 0.02 * std::numbers::pi / 180.0; ///< rad/s
 inline constexpr double kErrorStep = 5e-5;                                      ///< m
-inline constexpr Duration kShapeAgeStep = std::chrono::microseconds{10};
-inline constexpr double kShapeLengthStep = 1e-5;                       ///< m
-inline constexpr double kPlaneStep = std::numbers::pi / kLargestInt16; ///< rad
-inline constexpr double kCurvatureStep = 2e-3; ///< 1/m: a tip of 0.3 m moves by less than 0.1 mm
+inline constexpr Duration kShapeAgeStep = std::chrono::milliseconds{1};
+inline constexpr double kShapeLengthStep = 1e-5; ///< m
+inline constexpr double kThicknessStep = 1e-4;   ///< m
+inline constexpr double kCurvatureStep = 2e-3;   ///< 1/m: a tip of 0.3 m moves by less than 0.1 mm
 /// Of a quaternion component that is not the largest; its magnitude is at most sqrt(1/2).
 inline constexpr double kRotationStep = 1.0 / (std::numbers::sqrt2 * kLargestInt16);
 

@@ -143,12 +143,12 @@ private Q_SLOTS:
         const std::span<const Vec3> nodes = followed.tube().constrained();
         const std::vector<Vec3> before{nodes.begin(), nodes.end()};
         const RigidTransform X_AE = *hand(kEnd);
-        const std::vector<Vec3> p_E = followed.ahead(X_AE, still()).p_E;
+        const std::vector<Vec3> p_E = followed.ahead(kEnd, X_AE, still());
         QCOMPARE(p_E.size(), before.size());
         for (std::size_t i = 0; i < p_E.size(); ++i)
             QVERIFY((X_AE * p_E[i] - before[i]).norm() < kSettled_m);
         const RigidTransform withdrawn = fed(size(), kInside - 0.01);
-        const Vec3 p_A_tip = withdrawn * followed.ahead(withdrawn, still()).p_E.back();
+        const Vec3 p_A_tip = withdrawn * followed.ahead(kEnd, withdrawn, still()).back();
         QVERIFY(std::abs((p_A_tip - before.back()).norm() - 0.01) < kDepth_m);
         QVERIFY(areSame(followed.tube().constrained(), before));
     }

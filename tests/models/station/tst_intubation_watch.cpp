@@ -356,8 +356,9 @@ private Q_SLOTS:
         const auto sent = work.shape();
         QVERIFY(sent);
         QVERIFY(*work.node.now() - sent->time < IntubationWatch::kShapeEach);
-        const std::vector<Vec3> line = lineOf(fromStream(*sent), TubeInLumen::kPieces);
-        const std::vector<Vec3> drawn = drawnNow(work).p_E;
+        const std::vector<Vec3> drawn =
+            lineOf(toStream(restOf(touched().tube()), drawnNow(work).p_E, sent->time));
+        const std::vector<Vec3> line = lineOf(*sent);
         QCOMPARE(line.size(), drawn.size());
         for (std::size_t i = 0; i < line.size(); ++i)
             QVERIFY((line[i] - drawn[i]).norm() < kSent_m);

@@ -358,7 +358,7 @@ void TestStationView::bendsTheTubeOfAnotherAsItWasSent()
     StreamCpo cpo;
     cpo.object = FakeSessionNode::kTube;
     cpo.time = kNow;
-    cpo.shape = StreamShape{kNow, 0.3, 0.1, 0.0, {4.0}};
+    cpo.shape = StreamShape{kNow, 0.3, 0.01, {}, {4.0}};
     node.takes(cpo);
     const StationView view{node, FakeSessionNode::kStation, pair};
     const StationMoment moment = view.at(kNow, 0);

@@ -97,7 +97,7 @@ private Q_SLOTS:
         cpo.object = FakeSessionNode::kTube;
         cpo.time = *node.now();
         cpo.X_AO = adult().tube().X_AE;
-        cpo.shape = StreamShape{cpo.time, kArc, 0.0, 0.0, {0.0, 8.0}};
+        cpo.shape = StreamShape{cpo.time, kArc, 0.01, {}, {0.0, 8.0}};
         node.takes(cpo);
         StationView view{node, FakeSessionNode::kStation, adult().lungs(), {}};
         SceneView picture;
@@ -107,7 +107,7 @@ private Q_SLOTS:
         });
         SceneFrame frame = sceneFrame(view.at(cpo.time, 0), ChestField{});
         QCOMPARE(scene.bendTubeAtWork(frame, view.at(cpo.time, 0)), TubeDrawing::InAirway);
-        const Vec3 p_E_tip = lineOf(fromStream(*cpo.shape), 64).back();
+        const Vec3 p_E_tip = lineOf(*cpo.shape).back();
         QVERIFY((frame.bentAlong.at(kTubeBody)->bent().back() - p_E_tip).norm() < kExact_m);
         const Vec3 drawn = frame.bentAlong.at(kTubeBody)->taken(adult().tube().p_E_centre.back());
         QVERIFY((drawn - p_E_tip).norm() < kExact_m);

@@ -52,7 +52,7 @@ private Q_SLOTS:
         const auto bends = [](const SessionNode& node) -> ShapeSource {
             return [&node]() -> std::optional<StreamShape> {
                 const auto now = node.now();
-                return now ? std::optional{StreamShape{*now, 0.3, 0.1, 0.5, {1.0, -2.0}}}
+                return now ? std::optional{StreamShape{*now, 0.3, 0.01, {7.0, 7.0}, {1.0, -2.0}}}
                            : std::nullopt;
             };
         };

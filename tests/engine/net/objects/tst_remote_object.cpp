@@ -148,7 +148,7 @@ private Q_SLOTS:
         QVERIFY(!object.shapeAt(kStart));
         const auto bends = [&](Duration after, double perMetre) {
             cpo = movingAt(after, 0.0);
-            cpo.shape = StreamShape{cpo.time, 0.3, 0.1, 0.0, {perMetre}};
+            cpo.shape = StreamShape{cpo.time, 0.3, 0.01, {}, {perMetre}};
             object.take(cpo, cpo.time);
         };
         bends(20ms, 1.0);

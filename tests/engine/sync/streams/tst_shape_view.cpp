@@ -17,7 +17,7 @@ constexpr double kPerSecond = 20.0; // by which the first number grows, 1/m
 /// The first number grows evenly, the others are still.
 StreamShape shapeAt(Duration after, double length = 0.3)
 {
-    return {kStart + after, length, 0.1, 0.2, {kPerSecond * toSeconds(after), 3.0}};
+    return {kStart + after, length, 0.01, {7.0, 7.0}, {kPerSecond * toSeconds(after), 3.0}};
 }
 
 ShapeView fedEach(Duration each, Duration until)

@@ -152,7 +152,7 @@ private Q_SLOTS:
     void splitsAGroupOfLongSamples()
     {
         StreamSample bent = sample(1, 1);
-        bent.cpo.shape = StreamShape{bent.cpo.time, 0.3, 0.1, 0.0, {}};
+        bent.cpo.shape = StreamShape{bent.cpo.time, 0.3, 0.01, {}, {}};
         const auto groups = groupStreams(std::vector<StreamSample>(kStreamsPerGroup, bent));
         QCOMPARE(groups.size(), std::size_t{2});
         for (const StreamGroup& group : groups) {

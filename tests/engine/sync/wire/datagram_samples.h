@@ -54,8 +54,8 @@ inline StreamCpo goldenBentStream()
     StreamCpo stream = goldenStream();
     stream.shape = StreamShape{stream.time - std::chrono::milliseconds{20},
                                0.3,
-                               0.1,
-                               0.5 * 3.14159265358979323846,
+                               0.0089,
+                               {7.0, -7.0},
                                {1.0, -2.0, 0.002, 65.534, -65.534, 0.0, 4.0, -0.002}};
     return stream;
 }
@@ -171,7 +171,7 @@ inline std::vector<GoldenRecord> goldenRecords()
          "01  02 00  05 04  06 00  01 00 00 00  01"
          "02 01  04 03  36  14  05 00 00 00  00 00 00 00 ff 7f  10 27 00 e0 b1 ff 30 75 00"
          "10 27 78 ec 00 00  94 11 ff ff 00 00"
-         "d0 07  30 75  10 27  00 40  f4 01 18 fc 01 00 ff 7f 01 80 00 00 d0 07 ff ff"},
+         "14  59  30 75  ac 0d 54 f2  f4 01 18 fc 01 00 ff 7f 01 80 00 00 d0 07 ff ff"},
     };
 }
 

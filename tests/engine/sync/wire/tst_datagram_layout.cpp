@@ -22,8 +22,8 @@ constexpr double kPositionTolerance = 0.5e-5 + 1e-12;
 constexpr double kVelocityTolerance = 0.5e-4 + 1e-12;
 constexpr double kAngularTolerance = 0.01 * 3.1415926535897932 / 180.0 + 1e-12;
 constexpr double kErrorTolerance = 2.5e-5 + 1e-12;
-constexpr double kFormTimeTolerance = 10e-6 + 0.5e-6 + 1e-12; // cut off, and that of its sample
-constexpr double kPlaneTolerance = 0.5e-4;
+constexpr double kFormTimeTolerance = 1e-3 + 0.5e-6 + 1e-12; // cut off, and that of its sample
+constexpr double kThicknessTolerance = 0.5e-4 + 1e-12;
 constexpr double kCurvatureTolerance = 1e-3 + 1e-12;
 
 std::vector<std::byte> encoded(const WireRecord& record)
@@ -237,10 +237,11 @@ private Q_SLOTS:
         for (int round = 0; round < 200; ++round) {
             StreamCpo sent = randomStream(random, SessionTime{});
             StreamShape& form = sent.shape.emplace();
-            form.time = sent.time - fromSeconds(0.3 * (1.0 + unit(random)));
+            form.time = sent.time - fromSeconds(0.12 * (1.0 + unit(random)));
             form.length = 0.325 * (1.0 + unit(random)) + 1e-4;
-            form.entry = 0.5 * form.length * (1.0 + unit(random));
-            form.plane = 3.14159 * unit(random);
+            form.thickness = 0.0125 * (1.0 + unit(random)) + 2e-4;
+            for (double& perMetre : form.atRest)
+                perMetre = 65.5 * unit(random);
             for (double& perMetre : form.perMetre)
                 perMetre = 65.5 * unit(random);
             auto bytes = encodeHeader({});
@@ -253,8 +254,9 @@ private Q_SLOTS:
             QVERIFY(arrivedWithinSteps(got, sent) && got.shape);
             QVERIFY(std::abs(toSeconds(got.shape->time - form.time)) <= kFormTimeTolerance);
             QVERIFY(std::abs(got.shape->length - form.length) <= kPositionTolerance);
-            QVERIFY(std::abs(got.shape->entry - form.entry) <= kPositionTolerance);
-            QVERIFY(std::abs(got.shape->plane - form.plane) <= kPlaneTolerance);
+            QVERIFY(std::abs(got.shape->thickness - form.thickness) <= kThicknessTolerance);
+            for (std::size_t i = 0; i < form.atRest.size(); ++i)
+                QVERIFY(std::abs(got.shape->atRest[i] - form.atRest[i]) <= kCurvatureTolerance);
             for (std::size_t i = 0; i < form.perMetre.size(); ++i)
                 QVERIFY(std::abs(got.shape->perMetre[i] - form.perMetre[i]) <= kCurvatureTolerance);
         }
@@ -265,33 +267,31 @@ private Q_SLOTS:
     {
         QTest::addColumn<qint64>("age_us");
         QTest::addColumn<double>("length_m");
-        QTest::addColumn<double>("entry_m");
-        QTest::addColumn<double>("plane");
+        QTest::addColumn<double>("thickness_m");
         QTest::addColumn<double>("perMetre");
-        QTest::newRow("too old") << qint64{655'351} << 0.3 << 0.1 << 0.0 << 1.0;
-        QTest::newRow("of later than its sample") << qint64{-1} << 0.3 << 0.1 << 0.0 << 1.0;
-        QTest::newRow("without length") << qint64{0} << 0.0 << 0.0 << 0.0 << 1.0;
-        QTest::newRow("too long") << qint64{0} << 0.66 << 0.1 << 0.0 << 1.0;
-        QTest::newRow("entering beyond its end") << qint64{0} << 0.3 << 0.301 << 0.0 << 1.0;
-        QTest::newRow("turned too far") << qint64{0} << 0.3 << 0.1 << 3.15 << 1.0;
-        QTest::newRow("too curved") << qint64{0} << 0.3 << 0.1 << 0.0 << 65.6;
+        QTest::newRow("too old") << qint64{256'000} << 0.3 << 0.01 << 1.0;
+        QTest::newRow("of later than its sample") << qint64{-1} << 0.3 << 0.01 << 1.0;
+        QTest::newRow("without length") << qint64{0} << 0.0 << 0.01 << 1.0;
+        QTest::newRow("too long") << qint64{0} << 0.66 << 0.01 << 1.0;
+        QTest::newRow("without thickness") << qint64{0} << 0.3 << 0.0 << 1.0;
+        QTest::newRow("too thick") << qint64{0} << 0.3 << 0.0256 << 1.0;
+        QTest::newRow("too curved") << qint64{0} << 0.3 << 0.01 << 65.6;
         QTest::newRow("not a number")
-            << qint64{0} << 0.3 << 0.1 << 0.0 << std::numeric_limits<double>::quiet_NaN();
+            << qint64{0} << 0.3 << 0.01 << std::numeric_limits<double>::quiet_NaN();
     }
 
     void aFormOutOfItsRangeIsNotSent()
     {
         QFETCH(qint64, age_us);
         QFETCH(double, length_m);
-        QFETCH(double, entry_m);
-        QFETCH(double, plane);
+        QFETCH(double, thickness_m);
         QFETCH(double, perMetre);
         StreamCpo stream = goldenStream();
         const auto plain = encoded(StreamGroup{ParticipantId{1}, 2, StationId{3}, {stream}});
         stream.shape = StreamShape{stream.time - std::chrono::microseconds{age_us},
                                    length_m,
-                                   entry_m,
-                                   plane,
+                                   thickness_m,
+                                   {7.0, 7.0},
                                    {1.0, perMetre}};
         QCOMPARE(bytesOf(stream), kStreamCpoBytes);
         QCOMPARE(toHex(encoded(StreamGroup{ParticipantId{1}, 2, StationId{3}, {stream}})),

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "models/patient/patient_lumen.h"
+#include "models/station/elastic_tube.h"
+#include "models/station/sent_shape.h"
+
+#include <optional>
+#include <vector>
+
+namespace carina
+{
+
+/// The tube of another who is at work, as its owner has it.
+///
+/// Eight numbers do not tell each bend of a rod in an airway. But here are the same patient, the
+/// poses of the connector as they arrive, and by the form that is sent the tube at rest: so the
+/// same rod is stepped in the same lumen (ElasticTube), and only the difference of its form from
+/// the one that was sent is taken from there. Where both tubes lie differently, as where one is
+/// held up at the cords and the other is not, by more than kTooFar, the form that was sent is drawn
+/// as it is, and the rod here is laid anew after kLaidAnew. So it is while there is no lumen, and
+/// of what is no tube that is sold, or is another one within kSameTube: a lumen takes seconds to
+/// measure, and who sends decides what is sent.
+class DistantTube
+{
+public:
+    /// Another patient lies there from now on. @pre it outlives this, or lives until the next one
+    void lieIn(const PatientModel& patient);
+
+    /// How it is drawn at a moment; as its pose has it where its owner does not tell.
+    /// @param tissue as it is drawn then
+    [[nodiscard]] TubeInAirway at(const StationMoment& moment, const TissueAround& tissue);
+
+    /// In which its rod lies, for tubes as thick as that of the latest form.
+    [[nodiscard]] const PatientLumen& lumen() const { return m_lumen; }
+
+    static constexpr Length kTooFar = millimetres(2.0);                   ///< of ours
+    static constexpr Duration kLaidAnew = std::chrono::milliseconds{500}; ///< of ours
+    static constexpr Duration kSameTube = std::chrono::seconds{5};        ///< of ours
+
+private:
+    [[nodiscard]] bool isOf(const StreamShape& shape, SessionTime now);
+    void follow(const RemoteObject& poses, const TissueAround& tissue);
+    /// Of the form that was sent from that of the rod, at the nodes; nothing where there is no rod,
+    /// or they are too far apart.
+    [[nodiscard]] std::optional<std::vector<Vec3>> difference(const RemoteObject& poses);
+
+    const PatientModel* m_patient = nullptr;
+    std::optional<StreamShape> m_of;   ///< whose tube at rest it is
+    SessionTime m_since{};             ///< since when
+    std::optional<PatientModel> m_own; ///< the patient with that tube
+    PatientLumen m_lumen;
+    std::optional<ElasticTube> m_tube;   ///< once its lumen is there
+    std::optional<SessionTime> m_agreed; ///< when both lay alike last
+};
+
+} // namespace carina

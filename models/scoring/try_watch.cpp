@@ -51,7 +51,7 @@ void TryWatch::setStation(StationId station)
     m_course = TryCourse{upInAnatomy()};
     m_patient = {};
     m_report.reset();
-    m_lastNote.reset();
+    m_lastNote = 0;
     m_maskVentilated.reset();
     m_hasLooked = false;
     Q_EMIT changed();
@@ -92,18 +92,13 @@ void TryWatch::watch()
 /// time belongs to a try whose beginning it has not measured.
 void TryWatch::takeNotes(const Station& station)
 {
-    const std::span<const NotedStep> notes = station.respiration.tube().notes();
-    auto next = notes.begin();
-    if (m_lastNote) {
-        const auto last = std::find(notes.rbegin(), notes.rend(), *m_lastNote);
-        next = last == notes.rend() ? notes.begin() : last.base();
-    }
-    if (!notes.empty())
-        m_lastNote = notes.back();
+    const TubeTimeline& tube = station.respiration.tube();
+    const std::span<const NotedStep> news = tube.notesAfter(m_lastNote);
+    m_lastNote = tube.lastNote();
     if (!std::exchange(m_hasLooked, true))
         return;
-    for (; next != notes.end(); ++next)
-        take(next->event);
+    for (const NotedStep& note : news)
+        take(note.event);
 }
 
 void TryWatch::take(const IntubationEvent& event)

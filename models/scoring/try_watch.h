@@ -8,6 +8,7 @@
 #include "models/session/session_model.h"
 #include "models/station/people_poses.h"
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 
@@ -90,9 +91,9 @@ private:
 
     TryCourse m_course;
     RespirationFollower m_patient;
-    std::optional<NotedStep> m_lastNote; ///< that was taken
-    bool m_hasLooked = false;            ///< what was noted before does not count
-    IntubationEvent m_latest;            ///< of the course: where the tube lies
+    std::uint64_t m_lastNote = 0; ///< number of the last one that was taken
+    bool m_hasLooked = false;     ///< what was noted before does not count
+    IntubationEvent m_latest;     ///< of the course: where the tube lies
     TubeBreathWatch m_breaths;
     bool m_hasBreathed = false; ///< through the tube as it lies
     bool m_isCuffInflated = false;

@@ -24,6 +24,7 @@ private Q_SLOTS:
     void countsTheFirstBreathThroughTheTube();
     void takesTheCuffFromItsControl();
     void judgesTheDepthByTheRuleOfThePatient();
+    void takesEachNoteOnceAlsoOfATubeThatRestsAgain();
     void watchesTheOxygen();
     void countsMaskVentilationBefore();
     void takesTheForcesThatAreEstimated();
@@ -93,6 +94,18 @@ void TestTryWatch::judgesTheDepthByTheRuleOfThePatient()
     const TryReport stated = session.tries.report().value();
     QCOMPARE(stated.rule, DepthRule::HalfOfAge);
     QVERIFY(std::abs(inMillimetres(stated.metrics.depthWanted.value()) - 180.0) < 1e-6);
+}
+
+void TestTryWatch::takesEachNoteOnceAlsoOfATubeThatRestsAgain()
+{
+    TriedSession session;
+    session.intubate();
+    session.note(IntubationStep::AtRest, TubeSeat::Trachea, millimetres(205.0));
+    session.note(IntubationStep::AtRest, TubeSeat::Trachea, millimetres(210.0));
+    session.tries.finish();
+    const TryMetrics& metrics = session.tries.report()->metrics;
+    QCOMPARE(metrics.attempts.size(), std::size_t{1});
+    QVERIFY(std::abs(inMillimetres(metrics.depth->atTeeth) - 210.0) < 1e-6);
 }
 
 void TestTryWatch::watchesTheOxygen()

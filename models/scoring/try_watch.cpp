@@ -109,10 +109,9 @@ void TryWatch::take(const IntubationEvent& event)
     m_course.add(event);
     if (!isUnderWay())
         return;
-    if (event.seat != m_latest.seat)
-        m_hasBreathed = false;
-    m_hasBreathed = m_hasBreathed || event.step == IntubationStep::FirstBreath;
     m_latest = event;
+    if (event.step == IntubationStep::TubePastTeeth || event.step == IntubationStep::TubeOut)
+        m_isTubeOut = event.step == IntubationStep::TubeOut;
     if (wasUnderWay)
         return;
     if (m_maskVentilated && event.at - *m_maskVentilated <= kMaskBefore)
@@ -140,8 +139,7 @@ void TryWatch::begin(SessionTime now)
 {
     m_begun = now;
     m_latest = {};
-    m_hasBreathed = false;
-    m_breaths = {};
+    m_isTubeOut = false;
     m_isCuffInflated = false;
     m_vitalsAt = {};
     m_posesAt.reset();
@@ -154,26 +152,14 @@ void TryWatch::takeVitals(const Station& station, SessionTime now)
     m_course.addHeadExtension(headPositionAt(station, now).extension);
     if (!station.respiration.runsAt(now))
         return;
-    const PatientRun& run = m_patient.at(station.respiration, now);
-    m_course.addVitals(now, run.vitals());
-    takeBreath(run);
+    m_course.addVitals(now, m_patient.at(station.respiration, now).vitals());
 }
 
-void TryWatch::takeBreath(const PatientRun& run)
-{
-    const std::optional<SessionTime> began = m_breaths.take(run, m_latest.seat);
-    if (!began || m_hasBreathed)
-        return;
-    IntubationEvent breath = m_latest;
-    breath.step = IntubationStep::FirstBreath;
-    breath.at = *began;
-    take(breath);
-}
-
+/// That of a tube that is out is empty without anybody's doing.
 void TryWatch::takeCuff(const Station& station, SessionTime now)
 {
     const bool isInflated = station.respiration.tube().cuffInflatedAt(now);
-    if (std::exchange(m_isCuffInflated, isInflated) == isInflated)
+    if (std::exchange(m_isCuffInflated, isInflated) == isInflated || (m_isTubeOut && !isInflated))
         return;
     IntubationEvent cuff = m_latest;
     cuff.step = isInflated ? IntubationStep::CuffInflated : IntubationStep::CuffDeflated;

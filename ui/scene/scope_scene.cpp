@@ -2,7 +2,6 @@
 
 #include "ui/scene/scene_parts.h"
 #include "widgets/scene/figures/figure_shapes.h"
-#include "widgets/scene/look/scope_colors.h"
 
 #include <cmath>
 #include <memory>
@@ -46,7 +45,7 @@ ScenePart contentPart(AirwayEventKind kind, ContentPlace place)
 
 } // namespace
 
-ScopeScene scopeScene(const PatientModel& patient, const Blade& blade)
+ScopeScene scopeScene(const PatientModel& patient, const Blade& blade, TissueColors& colors)
 {
     ScopeScene scene{.parts = sceneParts(patient), .looks = {}, .structures = {}};
     scene.structures.resize(scene.parts.size() + 1, SeenStructure::Nothing);
@@ -61,7 +60,7 @@ ScopeScene scopeScene(const PatientModel& patient, const Blade& blade)
         scene.looks[part.id].style =
             structure == SeenStructure::Nothing ? PartStyle::Hidden : PartStyle::Solid;
     }
-    colorTissue(scene.parts, scene.structures, patient.landmarks());
+    colors.color(scene.parts, scene.structures, patient.landmarks(), patient.contentHash());
     for (ScenePart part :
          {scopePart("Blade", std::make_shared<const TriangleMesh>(bladeMesh(blade.form)), kSteel),
           scopePart("Handle", figureShapes().handle, kHandleSteel)}) {

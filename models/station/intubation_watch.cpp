@@ -88,7 +88,7 @@ void IntubationWatch::look()
     }
     if (!m_ways)
         m_ways = waysOf(*m_patient);
-    const SessionTime until = wholeMultiple(*now - kBehind);
+    const SessionTime until = wholeMultiple(*now - kReadBehind);
     if (!m_taken || until - *m_taken > kLongestSkip)
         m_taken = until - kEach;
     while (*m_taken < until) {

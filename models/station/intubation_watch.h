@@ -25,9 +25,8 @@ namespace carina
 /// (fact::IntubationNoted), with the inner diameter of the tube: that of the site where it is
 /// calibrated, else the patient's usual one (PatientModel::tube).
 ///
-/// Moments are kEach apart, at whole multiples of it in session time, and kBehind in the past,
-/// where poses are interpolated between samples and not predicted. Patient, neck, jaw and tissue
-/// are as they are drawn then.
+/// Moments are kEach apart, at whole multiples of it in session time, and kReadBehind in the past.
+/// Patient, neck, jaw and tissue are as they are drawn then.
 ///
 /// What no sensor feels follows from what people set, cuff and stylet, and from the mechanics: the
 /// first breath that bag or ventilator deliver with the tip past the cords, in the trachea or the
@@ -45,9 +44,8 @@ class IntubationWatch : public QObject
 
 public:
     static constexpr Duration kEach = std::chrono::milliseconds{20};
-    static constexpr Duration kBehind = std::chrono::milliseconds{80}; ///< of ours
-    static constexpr int kMostProposals = 3;                           ///< of one step; of ours
-    static constexpr std::size_t kMostQueued = 64;                     ///< of ours
+    static constexpr int kMostProposals = 3;       ///< of one step; of ours
+    static constexpr std::size_t kMostQueued = 64; ///< of ours
 
     /// What was read of the glottis in the laryngoscope's picture last; nothing where none was.
     using ReadView = std::function<std::optional<GlotticView>()>;

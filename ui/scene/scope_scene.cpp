@@ -16,8 +16,8 @@ constexpr QColor kHandleSteel{120, 126, 134};
 
 constexpr QColor kDarkness{6, 3, 3};
 /// As far from the eye as the larynx is when the blade lies in the vallecula.
-constexpr Length kUsual = millimetres(40.0);
-constexpr Length kUsualDirect = millimetres(400.0);
+constexpr Length kTrueColorAt = millimetres(40.0);
+constexpr Length kTrueColorAtDirect = millimetres(400.0);
 
 ScenePart scopePart(const char* name, FigureShapes::Mesh mesh, const QColor& color,
                     const char* body = kScopeBody)
@@ -87,7 +87,7 @@ void showScope(SceneView& view, const ScopeScene& scene, ScopeEye eye)
     view.setParts(scene.parts);
     view.setLooks(scene.looks);
     view.setBackground(kDarkness);
-    view.setSpotlight(eye == ScopeEye::Direct ? kUsualDirect : kUsual);
+    view.setSpotlight(eye == ScopeEye::Direct ? kTrueColorAtDirect : kTrueColorAt);
 }
 
 EyePicture scopePicture(const RigidTransform& X_AD, Angle fieldOfView, double widthOverHeight)

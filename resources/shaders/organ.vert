@@ -71,7 +71,7 @@ uniform mat4 blade;
 uniform mat4 tilt; // columns: tilt; up and upFrom; back and backFrom; all 0 while nothing is tilted
 #endif
 #ifdef SPOTLIGHT
-uniform vec4 spot; // of a lamp beside the eye: its direction; usual distance of what it lights, metres
+uniform vec4 spot; // of a lamp beside the eye: its direction; metres to what has its true colour
 #endif
 uniform vec4 section;  // what lies where dot(xyz, p) > w, in A, is cut away; xyz 0: nothing is
 uniform float cutAway; // 1: the airway stays whole
@@ -104,7 +104,7 @@ const vec4 kLooks[8] = vec4[8](
 
 vec3 albedo; // of this vertex: sRGB, to close to linear light
 
-const float kSpotNear2 = 0.25; // of the usual distance, squared: the lamp is no point
+const float kSpotNear2 = 0.25; // of that distance, squared: the lamp is no point
 const float kSpotStray = 0.02; // light from everywhere, of what the mucosa scatters
 const float kBladeShade = 0.6; // of light, what a blade keeps from tissue that it touches
 const float kPerShade = 1.0 / 6e-3; // per metre from it, falling by e

@@ -156,19 +156,22 @@ struct Mucosa {
         return roundedMax(strip, 0.4 - p.x(), 0.6);
     }
 
-    /// The surface of the wall as far as a solid reaches.
+    /// The surface of the wall as far as a solid reaches on one side.
     [[nodiscard]] double capWithin(const Vec3& p, double solid) const
     {
-        return roundedMax(std::abs(wall(p) + 0.6) - 0.6 - 1.4 * kStandsOut, solid, 0.6);
+        return roundedMax(std::abs(wall(p) + 0.6) - 0.6 - 1.4 * kStandsOut, std::max(solid, -p.x()),
+                          0.6);
     }
 
-    /// The strip along the edge of the entrance.
+    /// The strip along the edge of the entrance. Behind it ends under the corniculate tubercle and
+    /// beside it.
     [[nodiscard]] double aryepiglotticFold(const Vec3& p) const
     {
         const double w = wall(p);
         const double rim = rimHeight(p.y(), epiglottis);
         const double strip = std::max(rim - 6.5 - p.z(), p.y() - 13.6);
-        const double ends = std::max(epiglottis.middleAt(p.z()) - 0.3 - p.y(), 1.8 - p.x());
+        const double inner = 1.8 + 2.6 * easedStep(8.5, kCorniculate.y, p.y());
+        const double ends = std::max(epiglottis.middleAt(p.z()) - 0.3 - p.y(), inner - p.x());
         return roundedMax(std::abs(w + 0.6) - 0.6 - kStandsOut, std::max(strip, ends), 0.7);
     }
 };

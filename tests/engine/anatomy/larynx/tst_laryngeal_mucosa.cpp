@@ -25,7 +25,8 @@ public:
           m_frame(m_plan.dimensions),
           m_left(fold("Left vocal fold")),
           m_right(fold("Right vocal fold")),
-          m_mucosa(fold("Laryngeal mucosa"))
+          m_mucosa(fold("Laryngeal mucosa")),
+          m_corniculate(fold("Left corniculate tubercle"))
     {
     }
 
@@ -33,6 +34,10 @@ public:
     [[nodiscard]] double right(const Vec3& p) const { return m_right(m_frame.inAnatomy(p)); }
     [[nodiscard]] double white(const Vec3& p) const { return std::min(left(p), right(p)); }
     [[nodiscard]] double mucosa(const Vec3& p) const { return m_mucosa(m_frame.inAnatomy(p)); }
+    [[nodiscard]] double corniculate(const Vec3& p) const
+    {
+        return m_corniculate(m_frame.inAnatomy(p));
+    }
     [[nodiscard]] double unit_mm() const { return 1e3 * m_frame.unit(); }
 
 private:
@@ -47,6 +52,7 @@ private:
     Implicit m_left;
     Implicit m_right;
     Implicit m_mucosa;
+    Implicit m_corniculate;
 };
 
 /// The first white at an x on the way forward from within the glottis, level with the cords.
@@ -107,6 +113,7 @@ private Q_SLOTS:
     void cordsAreAsLongAsPublished();
     void cordsDipSteeplyIntoTheFloor_data() { people(); }
     void cordsDipSteeplyIntoTheFloor();
+    void corniculateTuberclesAreOfOneSide();
 
 private:
     static void people()
@@ -216,6 +223,22 @@ void TestLaryngealMucosa::cordsDipSteeplyIntoTheFloor()
         QVERIFY2(p.x() > 2.0, qPrintable(QString::number(p.x())));
         QVERIFY2(up.dot(out) < std::sqrt(0.5), qPrintable(QString::number(up.dot(out))));
     }
+}
+
+/// Nothing of the left one lies in the right half.
+void TestLaryngealMucosa::corniculateTuberclesAreOfOneSide()
+{
+    const Cords cords{QStringLiteral("adult")};
+    double nearest = 1e9;
+    double opposite = 1e9;
+    for (double x = 0.5; x < 8.0; x += 0.5)
+        for (double y = 7.0; y < 15.0; y += 0.5)
+            for (double z = 4.0; z < 13.0; z += 0.5) {
+                nearest = std::min(nearest, cords.corniculate({x, y, z}));
+                opposite = std::min(opposite, cords.corniculate({-x, y, z}));
+            }
+    QVERIFY(nearest < 0.0);
+    QVERIFY(opposite > 0.0);
 }
 
 CARINA_TEST(TestLaryngealMucosa)

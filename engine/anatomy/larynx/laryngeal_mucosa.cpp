@@ -218,8 +218,9 @@ std::vector<PartPlan> laryngealMucosa(const BodyPlan& plan_, const LarynxFrame& 
                                       const Epiglottis& epiglottis)
 {
     const PatientDimensions& d = plan_.dimensions;
-    const Vec2 trachea = Vec2{0.5 * d.tracheaCoronal.si, 0.5 * d.tracheaSagittal.si} / frame.unit()
-                         - Vec2::Constant(1.6);
+    const UpperTrachea upper = upperTracheaOf(d);
+    const Vec2 trachea =
+        0.5 * Vec2{upper.coronal.si, upper.sagittal.si} / frame.unit() - Vec2::Constant(1.6);
     const Mucosa mucosa{LaryngealCavity{trachea}, epiglottis};
     std::vector<PartPlan> parts;
     parts.push_back(plan("Laryngeal mucosa", PartRole::LaryngealMucosa, "", frame,

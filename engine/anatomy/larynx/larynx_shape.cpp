@@ -88,7 +88,8 @@ std::vector<PartPlan> larynx(const BodyPlan& plan)
     const PatientDimensions& d = plan.dimensions;
     const LarynxFrame frame{d};
     const Epiglottis leaf{plan};
-    const Vec2 radii = Vec2{0.5 * d.tracheaCoronal.si, 0.5 * d.tracheaSagittal.si} / frame.unit();
+    const UpperTrachea upper = upperTracheaOf(d);
+    const Vec2 radii = 0.5 * Vec2{upper.coronal.si, upper.sagittal.si} / frame.unit();
     std::vector<PartPlan> parts{
         planOf("Thyroid cartilage", PartRole::Larynx, "FMA55099", frame,
                {Vec3{-24, -21, -25}, Vec3{24, 20, 30}}, thyroid),

@@ -17,7 +17,7 @@ namespace carina
 struct NotedStep {
     SessionTime effect{};
     IntubationEvent event;
-    std::uint64_t number = 0; ///< it is the so-manieth entry about its patient, from 1
+    std::uint64_t number = 0; ///< among all entries about its patient, from 1
 
     friend bool operator==(const NotedStep&, const NotedStep&) = default;
 };

@@ -14,7 +14,7 @@ namespace
 
 constexpr Length kMucosaVoxel = millimetres(1.0);
 constexpr Length kFoldVoxel = millimetres(0.65);
-constexpr Length kVocalFoldVoxel = millimetres(0.5);
+constexpr Length kVocalFoldVoxel = millimetres(0.45);
 constexpr Length kRimVoxel = millimetres(0.85);
 constexpr double kLining = 2.6;     ///< thickness of the mucosa within the cricoid
 constexpr double kStandsOut = 0.35; ///< of a fold from the mucosa below it

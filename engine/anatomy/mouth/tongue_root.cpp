@@ -22,7 +22,7 @@ constexpr Length kRootVoxel = millimetres(1.6);
 /// what remains of that in children, whose throat is drawn out by kLongThroat.
 constexpr double kBelowFloor = 3.2;
 constexpr double kHigh = 18.0;
-constexpr double kLeastShare = 0.3;
+constexpr double kLeastHeight = 0.3;
 constexpr double kLongThroat = 1.6;
 
 /// In front it ends at the mandible, whose halves part behind it, as far as it is wide; farther
@@ -30,7 +30,7 @@ constexpr double kLongThroat = 1.6;
 constexpr double kFront = 19.0;
 constexpr double kHalvesMeet = 3.0;
 constexpr double kHalvesPart = 0.82;
-constexpr double kHalfWidth = 27.5;
+constexpr double kRootHalfWidth = 27.5;
 constexpr double kPharynx = 49.0;
 constexpr double kNarrows = 1.2;
 constexpr double kEdge = 7.0; ///< by which its edges are rounded
@@ -54,7 +54,7 @@ constexpr Foot kHeld{
 double heightOf(const BodyPlan& plan)
 {
     const double grown = std::clamp((kLongThroat - plan.throat) / (kLongThroat - 1.0), 0.0, 1.0);
-    return kHigh * (kLeastShare + (1.0 - kLeastShare) * grown);
+    return kHigh * (kLeastHeight + (1.0 - kLeastHeight) * grown);
 }
 
 struct Root {
@@ -71,8 +71,8 @@ struct Root {
     {
         const Vec3 p = plan.fromThroat(p_A);
         const Vec3 inJaw = plan.fromThroat(X_JA * p_A);
-        const double half = std::min({kHalfWidth, kHalvesPart * (inJaw.y() - kHalvesMeet),
-                                      kHalfWidth - kNarrows * (p.y() - kPharynx)});
+        const double half = std::min({kRootHalfWidth, kHalvesPart * (inJaw.y() - kHalvesMeet),
+                                      kRootHalfWidth - kNarrows * (p.y() - kPharynx)});
         const double between = std::max(std::abs(p.x()) - half, kFront - inJaw.y());
         const double solid = roundedMax(polygonDistance({p.y(), p.z()}, foot), between, kEdge);
         const double tongueAbove = kBelowTongue - tongue.distance(p_A) / plan.face;

@@ -63,6 +63,7 @@ const auto& presets()
         graded(3, "cormack_lehane_3", QT_TRANSLATE_NOOP("Airway", "Cormack-Lehane 3"),
                {{Epiglottitis, 0.96, 1.0, kEpiglottisSource},
                 {FloppyEpiglottis, 0.96, 1.0, kEpiglottisSource},
+                {AnteriorLarynx, 0.5, 0.7, kOfOurs},
                 {Trismus, 0.7, 0.9, kOfOurs}}),
         gradedDirectly(4, "cormack_lehane_4",
                        QT_TRANSLATE_NOOP("Airway", "Cormack-Lehane 4, direct view"),

@@ -243,7 +243,6 @@ void TestDrugs::movesThePressure()
     expectWithin(ephedrine.effect().heartRate, 1.05, 1.3);
 }
 
-// What is in the compartments and what was eliminated add up to the dose.
 void TestDrugs::anaesthetiseWhileTheyAct_data()
 {
     QTest::addColumn<int>("kind");
@@ -288,6 +287,7 @@ void TestDrugs::doNotAnaesthetise()
     QVERIFY(!isAnaesthetised(patient.effect()));
 }
 
+// What is in the compartments and what was eliminated add up to the dose.
 void TestDrugs::conservesWhatIsNotEliminated()
 {
     constexpr double kDrug_mg = 1e-9;

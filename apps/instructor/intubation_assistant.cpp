@@ -3,7 +3,6 @@
 #include "engine/session/body/body_rules.h"
 #include "models/physiology/drug_words.h"
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -68,14 +67,10 @@ void IntubationAssistant::look()
 /// What the monitor noted since the last look.
 void IntubationAssistant::hear(const Station& station, Duration running)
 {
-    const std::span<const NotedStep> notes = station.respiration.tube().notes();
-    auto next = notes.begin();
-    if (m_heard)
-        next = std::find(notes.rbegin(), notes.rend(), *m_heard).base();
-    for (; next != notes.end(); ++next) {
-        m_heard = *next;
-        hear(next->event.step, running);
-    }
+    const TubeTimeline& tube = station.respiration.tube();
+    for (const NotedStep& note : tube.notesAfter(m_heard))
+        hear(note.event.step, running);
+    m_heard = tube.lastNote();
 }
 
 void IntubationAssistant::hear(IntubationStep step, Duration running)

@@ -5,8 +5,8 @@
 
 #include <QTimer>
 
+#include <cstdint>
 #include <map>
-#include <optional>
 
 namespace carina
 {
@@ -52,8 +52,8 @@ private:
     program::PlayedIntubation m_played;
     bool m_hasBegun = false;
     bool m_isBagSqueezed = false;
-    std::map<Act, Duration> m_due;    ///< in running time
-    std::optional<NotedStep> m_heard; ///< the last one
+    std::map<Act, Duration> m_due; ///< in running time
+    std::uint64_t m_heard = 0;     ///< number of the last entry that was heard
     QTimer m_looking;
 };
 

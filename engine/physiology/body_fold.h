@@ -53,6 +53,8 @@ public:
     [[nodiscard]] double spasm() const { return m_state.spasm; }
     /// Whether the patient coughs against blade or tube.
     [[nodiscard]] bool coughs() const;
+    /// Whether a hypnotic or a relaxant acts now (isAnaesthetised).
+    [[nodiscard]] bool isAnaesthetised() const { return carina::isAnaesthetised(m_effect); }
     /// Share of the muscles' tone that is left: 0 with full relaxation, 1 awake.
     [[nodiscard]] double tone() const { return m_effect.tone; }
 

@@ -81,6 +81,11 @@ DrugEffect effectOf(const DrugsInBody& drugs)
     return effect;
 }
 
+bool isAnaesthetised(const DrugEffect& effect)
+{
+    return effect.hypnosis >= kAnaesthesiaFrom || effect.relaxation >= kAnaesthesiaFrom;
+}
+
 double bladeStimulus(bool inMouth) { return inMouth ? 1.0 : 0.0; }
 
 double tubeStimulus(TubeSeat seat)

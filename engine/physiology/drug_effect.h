@@ -25,6 +25,9 @@ struct DrugEffect {
 /// diaphragm takes a higher concentration than the larynx.
 [[nodiscard]] DrugEffect effectOf(const DrugsInBody& drugs);
 
+/// Whether a hypnotic or a relaxant acts now, by kAnaesthesiaFrom at least.
+[[nodiscard]] bool isAnaesthetised(const DrugEffect& effect);
+
 /// How strongly blade and tube stimulate, 0 to 1 (ours).
 [[nodiscard]] double bladeStimulus(bool inMouth);
 [[nodiscard]] double tubeStimulus(TubeSeat seat);
@@ -39,6 +42,7 @@ struct DrugEffect {
 /// no tube between them. Awake people gag and cough instead.
 [[nodiscard]] double spasmAt(double stimulus, const DrugEffect& effect, TubeSeat seat);
 
-inline constexpr double kCoughsFrom = 0.35; ///< of what is felt (ours)
+inline constexpr double kCoughsFrom = 0.35;      ///< of what is felt (ours)
+inline constexpr double kAnaesthesiaFrom = 0.05; ///< of hypnosis or relaxation (ours)
 
 } // namespace carina

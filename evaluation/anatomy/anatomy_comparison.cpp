@@ -47,9 +47,13 @@ std::vector<Deviation> airwayFigures(const AirwayMeasures& made, const AirwayMea
     Deviation teeth = length("teeth_to_carina_mm", &AirwayMeasures::teethToCarina);
     teeth.limit = 5.0;
     teeth.relative = false;
+    // It follows the breath: 178 (40) mm2 of section after a forced expiration and 280 (51) after
+    // a full inspiration in the same ten men (Stern et al. 1993), and of a set that is not known.
+    Deviation sagittal = length("trachea_sagittal_mm", &AirwayMeasures::sagittal);
+    sagittal.limit.reset();
     return {length("trachea_length_mm", &AirwayMeasures::trachea),
             length("trachea_coronal_mm", &AirwayMeasures::coronal),
-            length("trachea_sagittal_mm", &AirwayMeasures::sagittal),
+            sagittal,
             angle("right_bronchus_deg", &AirwayMeasures::rightBronchus),
             angle("left_bronchus_deg", &AirwayMeasures::leftBronchus),
             teeth};
@@ -87,7 +91,7 @@ void addLobeShares(const Anatomy& generated, const Anatomy& real, std::vector<De
 
 double Deviation::deviation() const { return relative ? generated / real - 1.0 : generated - real; }
 
-bool Deviation::met() const { return std::abs(deviation()) <= limit; }
+bool Deviation::met() const { return !limit || std::abs(deviation()) <= *limit; }
 
 double OrganDistance::mean_mm() const
 {

@@ -4,6 +4,7 @@
 #include "evaluation/anatomy/airway_measures.h"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,12 +13,12 @@ namespace carina
 
 /// One figure of a generated patient and of a real set, in the unit at the end of its name. The
 /// limit applies to the difference or, if `relative`, to the difference divided by the set's
-/// figure.
+/// figure; nothing where a real person may differ from published means by any amount.
 struct Deviation {
     std::string name;
     double generated = 0.0;
     double real = 0.0; ///< of the set, scaled
-    double limit = 0.0;
+    std::optional<double> limit = 0.0;
     bool relative = false;
 
     /// The difference or, if `relative`, its fraction of the set's figure.

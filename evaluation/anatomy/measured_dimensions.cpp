@@ -227,16 +227,20 @@ void measureLength(const Anatomy& anatomy, const char* part, const char* name, D
 
 void measureVolumes(const Anatomy& anatomy, Dimensions& found)
 {
-    if (const TriangleMesh* tongue = meshNamed(anatomy, "Tongue"))
-        found["tongue_ml"] = 1e6 * signedVolume(*tongue);
+    double tongue = 0.0;
     double right = 0.0;
     double both = 0.0;
-    for (const AnatomyPart& part : anatomy.parts)
+    for (const AnatomyPart& part : anatomy.parts) {
+        if (part.role == PartRole::Tongue)
+            tongue += signedVolume(part.levels.front());
         if (const auto side = lungSide(part.role)) {
             const double volume = signedVolume(part.levels.front());
             both += volume;
             right += *side == Side::Right ? volume : 0.0;
         }
+    }
+    if (tongue > 0.0)
+        found["tongue_ml"] = 1e6 * tongue;
     if (both > 0.0)
         found["right_lung_percent"] = 100.0 * right / both;
 }

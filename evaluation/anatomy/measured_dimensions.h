@@ -24,7 +24,8 @@ namespace carina
 ///   cricoid_inner_coronal_mm, cricoid_inner_sagittal_mm: of the opening, half way up the arch
 /// - thyroid_notch_to_cricoid_mm, epiglottis_to_cricoid_mm: from the floor of the notch, and from
 ///   the highest place of the epiglottis, down to the lower border of the cricoid in front
-/// - tongue_ml: what the surface of the tongue encloses; right_lung_percent: share of the lobes
+/// - tongue_ml: what the surfaces of the tongue and of the muscles that it comes from enclose;
+///   right_lung_percent: share of the lobes
 /// - bigonial_mm: greatest width of the lower half of the mandible
 /// - manubrium_mm, sternal_body_mm: lengths
 [[nodiscard]] std::map<std::string, double> measuredDimensions(const Anatomy& anatomy);

@@ -32,8 +32,21 @@ AirwayPreset graded(int grade, std::string_view name, const char* text,
     return {name, text, middlesOf(ranges), grade, std::move(ranges)};
 }
 
+/// The same for who looks past the blade, in the sniffing position as far as the neck goes there:
+/// a camera at the blade's end has the epiglottis before it always.
+AirwayPreset gradedDirectly(int grade, std::string_view name, const char* text,
+                            std::vector<SeverityRange> ranges)
+{
+    AirwayPreset preset = graded(grade, name, text, std::move(ranges));
+    preset.look = {ScopeEye::Direct, kSniffing};
+    return preset;
+}
+
 constexpr const char* kEpiglottisSource =
     "an epiglottis that cannot be lifted makes grade 3 difficult (Cook, Anaesthesia 2000;55:274)";
+constexpr const char* kMotionSource =
+    "head and neck that move little went with difficult laryngoscopy (Wilson et al., Br J Anaesth "
+    "1988;61:211)";
 constexpr const char* kOfOurs = "of ours";
 constexpr const char* kNeckSource =
     "a thicker neck went with difficult intubation (Brodsky et al., Anesth Analg 2002;94:732)";
@@ -50,7 +63,11 @@ const auto& presets()
         graded(3, "cormack_lehane_3", QT_TRANSLATE_NOOP("Airway", "Cormack-Lehane 3"),
                {{Epiglottitis, 0.96, 1.0, kEpiglottisSource},
                 {FloppyEpiglottis, 0.96, 1.0, kEpiglottisSource},
+                {AnteriorLarynx, 0.5, 0.7, kOfOurs},
                 {Trismus, 0.7, 0.9, kOfOurs}}),
+        gradedDirectly(4, "cormack_lehane_4",
+                       QT_TRANSLATE_NOOP("Airway", "Cormack-Lehane 4, direct view"),
+                       {{AnteriorLarynx, 0.5, 0.8, kOfOurs}, {StiffNeck, 0.9, 1.0, kMotionSource}}),
         AirwayPreset{"swollen_mouth",
                      QT_TRANSLATE_NOOP("Airway", "Swollen tongue and pharynx"),
                      {{TongueOedema, 0.7}, {PharyngealSwelling, 0.6}}},

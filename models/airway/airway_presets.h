@@ -2,6 +2,7 @@
 
 #include "engine/anatomy/events/airway_event.h"
 #include "engine/anatomy/laryngoscopy/glottic_view.h"
+#include "models/patient/laryngoscopy.h"
 
 #include <QString>
 
@@ -21,6 +22,12 @@ struct SeverityRange {
     const char* source = ""; ///< why this event is among them; how severe it is, is of ours
 };
 
+/// How a grade is looked at: by which eye, and how the head lies but for what a stiff neck keeps.
+struct GradedLook {
+    ScopeEye eye = ScopeEye::Video;
+    HeadPosition head{};
+};
+
 /// Events of an airway that come together, with their severities: of ours, named after what they
 /// are. What is not among them is clear.
 struct AirwayPreset {
@@ -31,6 +38,7 @@ struct AirwayPreset {
     int grade = 0;
     /// Of one that is named for a grade: in the order of the kinds; `events` are their middles.
     std::vector<SeverityRange> ranges{};
+    GradedLook look{}; ///< in which it has that grade
 };
 
 /// All of them, as they are offered; the first is the clear airway.

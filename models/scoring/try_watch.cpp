@@ -51,7 +51,7 @@ void TryWatch::setStation(StationId station)
     m_course = TryCourse{upInAnatomy()};
     m_patient = {};
     m_report.reset();
-    m_lastNote.reset();
+    m_lastNote = 0;
     m_maskVentilated.reset();
     m_hasLooked = false;
     Q_EMIT changed();
@@ -92,18 +92,13 @@ void TryWatch::watch()
 /// time belongs to a try whose beginning it has not measured.
 void TryWatch::takeNotes(const Station& station)
 {
-    const std::span<const NotedStep> notes = station.respiration.tube().notes();
-    auto next = notes.begin();
-    if (m_lastNote) {
-        const auto last = std::find(notes.rbegin(), notes.rend(), *m_lastNote);
-        next = last == notes.rend() ? notes.begin() : last.base();
-    }
-    if (!notes.empty())
-        m_lastNote = notes.back();
+    const TubeTimeline& tube = station.respiration.tube();
+    const std::span<const NotedStep> news = tube.notesAfter(m_lastNote);
+    m_lastNote = tube.lastNote();
     if (!std::exchange(m_hasLooked, true))
         return;
-    for (; next != notes.end(); ++next)
-        take(next->event);
+    for (const NotedStep& note : news)
+        take(note.event);
 }
 
 void TryWatch::take(const IntubationEvent& event)
@@ -114,10 +109,9 @@ void TryWatch::take(const IntubationEvent& event)
     m_course.add(event);
     if (!isUnderWay())
         return;
-    if (event.seat != m_latest.seat)
-        m_hasBreathed = false;
-    m_hasBreathed = m_hasBreathed || event.step == IntubationStep::FirstBreath;
     m_latest = event;
+    if (event.step == IntubationStep::TubePastTeeth || event.step == IntubationStep::TubeOut)
+        m_isTubeOut = event.step == IntubationStep::TubeOut;
     if (wasUnderWay)
         return;
     if (m_maskVentilated && event.at - *m_maskVentilated <= kMaskBefore)
@@ -145,8 +139,7 @@ void TryWatch::begin(SessionTime now)
 {
     m_begun = now;
     m_latest = {};
-    m_hasBreathed = false;
-    m_breaths = {};
+    m_isTubeOut = false;
     m_isCuffInflated = false;
     m_vitalsAt = {};
     m_posesAt.reset();
@@ -159,26 +152,14 @@ void TryWatch::takeVitals(const Station& station, SessionTime now)
     m_course.addHeadExtension(headPositionAt(station, now).extension);
     if (!station.respiration.runsAt(now))
         return;
-    const PatientRun& run = m_patient.at(station.respiration, now);
-    m_course.addVitals(now, run.vitals());
-    takeBreath(run);
+    m_course.addVitals(now, m_patient.at(station.respiration, now).vitals());
 }
 
-void TryWatch::takeBreath(const PatientRun& run)
-{
-    const std::optional<SessionTime> began = m_breaths.take(run, m_latest.seat);
-    if (!began || m_hasBreathed)
-        return;
-    IntubationEvent breath = m_latest;
-    breath.step = IntubationStep::FirstBreath;
-    breath.at = *began;
-    take(breath);
-}
-
+/// That of a tube that is out is empty without anybody's doing.
 void TryWatch::takeCuff(const Station& station, SessionTime now)
 {
     const bool isInflated = station.respiration.tube().cuffInflatedAt(now);
-    if (std::exchange(m_isCuffInflated, isInflated) == isInflated)
+    if (std::exchange(m_isCuffInflated, isInflated) == isInflated || (m_isTubeOut && !isInflated))
         return;
     IntubationEvent cuff = m_latest;
     cuff.step = isInflated ? IntubationStep::CuffInflated : IntubationStep::CuffDeflated;

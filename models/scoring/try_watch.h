@@ -3,11 +3,11 @@
 #include "engine/anatomy/laryngoscopy/blade_levering.h"
 #include "engine/scoring/course/try_course.h"
 #include "engine/session/respiration/respiration_follower.h"
-#include "engine/session/respiration/tube_breath_watch.h"
 #include "models/scoring/try_report.h"
 #include "models/session/session_model.h"
 #include "models/station/people_poses.h"
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 
@@ -18,12 +18,10 @@ namespace carina
 ///
 /// What a monitor notes are facts; the oxygen follows from the facts, too. The poses of the
 /// laryngoscope and the head of who is at work are sampled every kPoseEvery of session time,
-/// kPoseDelay late, so that they are measured ones and not predicted. The first breath through a
-/// tube is that which the monitor notes (IntubationWatch) and, where it does not, the same one as
-/// found here (TubeBreathWatch). Mask ventilation counts where a bag
-/// or ventilator blew through a mask within kMaskBefore before the try; whether the manikin was
-/// ventilated, nobody measures. Forces are the estimates of whoever draws the blade in the patient,
-/// while somebody does. Up is to the front of the patient, who lies supine.
+/// kPoseDelay late, so that they are measured ones and not predicted. Mask ventilation counts where
+/// a bag or ventilator blew through a mask within kMaskBefore before the try; whether the manikin
+/// was ventilated, nobody measures. Forces are the estimates of whoever draws the blade in the
+/// patient, while somebody does. Up is to the front of the patient, who lies supine.
 class TryWatch : public QObject
 {
     Q_OBJECT
@@ -71,7 +69,6 @@ private:
     void takeNotes(const Station& station);
     void take(const IntubationEvent& event);
     void takeVitals(const Station& station, SessionTime now);
-    void takeBreath(const PatientRun& run);
     void takeCuff(const Station& station, SessionTime now);
     void takeForces(SessionTime now);
     void lookAtMask(const Station& station, SessionTime now);
@@ -90,11 +87,10 @@ private:
 
     TryCourse m_course;
     RespirationFollower m_patient;
-    std::optional<NotedStep> m_lastNote; ///< that was taken
-    bool m_hasLooked = false;            ///< what was noted before does not count
-    IntubationEvent m_latest;            ///< of the course: where the tube lies
-    TubeBreathWatch m_breaths;
-    bool m_hasBreathed = false; ///< through the tube as it lies
+    std::uint64_t m_lastNote = 0; ///< number of the last one that was taken
+    bool m_hasLooked = false;     ///< what was noted before does not count
+    IntubationEvent m_latest;     ///< of the course: where the tube lies
+    bool m_isTubeOut = false;     ///< of the mouth again
     bool m_isCuffInflated = false;
     std::optional<SessionTime> m_maskVentilated; ///< seen last
     SessionTime m_begun{};

@@ -16,10 +16,11 @@ namespace
 
 /// After a longer pause of this program the moments between are left out.
 constexpr Duration kLongestSkip = std::chrono::milliseconds{500};
-/// A step can be concluded long after it happened; the session takes it as long as it is news.
-constexpr Duration kStillNews = kLongestNews - std::chrono::seconds{1};
 /// A step that was not taken, and is older than this with the answer, came too late.
 constexpr Duration kTooLate = kLongestNews - std::chrono::milliseconds{500};
+/// A program shows what came of its proposals up to 0.1 s later than that they were answered, while
+/// it catches up; of ours, with a margin.
+constexpr Duration kShownAfter = std::chrono::milliseconds{500};
 constexpr double kShutSpasm = 0.95; ///< severity from which no tube passes the cords; of ours
 /// A tip that cords hold up lies between them: of ours.
 constexpr Length kAtCords = millimetres(5.0);
@@ -75,6 +76,8 @@ void IntubationWatch::forget()
     m_breaths = {};
     m_queued.clear();
     m_sent.reset();
+    m_late = 0;
+    m_way = kUsualWay;
     m_noted.clear();
 }
 
@@ -121,7 +124,7 @@ void IntubationWatch::takeMoments(SessionTime now)
     }
     if (!m_ways)
         m_ways = waysOf(*m_patient);
-    const SessionTime until = wholeMultiple(now - kBehind);
+    const SessionTime until = wholeMultiple(now - kReadBehind);
     if (!m_taken || until - *m_taken > kLongestSkip)
         m_taken = until - kEach;
     while (*m_taken < until) {
@@ -322,49 +325,71 @@ void IntubationWatch::queue(const IntubationEvent& event)
     const std::size_t unsent = m_queued.size() - (m_sent ? 1 : 0);
     if (isRest && unsent > 0 && m_queued.back().step == IntubationStep::AtRest)
         m_queued.pop_back(); // it rests elsewhere now
+    else if (m_queued.size() == kMostQueued)
+        m_queued.erase(m_queued.begin() + (m_sent ? 1 : 0));
     m_queued.push_back(event);
 }
 
+/// The session takes no two of a kind within kShortestStep, so that step and time identify it.
 bool IntubationWatch::isTaken(const IntubationEvent& event) const
 {
     const auto state = m_node.state();
     const auto station = state->stations().find(m_station);
     return station != state->stations().end()
-           && std::ranges::any_of(station->second.respiration.tube().notes(),
-                                  [&](const NotedStep& note) { return note.event == event; });
+           && std::ranges::any_of(
+               station->second.respiration.tube().notes(), [&](const NotedStep& note) {
+                   const Duration apart = note.event.at - event.at;
+                   return note.event.step == event.step && std::chrono::abs(apart) < kShortestStep;
+               });
 }
 
-/// Of the session to what was proposed, once there is one.
+/// Of the session to what was proposed, once there is one, and it is shown what came of it.
 void IntubationWatch::takeAnswer(SessionTime now)
 {
     const auto isSent = [this](const fact::IntubationNoted& noted) {
-        return noted.event == *m_sent;
+        return noted.event == m_sent->event;
     };
     if (!m_sent || isProposed<fact::IntubationNoted>(m_node, isSent))
         return;
-    const bool wasLate = !isTaken(*m_sent) && now - m_sent->at > kTooLate;
-    if (!wasLate) {
-        m_noted[m_sent->step] = m_sent->at;
-        m_queued.pop_front();
+    if (!m_sent->answered)
+        m_sent->answered = now;
+    const bool wasTaken = isTaken(m_sent->event);
+    if (wasTaken || now - *m_sent->answered >= kShownAfter)
+        settle(*std::exchange(m_sent, std::nullopt), wasTaken);
+}
+
+void IntubationWatch::settle(const Sent& sent, bool wasTaken)
+{
+    const bool wasLate = !wasTaken && *sent.answered - sent.event.at > kTooLate;
+    if (wasLate) {
+        m_way = std::min(2 * m_way, kLongestNews);
+        if (++m_late < kMostProposals)
+            return;
+    } else {
+        m_noted[sent.event.step] = sent.event.at;
     }
-    m_sent.reset();
+    m_queued.pop_front();
+    m_late = 0;
+    if (m_queued.empty())
+        m_way = kUsualWay;
 }
 
 /// In the order in which they were concluded, also where one has to wait, and as the session takes
-/// them: no older than news are, and at a distance from the last of the kind. With the size of the
-/// tube that lies there: of the site where it is calibrated, else the patient's usual one.
+/// them: no older than news are when they arrive, and at a distance from the last of the kind. With
+/// the size of the tube that lies there: of the site where it is calibrated, else the patient's
+/// usual one.
 void IntubationWatch::propose(SessionTime now)
 {
     takeAnswer(now);
     while (!m_sent && !m_queued.empty()) {
         IntubationEvent event = m_queued.front();
-        event.at = std::max(event.at, now - kStillNews);
+        event.at = std::max(event.at, now - (kLongestNews - m_way));
         const auto last = m_noted.find(event.step);
         if (last != m_noted.end())
             event.at = std::max(event.at, last->second + kShortestStep);
         if (event.at > now)
             return;
-        m_sent = event;
+        m_sent = Sent{event};
         m_node.propose(m_station, fact::IntubationNoted{event, m_patient->tube().innerDiameter});
         takeAnswer(now);
     }

@@ -15,6 +15,7 @@
 #include <QTimer>
 
 #include <atomic>
+#include <cstddef>
 #include <deque>
 #include <functional>
 #include <map>
@@ -29,9 +30,8 @@ namespace carina
 /// (fact::IntubationNoted), with the inner diameter of the tube: that of the site where it is
 /// calibrated, else the patient's usual one (PatientModel::tube).
 ///
-/// Moments are kEach apart, at whole multiples of it in session time, and kBehind in the past,
-/// where poses are interpolated between samples and not predicted. Patient, neck, jaw and tissue
-/// are as they are drawn then.
+/// Moments are kEach apart, at whole multiples of it in session time, and kReadBehind in the past.
+/// Patient, neck, jaw and tissue are as they are drawn then.
 ///
 /// A tube whose curve at rest was touched is followed, also while the session does not run, as an
 /// elastic rod in the patient's lumen (ElasticTube), from when that was measured: from the first
@@ -44,17 +44,20 @@ namespace carina
 ///
 /// Steps are proposed one after another, the next once the session has answered: one that it does
 /// not take because it came too late, as after a host was away, is proposed again, and so are those
-/// behind it, dated as far back as the session lets them be. One that is not taken for another
-/// reason, as of who is muted, is lost.
+/// behind it, dated as far back as the session lets them be, and less far each time, for a slow
+/// path. One that came too late kMostProposals times is lost, and one that is not taken for another
+/// reason, as of who is muted. Of more than kMostQueued that wait, the oldest are lost: where the
+/// tube is now matters more than how it came there, and their times are lost by then in any case.
 class IntubationWatch : public QObject
 {
     Q_OBJECT
 
 public:
     static constexpr Duration kEach = std::chrono::milliseconds{20};
-    static constexpr Duration kBehind = std::chrono::milliseconds{80}; ///< of ours
     /// From one form of the tube that is sent to the next, at least: of ours.
     static constexpr Duration kShapeEach = std::chrono::milliseconds{40};
+    static constexpr int kMostProposals = 3;       ///< of one step; of ours
+    static constexpr std::size_t kMostQueued = 64; ///< of ours
 
     /// What was read of the glottis in the laryngoscope's picture last; nothing where none was.
     using ReadView = std::function<std::optional<GlotticView>()>;
@@ -95,6 +98,13 @@ private:
         bool isCuffInflated = false;
         bool isStyletIn = true;
     };
+    /// A step as it was proposed.
+    struct Sent {
+        IntubationEvent event;
+        std::optional<SessionTime> answered{}; ///< when its answer was found
+    };
+
+    static constexpr Duration kUsualWay = std::chrono::seconds{1}; ///< of ours
 
     /// What lies around a tube at a moment.
     struct Surroundings {
@@ -131,6 +141,7 @@ private:
     void queue(const IntubationEvent& event);
     [[nodiscard]] bool isTaken(const IntubationEvent& event) const;
     void takeAnswer(SessionTime now);
+    void settle(const Sent& sent, bool wasTaken);
     void propose(SessionTime now);
 
     SessionNode& m_node;
@@ -151,7 +162,9 @@ private:
     RespirationFollower m_breathing;
     TubeBreathWatch m_breaths;
     std::deque<IntubationEvent> m_queued;          ///< in the order in which they were concluded
-    std::optional<IntubationEvent> m_sent;         ///< the first of them, as it was proposed
+    std::optional<Sent> m_sent;                    ///< the first of them
+    int m_late = 0;                                ///< how often the first of them came too late
+    Duration m_way = kUsualWay;                    ///< how long a proposal may be on its way
     std::map<IntubationStep, SessionTime> m_noted; ///< when each step was noted last
     QTimer m_timer;
 };

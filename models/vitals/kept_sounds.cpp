@@ -3,6 +3,7 @@
 #include "engine/core/expects.h"
 
 #include <QDir>
+#include <QFileInfo>
 #include <QSettings>
 
 #include <algorithm>
@@ -40,7 +41,17 @@ KeptSounds::KeptSounds(const QString& folder, const QString& program)
 {
     if (m_file.isEmpty())
         return;
-    const QSettings settings{m_file, QSettings::IniFormat};
+    const QString shared = QDir{folder}.filePath(QStringLiteral("sounds.ini"));
+    const bool isNew = !QFileInfo::exists(m_file) && QFileInfo::exists(shared);
+    read(isNew ? shared : m_file);
+    if (isNew)
+        for (const SoundKind kind : kSoundKinds)
+            keep(kind, of(kind));
+}
+
+void KeptSounds::read(const QString& file)
+{
+    const QSettings settings{file, QSettings::IniFormat};
     for (const SoundKind kind : kSoundKinds) {
         Loudness& sound = m_sounds[std::size_t(kind)];
         bool isNumber = false;

@@ -11,7 +11,8 @@ namespace carina
 
 /// How loud a program plays each kind of sound, which it does not, and whether it plays none at
 /// all, remembered from one start to the next in a file of a folder. What cannot be read there is
-/// as if it were not there.
+/// as if it were not there. A program that has no file of its own yet begins with the one that all
+/// programs of the folder shared before (sounds.ini).
 class KeptSounds
 {
 public:
@@ -38,6 +39,8 @@ public:
     void keepMuted(bool isMuted);
 
 private:
+    void read(const QString& file);
+
     QString m_file;
     std::array<Loudness, kSoundKinds.size()> m_sounds;
     bool m_isMuted = false;

@@ -71,7 +71,7 @@ uniform mat4 blade;
 uniform mat4 tilt; // columns: tilt; up and upFrom; back and backFrom; all 0 while nothing is tilted
 #endif
 #ifdef SPOTLIGHT
-uniform vec4 spot; // of a lamp beside the eye: its direction; usual distance of what it lights, metres
+uniform vec4 spot; // of a lamp beside the eye: its direction; metres to what has its true colour
 #endif
 uniform vec4 section;  // what lies where dot(xyz, p) > w, in A, is cut away; xyz 0: nothing is
 uniform float cutAway; // 1: the airway stays whole
@@ -104,7 +104,7 @@ const vec4 kLooks[8] = vec4[8](
 
 vec3 albedo; // of this vertex: sRGB, to close to linear light
 
-const float kSpotNear2 = 0.25; // of the usual distance, squared: the lamp is no point
+const float kSpotNear2 = 0.25; // of that distance, squared: the lamp is no point
 const float kSpotStray = 0.02; // light from everywhere, of what the mucosa scatters
 const float kBladeShade = 0.6; // of light, what a blade keeps from tissue that it touches
 const float kPerShade = 1.0 / 6e-3; // per metre from it, falling by e
@@ -153,7 +153,8 @@ const float kPerBeforeHeel = 1.0 / 0.15;
 const float kPerPastTip = 1.0 / 0.2;
 const float kBendOfLarynx = 0.3;
 const float kTongueShare = 1.2;
-const float kTongueAbove = 0.34;
+const float kPharynxFrom = 1.0;
+const float kPerPharynx = 1.0 / 1.4;
 const float kPerTongueHeight = 1.0 / 2.0;
 const float kChinFrom = 1.5;
 const float kPerChin = 1.0 / 4.5;
@@ -484,13 +485,12 @@ vec2 leaning(float height)
     return perHeight * vec2(0.5 * low * low / kBendOfLarynx + h - low, low / kBendOfLarynx);
 }
 
-vec2 followingLean(float height)
+vec2 leaningOfPharynx(float height)
 {
-    float above = clamp(height - 1.0, 0.0, kTongueAbove);
-    float slope = 2.0 * (kTongueShare - 1.0) / kTongueAbove;
-    vec2 lean = leaning(min(height, 1.0));
-    return vec2(lean.x + slope * (above - 0.5 * above * above / kTongueAbove),
-                height <= 1.0 ? lean.y : slope * (1.0 - above / kTongueAbove));
+    vec2 lean = leaning(height);
+    vec2 above = step3((height - kPharynxFrom) * kPerPharynx);
+    return vec2(lean.x * (1.0 - above.x),
+                lean.y * (1.0 - above.x) - lean.x * above.y * kPerPharynx);
 }
 
 void tiltLarynx(inout vec3 position, inout vec3 normal)
@@ -502,17 +502,24 @@ void tiltLarynx(inout vec3 position, inout vec3 normal)
     normal = turnedNormal(outerProduct(tilt[0].xyz, slope), normal);
 }
 
-// By a share of the tilt, and its slope, at the height of the position.
-void shiftForward(vec2 share, inout vec3 position, inout vec3 normal)
+// By a share of the tilt, and its slope, at the height of the position; less to the back by a linear
+// function of the place (BladeDepth).
+void shiftForward(vec2 share, vec4 depth, inout vec3 position, inout vec3 normal)
 {
-    float back = dot(tilt[2].xyz, position) + tilt[2].w;
-    vec2 behind = step3(back);
-    vec2 chin = step3((-back - kChinFrom) * kPerChin);
+    vec2 behind = step3(dot(depth.xyz, position) + depth.w);
+    vec2 chin = step3((-dot(tilt[2].xyz, position) - tilt[2].w - kChinFrom) * kPerChin);
     float place = (1.0 - behind.x) * (1.0 - chin.x);
-    float placeSlope = chin.y * kPerChin * (1.0 - behind.x) - behind.y * (1.0 - chin.x);
-    vec3 slope = share.y * place * tilt[1].xyz + share.x * placeSlope * tilt[2].xyz;
+    vec3 placeSlope = chin.y * kPerChin * (1.0 - behind.x) * tilt[2].xyz
+                      - behind.y * (1.0 - chin.x) * depth.xyz;
+    vec3 slope = share.y * place * tilt[1].xyz + share.x * placeSlope;
     position += share.x * place * tilt[0].xyz;
     normal = turnedNormal(outerProduct(tilt[0].xyz, slope), normal);
+}
+
+vec4 depthBehindHinge()
+{
+    float lean = -dot(tilt[2].xyz, tilt[1].xyz) / max(dot(tilt[1].xyz, tilt[1].xyz), 1e-6);
+    return tilt[2] + lean * tilt[1];
 }
 
 void giveWayToBlade(inout vec3 position, inout vec3 normal)
@@ -522,12 +529,13 @@ void giveWayToBlade(inout vec3 position, inout vec3 normal)
     float height = dot(tilt[1].xyz, position) + tilt[1].w;
     if (vertexPart.y == kThroat) {
         vec2 high = step3(height * kPerTongueHeight) * vec2(1.0, kPerTongueHeight);
-        shiftForward(kTongueShare * high, position, normal);
+        shiftForward(kTongueShare * high, tilt[2], position, normal);
         pushByBlade(position, normal);
     } else if (vertexPart.y == kLarynx) {
         tiltLarynx(position, normal);
     } else if (vertexPart.y == kPharynx) {
-        shiftForward(followingLean(height), position, normal);
+        vec4 depth = depthBehindHinge() + vec4(0.0, 0.0, 0.0, 1.0);
+        shiftForward(leaningOfPharynx(height), depth, position, normal);
     }
 }
 #endif

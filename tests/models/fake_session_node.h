@@ -3,6 +3,7 @@
 #include "engine/net/node/session_node.h"
 #include "engine/session/session_authority.h"
 
+#include <deque>
 #include <utility>
 
 namespace carina::test
@@ -36,7 +37,16 @@ public:
 
     // What a test makes happen.
 
-    void advance(Duration time) { m_now += time; }
+    void advance(Duration time)
+    {
+        m_now += time;
+        while (!m_onTheWay.empty() && m_onTheWay.front().made + 2 * m_path <= m_now) {
+            const Made next = std::move(m_onTheWay.front());
+            m_onTheWay.pop_front();
+            judge(next.proposal, next.made + m_path);
+            announce();
+        }
+    }
     void loseClock() { m_hasClock = false; }
     /// The host decides by itself, or for somebody else.
     void decide(FactBody body, ParticipantId author = kHost)
@@ -92,6 +102,15 @@ public:
             judge(proposal);
         announce();
     }
+    /// From now on proposals take so long to the host, facts as long back, and the effect of what
+    /// drives a patient waits for them.
+    void isFarAway(Duration path) { m_path = path; }
+    /// The host takes what is proposed, but this program hears nothing of it.
+    void hearsNothing() { m_heard = state(); }
+    /// It hears what was answered meanwhile. @pre hearsNothing()
+    void hearsAnswers() { m_unanswered.clear(); }
+    /// And has caught up: it shows what came of it.
+    void hearsFacts() { m_heard.reset(); }
     /// What it is to the host from now on.
     void becomes(ParticipantId self)
     {
@@ -145,23 +164,29 @@ public:
     }
     [[nodiscard]] std::shared_ptr<const SessionState> state() const override
     {
-        return std::make_shared<SessionState>(m_authority.state());
+        return m_heard ? m_heard : std::make_shared<SessionState>(m_authority.state());
     }
     void propose(StationId station, FactBody body) override
     {
         ++proposed;
         const Proposal proposal{nextId(), m_self, station, std::move(body)};
-        if (m_hostIsHere)
-            judge(proposal);
-        else
+        if (m_heard)
+            m_unanswered.push_back(proposal.body);
+        if (!m_hostIsHere)
             m_waiting.push_back(proposal);
+        else if (m_path > Duration{})
+            m_onTheWay.push_back({proposal, m_now});
+        else
+            judge(proposal);
         announce();
     }
     [[nodiscard]] std::vector<FactBody> pending() const override
     {
-        std::vector<FactBody> bodies;
+        std::vector<FactBody> bodies = m_unanswered;
         for (const Proposal& proposal : m_waiting)
             bodies.push_back(proposal.body);
+        for (const Made& made : m_onTheWay)
+            bodies.push_back(made.proposal.body);
         return bodies;
     }
     void publish(ObjectKind kind, std::string name, PoseSource newest) override
@@ -208,9 +233,14 @@ public:
 
 private:
     ProposalId nextId() { return ProposalId{++m_proposals}; }
-    void judge(const Proposal& proposal)
+    struct Made {
+        Proposal proposal;
+        SessionTime made{};
+    };
+    void judge(const Proposal& proposal) { judge(proposal, m_now); }
+    void judge(const Proposal& proposal, SessionTime at)
     {
-        const Result<Fact> fact = m_authority.judge(proposal, m_now, Duration{});
+        const Result<Fact> fact = m_authority.judge(proposal, at, m_path);
         if (fact)
             m_authority.commit(*fact);
         for (const auto& [id, object] : m_authority.state().objects())
@@ -238,6 +268,10 @@ private:
     SharedActions m_actions;
     Duration m_silence{};
     std::vector<Proposal> m_waiting;
+    Duration m_path{};
+    std::deque<Made> m_onTheWay;
+    std::shared_ptr<const SessionState> m_heard; ///< the last one, while nothing is heard
+    std::vector<FactBody> m_unanswered;          ///< proposed since then
     std::optional<Error> m_refusal;
     std::function<void()> m_callback;
     std::map<ObjectId, std::shared_ptr<RemoteObject>> m_poses; ///< of others

@@ -64,7 +64,7 @@ void LiveScope::prepare()
     if (m_sight.state != LaryngoscopeState::Live || m_shown.is(patient, m_sight.blade))
         return;
     m_shown = {&patient, patient.contentHash(), m_sight.blade};
-    m_scene = scopeScene(patient, m_sight.blade);
+    m_scene = scopeScene(patient, m_sight.blade, m_colors);
     m_seen.reset();
     showScope(m_view, m_scene, ScopeEye::Video);
 }

@@ -55,6 +55,7 @@ private:
     SceneView& m_view;
     StationScene& m_station;
     Shown m_shown;
+    TissueColors m_colors;
     ScopeScene m_scene;
     LaryngoscopeSight m_sight;
     std::optional<Measured> m_seen;

@@ -2,7 +2,6 @@
 
 #include "ui/scene/scene_parts.h"
 #include "widgets/scene/figures/figure_shapes.h"
-#include "widgets/scene/look/scope_colors.h"
 
 #include <cmath>
 #include <memory>
@@ -17,8 +16,8 @@ constexpr QColor kHandleSteel{120, 126, 134};
 
 constexpr QColor kDarkness{6, 3, 3};
 /// As far from the eye as the larynx is when the blade lies in the vallecula.
-constexpr Length kUsual = millimetres(40.0);
-constexpr Length kUsualDirect = millimetres(400.0);
+constexpr Length kTrueColorAt = millimetres(40.0);
+constexpr Length kTrueColorAtDirect = millimetres(400.0);
 
 ScenePart scopePart(const char* name, FigureShapes::Mesh mesh, const QColor& color,
                     const char* body = kScopeBody)
@@ -46,7 +45,7 @@ ScenePart contentPart(AirwayEventKind kind, ContentPlace place)
 
 } // namespace
 
-ScopeScene scopeScene(const PatientModel& patient, const Blade& blade)
+ScopeScene scopeScene(const PatientModel& patient, const Blade& blade, TissueColors& colors)
 {
     ScopeScene scene{.parts = sceneParts(patient), .looks = {}, .structures = {}};
     scene.structures.resize(scene.parts.size() + 1, SeenStructure::Nothing);
@@ -61,7 +60,7 @@ ScopeScene scopeScene(const PatientModel& patient, const Blade& blade)
         scene.looks[part.id].style =
             structure == SeenStructure::Nothing ? PartStyle::Hidden : PartStyle::Solid;
     }
-    colorTissue(scene.parts, scene.structures, patient.landmarks());
+    colors.color(scene.parts, scene.structures, patient.landmarks(), patient.contentHash());
     for (ScenePart part :
          {scopePart("Blade", std::make_shared<const TriangleMesh>(bladeMesh(blade.form)), kSteel),
           scopePart("Handle", figureShapes().handle, kHandleSteel)}) {
@@ -88,7 +87,7 @@ void showScope(SceneView& view, const ScopeScene& scene, ScopeEye eye)
     view.setParts(scene.parts);
     view.setLooks(scene.looks);
     view.setBackground(kDarkness);
-    view.setSpotlight(eye == ScopeEye::Direct ? kUsualDirect : kUsual);
+    view.setSpotlight(eye == ScopeEye::Direct ? kTrueColorAtDirect : kTrueColorAt);
 }
 
 EyePicture scopePicture(const RigidTransform& X_AD, Angle fieldOfView, double widthOverHeight)

@@ -3,6 +3,7 @@
 #include "models/patient/laryngoscopy.h"
 #include "ui/scene/throat_contents.h"
 #include "widgets/scene/look/part_look.h"
+#include "widgets/scene/look/tissue_colors.h"
 #include "widgets/scene/view/scene_frame.h"
 #include "widgets/scene/view/scene_view.h"
 
@@ -23,7 +24,9 @@ struct ScopeScene {
     /// By the id of the part.
     std::vector<SeenStructure> structures;
 };
-[[nodiscard]] ScopeScene scopeScene(const PatientModel& patient, const Blade& blade);
+/// @param colors of its tissue, which stay where the next scene is of the same patient
+[[nodiscard]] ScopeScene scopeScene(const PatientModel& patient, const Blade& blade,
+                                    TissueColors& colors);
 
 /// Has a view draw such a scene and nothing else, in the light of the eye that sees it.
 void showScope(SceneView& view, const ScopeScene& scene, ScopeEye eye);

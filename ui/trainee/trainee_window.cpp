@@ -117,7 +117,7 @@ void TraineeWindow::makeActions(ObjectActionModel& actions)
     auto* panel = new ActionsPanel;
     m_objects.setGroups(m_stationScene.patient().groups());
     panel->setModel(actions);
-    addPanel(m_actions, panel, tr("&Actions on patient and organs"));
+    addPanel(m_actions, panel, "showActions", tr("&Actions on patient and organs"));
 }
 
 void TraineeWindow::makeParts()
@@ -129,7 +129,7 @@ void TraineeWindow::makeParts()
     page->setFocusProxy(m_partsPanel);
     m_partsPanel->setScene(*m_scene);
     m_section->setScene(*m_scene);
-    addPanel(m_parts, page, tr("Parts and se&ctions of the patient"));
+    addPanel(m_parts, page, "showParts", tr("Parts and se&ctions of the patient"));
     tabifyDockWidget(m_actions, m_parts); // one above the other they are higher than a screen
 }
 
@@ -138,7 +138,7 @@ void TraineeWindow::makeTracker(const ProgramTracker& tracker)
     auto* panel = new ProgramTrackerPanel{tracker};
     connect(panel, &ProgramTrackerPanel::wanted, this, &TraineeWindow::trackerWanted);
     connect(panel, &ProgramTrackerPanel::unwanted, this, &TraineeWindow::trackerUnwanted);
-    addPanel(m_tracker, panel, tr("Trac&ker and its tools"));
+    addPanel(m_tracker, panel, "showTracker", tr("Trac&ker and its tools"));
     tabifyDockWidget(m_parts, m_tracker);
 }
 
@@ -149,7 +149,7 @@ void TraineeWindow::makeLaryngoscope(TryWatch& tries)
     tries.setEffort([shown = QPointer<LaryngoscopePanel>{m_scope}] {
         return shown ? shown->effort() : std::nullopt;
     });
-    addPanel(m_laryngoscope, m_scope, tr("&View of the laryngoscope"));
+    addPanel(m_laryngoscope, m_scope, "showLaryngoscope", tr("&View of the laryngoscope"));
     tabifyDockWidget(m_tracker, m_laryngoscope);
 }
 
@@ -166,7 +166,7 @@ void TraineeWindow::makeDebriefing(TryWatch& tries)
     area->setWidgetResizable(true);
     area->setWidget(panel);
     area->setFocusProxy(panel);
-    addPanel(m_debriefing, area, tr("&Debriefing of the last try"));
+    addPanel(m_debriefing, area, "showTry", tr("&Debriefing of the last try"));
     tabifyDockWidget(m_laryngoscope, m_debriefing);
     connect(&tries, &TryWatch::ended, m_debriefing, [this] {
         m_debriefing->show();
@@ -176,7 +176,7 @@ void TraineeWindow::makeDebriefing(TryWatch& tries)
 
 void TraineeWindow::makeMonitor()
 {
-    addPanel(m_monitor, m_monitorPanel, tr("&Bedside monitor, with its sounds"));
+    addPanel(m_monitor, m_monitorPanel, "showMonitor", tr("&Bedside monitor, with its sounds"));
     addDockWidget(Qt::LeftDockWidgetArea, m_monitor); // it is looked at beside each of the others
     m_monitor->hide();
     addAction(m_monitorPanel->muteAction()); // its key acts while the keyboard is elsewhere
@@ -189,7 +189,7 @@ void TraineeWindow::setMonitor(VitalsModel& vitals, const SoundOutput& sound)
 
 void TraineeWindow::makeHands()
 {
-    addPanel(m_hands, m_handsPanel, tr("Cuff, stylet and bag in a panel"));
+    addPanel(m_hands, m_handsPanel, "showHands", tr("Cuff, stylet and bag in a panel"));
     addDockWidget(Qt::LeftDockWidgetArea, m_hands); // beneath the monitor, which shows what follows
     m_hands->hide();
     for (QAction* action : m_handsPanel->handActions())
@@ -198,7 +198,8 @@ void TraineeWindow::makeHands()
 
 void TraineeWindow::setHands(HandsModel& hands) { m_handsPanel->setModel(hands); }
 
-void TraineeWindow::addPanel(QDockWidget* dock, QWidget* panel, const QString& menuText)
+void TraineeWindow::addPanel(QDockWidget* dock, QWidget* panel, const char* name,
+                             const QString& menuText)
 {
     dock->setWidget(panel);
     dock->setPalette(QApplication::palette());
@@ -207,6 +208,7 @@ void TraineeWindow::addPanel(QDockWidget* dock, QWidget* panel, const QString& m
     dock->hide();
     QAction* toggle = dock->toggleViewAction();
     toggle->setText(menuText);
+    toggle->setObjectName(QLatin1String{name}); // as in the console
     connect(toggle, &QAction::triggered, dock, [dock](bool isShown) {
         if (isShown) // and the menu, which gives the keyboard back, is gone
             QTimer::singleShot(0, dock, [dock] {

@@ -93,7 +93,7 @@ private:
     void makeDebriefing(TryWatch& tries);
     void makeMonitor();
     void makeHands();
-    void addPanel(QDockWidget* dock, QWidget* panel, const QString& menuText);
+    void addPanel(QDockWidget* dock, QWidget* panel, const char* name, const QString& menuText);
     void makeMenu();
     /// Says at which station this is, where there are several.
     void addStation();

@@ -100,9 +100,10 @@ inline constexpr Key kGenerated{"generated", "of the made patient", 1};
 inline constexpr Key kReal{"set", "of the scaled set", 1};
 inline constexpr Key kDeviation{
     "deviation", "their difference; where \"relative\", as a share of the set's figure", 1};
-inline constexpr Key kLimit{"limit", "that the deviation may have", 1};
+inline constexpr Key kLimit{"limit", "that the deviation may have; null where it may have any", 1};
 inline constexpr Key kRelative{"relative", "whether it is a share", 1};
-inline constexpr Key kFigureMet{"met", "whether the deviation is within the limit", 1};
+inline constexpr Key kFigureMet{"met", "whether the deviation is within the limit, if there is one",
+                                1};
 inline constexpr Key kOrgans{"organs", "one object per organ that both have:"};
 inline constexpr Key kOrgan{"organ", "its name", 1};
 inline constexpr Key kToSet{"to_set_mm",

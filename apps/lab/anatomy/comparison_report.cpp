@@ -22,7 +22,8 @@ QJsonObject objectOf(const Deviation& figure)
             {anatomy_compare_key::kGenerated, rounded(figure.generated)},
             {anatomy_compare_key::kReal, rounded(figure.real)},
             {anatomy_compare_key::kDeviation, rounded(figure.deviation())},
-            {anatomy_compare_key::kLimit, figure.limit},
+            {anatomy_compare_key::kLimit,
+             figure.limit ? QJsonValue{*figure.limit} : QJsonValue{QJsonValue::Null}},
             {anatomy_compare_key::kRelative, figure.relative},
             {anatomy_compare_key::kFigureMet, figure.met()}};
 }
@@ -68,7 +69,7 @@ QJsonArray unmet(const AnatomyComparison& comparison)
             lines.append(QStringLiteral("%1: %2, limit %3")
                              .arg(text(figure.name))
                              .arg(rounded(figure.deviation()))
-                             .arg(figure.limit));
+                             .arg(*figure.limit));
     for (const OrganDistance& organ : comparison.organs)
         if (!organ.met())
             lines.append(QStringLiteral("%1: %2 mm, limit %3 mm")

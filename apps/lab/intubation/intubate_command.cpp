@@ -2,6 +2,7 @@
 #include "apps/lab/commands.h"
 #include "apps/lab/intubation/intubate_page.h"
 #include "apps/lab/intubation/intubate_recording.h"
+#include "apps/lab/intubation/intubation_words.h"
 #include "apps/lab/intubation/recorded_intubation.h"
 #include "apps/lab/intubation/trial_report.h"
 #include "apps/lab/intubation/trial_statistics.h"
@@ -176,6 +177,7 @@ Use intubateOnce()
 
 Use intubateRecorded()
 {
+    static const QByteArray told = toldWords().toLatin1();
     return {.lines = {"RECORDING [--patient WHO] [--anatomy DIR] [--tube MM]",
                       "RECORDING [--site FILE] [--blade NAME] [--told STEP=S]"},
             .text =
@@ -184,7 +186,8 @@ Use intubateRecorded()
                 "patient, and the score. Head and neck lie as in the surfaces.",
             .notes = {{"RECORDING",
                        "in one of the forms that carina-lab track reads; a tool's role is told by "
-                       "the file or by its name: Tube or ETT, Laryngoscope or Blade, Jaw or Chin"}},
+                       "the file or by its name: Tube or ETT, Laryngoscope or Blade, Jaw or Chin"},
+                      {"STEP", told.constData()}},
             .options = {kPatient, kAnatomy, intubate_option::kSite, intubate_option::kBlade,
                         intubate_option::kTube, intubate_option::kTold},
             .schema = intubate_recording_key::kSchema,

@@ -29,10 +29,7 @@ inline constexpr Option kBlade{
     "hyperangulated; unless given that of the site, else the one that "
     "the name of the laryngoscope tells, else one that fits the patient"};
 inline constexpr Option kTold{"told", "STEP=S",
-                              "what people did beside it, S seconds from its beginning: "
-                              "cuff_inflated, cuff_deflated, stylet_out, first_breath or "
-                              "breaths_end",
-                              true};
+                              "what people did beside it, S seconds from its beginning", true};
 inline constexpr Option kAll{"all-scripts", "", "runs each motion several times"};
 inline constexpr Option kSeeds{"seeds", "N", "how often: with the seeds 1 to N, 20 unless given"};
 } // namespace intubate_option

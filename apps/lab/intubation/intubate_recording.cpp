@@ -20,15 +20,6 @@ namespace
 constexpr double kSmallestTube_mm = 2.5;
 constexpr double kLargestTube_mm = 9.0;
 constexpr double kLongestRecording_s = 36000.0;
-constexpr std::array kToldActs{MotionAct::CuffInflated, MotionAct::CuffDeflated,
-                               MotionAct::StyletOut, MotionAct::BreathsBegin,
-                               MotionAct::BreathsEnd};
-
-QString toldWord(MotionAct act)
-{
-    const auto step = toldBy(act);
-    return step ? stepWord(*step) : QStringLiteral("breaths_end");
-}
 
 Result<MotionCommand> commandOf(const Words& words, const QString& told)
 {
@@ -37,10 +28,9 @@ Result<MotionCommand> commandOf(const Words& words, const QString& told)
     const double seconds = told.section(QLatin1Char{'='}, 1).toDouble(&isNumber);
     const auto* act = std::ranges::find(kToldActs, step, toldWord);
     if (act == kToldActs.end() || !isNumber || !(seconds >= 0.0 && seconds <= kLongestRecording_s))
-        return words.refuse(QStringLiteral("--told %1 is not STEP=S with cuff_inflated, "
-                                           "cuff_deflated, stylet_out, first_breath or "
-                                           "breaths_end and 0 to 36000 seconds.")
-                                .arg(told));
+        return words.refuse(
+            QStringLiteral("--told %1 is not STEP=S with one of %2 and 0 to %3 seconds.")
+                .arg(told, toldWords(), QString::number(kLongestRecording_s)));
     return MotionCommand{*act, fromSeconds(seconds)};
 }
 

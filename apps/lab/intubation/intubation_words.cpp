@@ -1,5 +1,9 @@
 #include "apps/lab/intubation/intubation_words.h"
 
+#include "apps/lab/intubation/watched_intubation.h"
+
+#include <QStringList>
+
 #include <algorithm>
 #include <array>
 
@@ -30,6 +34,20 @@ QString seatWord(TubeSeat seat)
 QString stepWord(IntubationStep step)
 {
     return QString::fromLatin1(kStepWords[static_cast<std::size_t>(step)]);
+}
+
+QString toldWord(MotionAct act)
+{
+    const auto step = toldBy(act);
+    return step ? stepWord(*step) : QStringLiteral("breaths_end");
+}
+
+QString toldWords()
+{
+    QStringList words;
+    for (const MotionAct act : kToldActs)
+        words += toldWord(act);
+    return words.join(QLatin1StringView{", "});
 }
 
 QString motionWord(MotionKind kind)

@@ -10,9 +10,6 @@ namespace carina::lab
 namespace
 {
 
-/// The tools of a moment are read when those around it have come, as a station does it. Of ours.
-constexpr Duration kBehind = std::chrono::milliseconds{80};
-
 const RecordedTool* toolOf(const TrackerSequence& recording, ToolRole role)
 {
     const auto found = std::ranges::find_if(recording.tools, [role](const RecordedTool& tool) {
@@ -57,7 +54,7 @@ Result<WatchedIntubation> watchRecording(const IntubationSubject& subject,
     for (const PoseSample& sample : tube->samples) {
         const Duration since = sample.time - begins;
         const SessionTime t = kTrialStart + since;
-        tracker->advance(t + kBehind);
+        tracker->advance(t + kReadBehind);
         const auto X_AE = station.at(ToolRole::Tube, t);
         if (!X_AE)
             continue; // it waits for the probe of the manikin

@@ -38,17 +38,28 @@ std::vector<CountedPreset> gradedPresets()
     return all;
 }
 
-/// One preset after another.
-std::vector<ScopeShot> shotsOfDraws(const std::vector<CountedPreset>& presets,
-                                    const GradeOrder& order)
+std::vector<ScopeShot> shotsOfDraws(const AirwayPreset& preset, int draws, std::mt19937& random)
 {
-    std::mt19937 random{order.seed};
     std::vector<ScopeShot> shots;
-    for (const CountedPreset& counted : presets)
-        for (int draw = 0; draw < order.draws; ++draw)
-            shots.push_back({.events = drawnFrom(*counted.preset, random),
-                             .quality = PictureQuality::Quick}); // only its ids are looked at
+    for (int draw = 0; draw < draws; ++draw)
+        shots.push_back({.events = drawnFrom(preset, random),
+                         .head = preset.look.head,
+                         .quality = PictureQuality::Quick}); // only its ids are looked at
     return shots;
+}
+
+Result<void> countDraws(CountedPreset& counted, const PatientModel& patient,
+                        const Laryngoscopy& laryngoscopy, const ScopeWay& way,
+                        std::span<const ScopeShot> shots)
+{
+    for (const ScopeShot& shot : shots)
+        if (const auto shown = canShowAll(laryngoscopy, shot.events); !shown)
+            return shown;
+    const auto take = [&counted](const DrawnShot& drawn) -> Result<void> {
+        counted.count(drawn.seen.grade);
+        return {};
+    };
+    return drawShots(patient, laryngoscopy, way, shots, take);
 }
 
 QJsonArray describe(const std::vector<SeverityRange>& ranges)
@@ -69,8 +80,12 @@ QJsonObject describe(const CountedPreset& counted)
     for (const auto& [grade, count] : counted.grades)
         grades[QString::fromLatin1(gradeName(grade))] = count;
     const std::string_view name = counted.preset->name;
+    const GradedLook& look = counted.preset->look;
     return {{render_grades_key::kPreset, QString::fromUtf8(name.data(), qsizetype(name.size()))},
             {render_grades_key::kNamedGrade, counted.preset->grade},
+            {render_grades_key::kFrom, eyeName(look.eye)},
+            {render_grades_key::kNeckFlexion, inDegrees(look.head.flexion)},
+            {render_grades_key::kHeadExtension, inDegrees(look.head.extension)},
             {render_grades_key::kDraws, counted.draws},
             {render_grades_key::kGrades, grades},
             {render_grades_key::kShareRight, counted.shareRight()},
@@ -88,33 +103,28 @@ Result<QJsonObject> countGrades(Anatomy anatomy, const GradeOrder& order)
     if (!laryngoscopy)
         return tl::unexpected(laryngoscopy.error());
     std::vector<CountedPreset> presets = gradedPresets();
-    const std::vector<ScopeShot> shots = shotsOfDraws(presets, order);
-    for (const ScopeShot& shot : shots)
-        if (const auto shown = canShowAll(*laryngoscopy, shot.events); !shown)
-            return tl::unexpected(shown.error());
-    const auto take = [&](const DrawnShot& drawn) -> Result<void> {
-        presets[drawn.number / std::size_t(order.draws)].count(drawn.seen.grade);
-        return {};
-    };
-    return drawShots(**patient, *laryngoscopy, order.way, shots, take).map([&] {
-        QJsonArray counted;
-        bool isAcceptable = true;
-        for (const CountedPreset& preset : presets) {
-            counted.append(describe(preset));
-            isAcceptable = isAcceptable && preset.shareRight() >= kRightGrades;
-        }
-        return QJsonObject{
-            {render_grades_key::kSchema, QLatin1StringView{render_grades_key::kSchema.help}},
-            {render_grades_key::kAnatomy, QString::fromStdString((*patient)->name())},
-            {render_grades_key::kBlade, bladeName(order.way.blade)},
-            {render_grades_key::kFrom, eyeName(order.way.eye)},
-            {render_grades_key::kWidth, order.way.size.width()},
-            {render_grades_key::kHeight, order.way.size.height()},
-            {render_grades_key::kLift, inMillimetres(kUsualLift)},
-            {render_grades_key::kSeed, qint64(order.seed)},
-            {render_grades_key::kPresets, counted},
-            {kAcceptable, isAcceptable}};
-    });
+    std::mt19937 random{order.seed};
+    QJsonArray counted;
+    bool isAcceptable = true;
+    for (CountedPreset& preset : presets) {
+        ScopeWay way = order.way;
+        way.eye = preset.preset->look.eye;
+        const auto shots = shotsOfDraws(*preset.preset, order.draws, random);
+        if (const auto drawn = countDraws(preset, **patient, *laryngoscopy, way, shots); !drawn)
+            return tl::unexpected(drawn.error());
+        counted.append(describe(preset));
+        isAcceptable = isAcceptable && preset.shareRight() >= kRightGrades;
+    }
+    return QJsonObject{
+        {render_grades_key::kSchema, QLatin1StringView{render_grades_key::kSchema.help}},
+        {render_grades_key::kAnatomy, QString::fromStdString((*patient)->name())},
+        {render_grades_key::kBlade, bladeName(order.way.blade)},
+        {render_grades_key::kWidth, order.way.size.width()},
+        {render_grades_key::kHeight, order.way.size.height()},
+        {render_grades_key::kLift, inMillimetres(kUsualLift)},
+        {render_grades_key::kSeed, qint64(order.seed)},
+        {render_grades_key::kPresets, counted},
+        {kAcceptable, isAcceptable}};
 }
 
 } // namespace carina::lab

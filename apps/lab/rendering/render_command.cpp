@@ -371,19 +371,34 @@ Use countedPresets()
         .lines = {"--preset-grades [OPTION...]"},
         .text =
             "Counts the grades of Cormack and Lehane that the console's presets named for one give "
-            "(Cormack-Lehane 1 to 3 of the panel Airway): draws patients of each, the severity of "
+            "(Cormack-Lehane 1 to 4 of the panel Airway): draws patients of each, the severity of "
             "each event evenly from its range, looks at each as --laryngoscopy does with the blade "
-            "lifted wholly, and grades the picture as the programs do. Writes nothing. Needs a "
+            "lifted wholly, by the eye and in the position of the head that the preset is named "
+            "for, and grades the picture as the programs do. Writes nothing. Needs a "
             "display.",
         .options = {render_option::kOfPresetGrades.begin(), render_option::kOfPresetGrades.end()},
         .schema = render_grades_key::kSchema,
-        .keys = {render_grades_key::kAnatomy, render_grades_key::kBlade, render_grades_key::kFrom,
-                 render_grades_key::kWidth, render_grades_key::kHeight, render_grades_key::kLift,
-                 render_grades_key::kSeed, render_grades_key::kPresets, render_grades_key::kPreset,
-                 render_grades_key::kNamedGrade, render_grades_key::kDraws,
-                 render_grades_key::kGrades, render_grades_key::kShareRight,
-                 render_grades_key::kRanges, render_grades_key::kEvent, render_grades_key::kLeast,
-                 render_grades_key::kMost, render_grades_key::kSource, kAcceptable}};
+        .keys = {render_grades_key::kAnatomy,
+                 render_grades_key::kBlade,
+                 render_grades_key::kWidth,
+                 render_grades_key::kHeight,
+                 render_grades_key::kLift,
+                 render_grades_key::kSeed,
+                 render_grades_key::kPresets,
+                 render_grades_key::kPreset,
+                 render_grades_key::kNamedGrade,
+                 render_grades_key::kFrom,
+                 render_grades_key::kNeckFlexion,
+                 render_grades_key::kHeadExtension,
+                 render_grades_key::kDraws,
+                 render_grades_key::kGrades,
+                 render_grades_key::kShareRight,
+                 render_grades_key::kRanges,
+                 render_grades_key::kEvent,
+                 render_grades_key::kLeast,
+                 render_grades_key::kMost,
+                 render_grades_key::kSource,
+                 kAcceptable}};
 }
 
 Use renderedPairs()

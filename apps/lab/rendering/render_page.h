@@ -82,7 +82,7 @@ inline constexpr std::array kOfLaryngoscopy{
     kLaryngoscopy, kAnatomy,       kPatient,   kBlade,       kFrom,          kLift,    kLevering,
     kEvent,        kEventSeverity, kScopeSize, kNeckFlexion, kHeadExtension, kCompared};
 inline constexpr std::array kOfPresetGrades{kPresetGrades, kDraws, kDrawSeed, kAnatomy,
-                                            kPatient,      kBlade, kFrom,     kScopeSize};
+                                            kPatient,      kBlade, kScopeSize};
 inline constexpr std::array kOfEventPairs{kEventPairs, kPairEvent, kPairSeverity, kAnatomy,
                                           kPatient,    kBlade,     kFrom,         kScopeSize};
 } // namespace render_option
@@ -217,7 +217,6 @@ namespace render_grades_key
 inline constexpr Key kSchema{"schema", "carina.render.grades/1"};
 inline constexpr Key kAnatomy{"anatomy", "name of the anatomy that was drawn"};
 inline constexpr Key kBlade{"blade", "its name"};
-inline constexpr Key kFrom{"from", "video or direct"};
 inline constexpr Key kWidth{"width", "of each picture, pixels"};
 inline constexpr Key kHeight{"height", "of each picture, pixels"};
 inline constexpr Key kLift{"lift_mm", "of the blade"};
@@ -225,6 +224,10 @@ inline constexpr Key kSeed{"seed", "as given"};
 inline constexpr Key kPresets{"presets", "one object per preset that is named for a grade:"};
 inline constexpr Key kPreset{"preset", "its name", 1};
 inline constexpr Key kNamedGrade{"named_grade", "1 to 4, of which 2 is 2a and 2b", 1};
+inline constexpr Key kFrom{"from", "by which eye it has that grade: video or direct", 1};
+inline constexpr Key kNeckFlexion{"neck_flexion_deg", "in which it has it", 1};
+inline constexpr Key kHeadExtension{"head_extension_deg",
+                                    "likewise; a stiff neck keeps the head back from both", 1};
 inline constexpr Key kDraws{"draws", "how many", 1};
 inline constexpr Key kGrades{"grades", "how many of them were of each grade: 1, 2a, 2b, 3, 4", 1};
 inline constexpr Key kShareRight{"share_right", "of the draws, that are of the named grade", 1};

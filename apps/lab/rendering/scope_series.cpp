@@ -22,7 +22,7 @@ public:
           m_laryngoscopy{std::move(laryngoscopy)},
           m_way{way},
           m_shots{shots},
-          m_scene{scopeScene(patient, m_laryngoscopy.blade())}
+          m_scene{scopeScene(patient, m_laryngoscopy.blade(), m_colors)}
     {
     }
 
@@ -110,6 +110,7 @@ private:
     Laryngoscopy m_laryngoscopy;
     const ScopeWay& m_way;
     std::span<const ScopeShot> m_shots;
+    TissueColors m_colors;
     ScopeScene m_scene;
 };
 

@@ -42,10 +42,10 @@ double inWindpipes(const PatientWays& ways, const Vec3& p_A)
     return ways.size * kMostFromWindpipe.si - off;
 }
 
-double inBody(const PatientWays& ways, const Vec3& p_A, Length mostFromTongueWay)
+double inBody(const PatientWays& ways, const Vec3& p_A)
 {
     const double inThroat =
-        ways.size * mostFromTongueWay.si - distanceFrom(ways.overTongue, p_A).si;
+        ways.size * kMostFromTongueWay.si - distanceFrom(ways.overTongue, p_A).si;
     return std::max(inThroat, inWindpipes(ways, p_A));
 }
 
@@ -55,9 +55,48 @@ Length withinReach(double past, double inReach)
     return metres(inReach < 0.0 ? std::min(past, inReach) : past);
 }
 
-Length pastTeeth(const PatientWays& ways, const Vec3& p_A, Length mostFromTongueWay)
+Length pastTeeth(const PatientWays& ways, const Vec3& p_A)
 {
-    return withinReach(pastIncisors(ways, p_A), inBody(ways, p_A, mostFromTongueWay));
+    return withinReach(pastIncisors(ways, p_A), inBody(ways, p_A));
+}
+
+/// The way over the tongue from kToVallecula of it on.
+std::span<const Vec3> wayAtVallecula(const PatientWays& ways)
+{
+    const std::span<const Vec3> line = ways.overTongue;
+    const Length before = kToVallecula * lengthOf(line);
+    std::size_t first = 0;
+    while (first + 2 < line.size() && lengthOf(line.first(first + 1)) < before)
+        ++first;
+    return line.subspan(first);
+}
+
+/// Whether a point is rather where the tongue is than beside or behind the line: below the line at
+/// the teeth, and in front of it at the larynx.
+bool isOnTongueSide(std::span<const Vec3> line, const PlaceOnWay& place, const Vec3& p_A)
+{
+    constexpr double kPiece = 0.1; // of the line
+    const Length piece = kPiece * lengthOf(line);
+    const Length from = std::min(place.along, lengthOf(line) - piece);
+    const Vec3 ahead = pointAlong(line, from + piece) - pointAlong(line, from);
+    const Vec3 off = p_A - place.p_A;
+    return ahead.cross(Vec3::UnitX()).normalized().dot(off) > std::sqrt(0.5) * off.norm();
+}
+
+/// How far within reach of a blade at the vallecula, which it lifts; negative outside.
+double atLiftedVallecula(const PatientWays& ways, const Vec3& p_A)
+{
+    const std::span<const Vec3> line = wayAtVallecula(ways);
+    const PlaceOnWay place = nearestOnWay(line, p_A);
+    const double reach =
+        isOnTongueSide(line, place, p_A) ? ways.size * kMostBladeFromTongueWay.si : 0.0;
+    return reach - distanceFrom(line, p_A).si;
+}
+
+Length bladePastTeeth(const PatientWays& ways, const Vec3& p_A)
+{
+    return withinReach(pastIncisors(ways, p_A),
+                       std::max(inBody(ways, p_A), atLiftedVallecula(ways, p_A)));
 }
 
 Length pastCords(const PatientWays& ways, const Vec3& p_A)
@@ -158,7 +197,7 @@ void findTube(AirwayMoment& moment, const PatientWays& ways, const TubeCurves& t
     CARINA_EXPECTS(tube.p_A_shown.size() >= 2);
     moment.p_A_tip = tube.p_A_shown.back();
     const Vec3 measured = tube.p_A_measured.empty() ? moment.p_A_tip : tube.p_A_measured.back();
-    moment.pastTeeth = pastTeeth(ways, moment.p_A_tip, kMostFromTongueWay);
+    moment.pastTeeth = pastTeeth(ways, moment.p_A_tip);
     moment.pastCords = pastCords(ways, moment.p_A_tip);
     moment.measuredPastCords = pastCords(ways, measured);
     moment.besides = metres((measured - moment.p_A_tip).norm());
@@ -180,7 +219,7 @@ AirwayMoment airwayMoment(SessionTime at, const PatientWays& ways, const TubeCur
     moment.areCordsShut = areCordsShut;
     moment.blade = blade.validity;
     if (blade.validity != Validity::Lost) {
-        moment.bladePastTeeth = pastTeeth(ways, blade.p_A_tip, kMostBladeFromTongueWay);
+        moment.bladePastTeeth = bladePastTeeth(ways, blade.p_A_tip);
         moment.isOnTeeth = blade.isOnTeeth;
         moment.glottis = blade.glottis;
     }

@@ -57,8 +57,12 @@ struct AirwayMoment {
 inline constexpr Length kMostFromTongueWay = millimetres(30.0);
 inline constexpr Length kMostFromWindpipe = millimetres(15.0);
 /// Likewise of a blade's tip, which is led in front of that way, to the vallecula, and lifts it: in
-/// an adult's vallecula it is up to 30 mm from there. Of ours.
+/// an adult it is up to 45 mm from where the way was. Only there: elsewhere, or to the side, what
+/// is so far away may be a cheek or the skin under the chin. Of ours.
 inline constexpr Length kMostBladeFromTongueWay = millimetres(45.0);
+/// From this share of the way on the vallecula is in front of it: at 0.87 to 0.92 in the built-in
+/// patients, and of a blade that lifts it in a flexed neck at 0.71. Of ours.
+inline constexpr double kToVallecula = 0.6;
 /// Beside the glottis by more than this, in an adult, a tip lies in a piriform fossa, from which it
 /// goes into the oesophagus. Of ours: half a glottis' width, and half a tube.
 inline constexpr Length kBesideGlottis = millimetres(10.0);

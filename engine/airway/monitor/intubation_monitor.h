@@ -23,6 +23,10 @@ struct PlacementError {
     [[nodiscard]] Length atCords() const;
 };
 
+/// Who reads poses for a monitor reads those of so long ago: there they lie between samples, and
+/// are interpolated and not predicted. Of ours.
+inline constexpr Duration kReadBehind = std::chrono::milliseconds{80};
+
 /// What the monitor has concluded so far. A copy of it is a checkpoint.
 struct IntubationCourse {
     int attempts = 0;               ///< laryngoscopies begun

@@ -16,6 +16,10 @@ constexpr double kMillimetre = 1e-3;
 constexpr double kRingHeight = 1.1 * kMillimetre;
 constexpr double kRingHeightBronchi = 0.7 * kMillimetre;
 constexpr double kRingSpacingBronchi = 5.0 * kMillimetre;
+/// Below its upper end a grown man's trachea widens over this length: of ours, five rings.
+constexpr double kWidens = 30.0 * kMillimetre;
+/// From its upper end, which is open, down to here it has one width.
+constexpr double kOpenEnd = 6.0 * kMillimetre;
 
 /// -1/2 in the gaps between cartilages to 1/2 on them, flat on both.
 double ripple(double along, double spacing)
@@ -45,6 +49,7 @@ RigidTransform windpipeInAnatomy()
 
 AirwaySolid::AirwaySolid(const PatientDimensions& dimensions)
     : m_dimensions(dimensions),
+      m_upper(upperTracheaOf(dimensions)),
       m_X_AW(windpipeInAnatomy()),
       m_X_WA(m_X_AW.inverse()),
       m_scale(dimensions.tracheaLength / dimensionsOf(BuiltinPatient::Adult).tracheaLength),
@@ -65,7 +70,11 @@ AirwaySolid::Branches AirwaySolid::branchesOf(Side side) const
     Branches b;
     b.direction_W = downAndAside(main.fromTrachea, sign, {});
     // From the place on the trachea's axis from which the inner wall runs through the carina.
-    const Vec3 start{0.0, 0.0, radius / std::sin(main.fromTrachea.si)};
+    // Wider ones than the trachea's upper end would have are so in front, as the trachea.
+    const double narrower = (m_upper.sagittal + m_upper.coronal)
+                            / (m_dimensions.tracheaSagittal + m_dimensions.tracheaCoronal);
+    const double forward = (1.0 - narrower) * radius;
+    const Vec3 start{0.0, -forward, radius / std::sin(main.fromTrachea.si)};
     const double toCarina = radius / std::tan(main.fromTrachea.si);
     const Vec3 end = start + (toCarina + main.length.si) * b.direction_W;
     b.rods[0] = {start, end, radius, radius};
@@ -88,23 +97,41 @@ AirwaySolid::Branches AirwaySolid::branchesOf(Side side) const
     return b;
 }
 
+double AirwaySolid::belowUpperEnd(double z) const
+{
+    const double narrow = m_dimensions.tracheaLength.si - kOpenEnd * m_scale;
+    return easedStep(narrow, narrow - kWidens * m_scale, z);
+}
+
+/// Less again above the bronchi, which are not as deep: by how much is of ours.
+double AirwaySolid::deeperAt(double z) const
+{
+    const double aboveCarina = 0.6 + 0.4 * easedStep(0.0, 25.0 * kMillimetre * m_scale, z);
+    return aboveCarina * belowUpperEnd(z) * (m_dimensions.tracheaSagittal - m_upper.sagittal).si;
+}
+
 double AirwaySolid::tracheaDistance(const Vec3& p_WQ) const
 {
     const double blend = 2.0 * kMillimetre * m_scale;
-    const double side = 0.5 * m_dimensions.tracheaCoronal.si;
+    const PatientDimensions& d = m_dimensions;
+    const double wider = belowUpperEnd(p_WQ.z()) * (d.tracheaCoronal - m_upper.coronal).si;
+    const double side = 0.5 * (m_upper.coronal.si + wider);
     // An ellipse cut flat at the back, at three quarters of its half depth; the axis runs midway
-    // between front and back.
-    const double halfDepth = m_dimensions.tracheaSagittal.si / 1.75;
+    // between front and back of the upper end. Behind lie oesophagus and spine, so it is deeper to
+    // the front.
+    const double deeper = deeperAt(p_WQ.z());
+    const double halfDepth = (m_upper.sagittal.si + deeper) / 1.75;
     const double back = 0.875 * halfDepth;
-    const double spacing = m_dimensions.tracheaLength.si / m_dimensions.tracheaRings;
+    const double y = p_WQ.y() + 0.5 * deeper;
+    const double spacing = d.tracheaLength.si / d.tracheaRings;
     // The open ends of a cartilage lie at the edges of the flat wall.
-    const double cartilage = 1.0 - easedStep(0.35 * back, 0.95 * back, p_WQ.y());
+    const double cartilage = 1.0 - easedStep(0.35 * back, 0.95 * back, y);
     const double ring =
         kRingHeight * m_scale * cartilage * ripple(p_WQ.z() - 0.5 * spacing, spacing);
     const double round =
-        ellipseDistance({p_WQ.x(), p_WQ.y() - 0.125 * halfDepth}, {side, halfDepth}) - ring;
-    const double tube = roundedMax(round, p_WQ.y() - back, blend);
-    const double ends = std::max(p_WQ.z() - m_dimensions.tracheaLength.si, blend - p_WQ.z());
+        ellipseDistance({p_WQ.x(), y - 0.125 * halfDepth}, {side, halfDepth}) - ring;
+    const double tube = roundedMax(round, y - back, blend);
+    const double ends = std::max(p_WQ.z() - d.tracheaLength.si, blend - p_WQ.z());
     return roundedMax(tube, ends, 0.5 * blend);
 }
 
@@ -136,7 +163,7 @@ double AirwaySolid::wholeDistance(const Vec3& p_WQ) const
 double AirwaySolid::lumenDistance(const Vec3& p_WQ) const
 {
     // As below its upper end, which is open.
-    const double open = m_dimensions.tracheaLength.si - 6.0 * kMillimetre * m_scale;
+    const double open = m_dimensions.tracheaLength.si - kOpenEnd * m_scale;
     const Vec3 p{p_WQ.x(), p_WQ.y(), std::min(p_WQ.z(), open)};
     return wholeDistance(p) + kMansTracheaWall.si * m_scale;
 }

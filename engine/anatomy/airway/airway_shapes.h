@@ -33,7 +33,8 @@ public:
     explicit AirwaySolid(const PatientDimensions& dimensions);
 
     /// The trachea in A, with protruding C-shaped cartilages and a flat posterior wall: a tube with
-    /// an open upper end, so that its rings are seen from the larynx.
+    /// an open upper end, so that its rings are seen from the larynx. Below the cricoid it widens
+    /// (upperTracheaOf).
     [[nodiscard]] ImplicitShape trachea() const;
     /// A main bronchus with its lobar branches, in A.
     [[nodiscard]] ImplicitShape bronchus(Side side) const;
@@ -51,6 +52,10 @@ public:
     [[nodiscard]] double outsideLungs(const Vec3& p_A) const;
 
 private:
+    /// 0 at the upper end of the trachea, 1 where it is as wide as its dimensions say.
+    [[nodiscard]] double belowUpperEnd(double z) const;
+    /// How much deeper it is at a height than at its upper end, metres.
+    [[nodiscard]] double deeperAt(double z) const;
     [[nodiscard]] double tracheaDistance(const Vec3& p_WQ) const;
     [[nodiscard]] double bronchusDistance(Side side, const Vec3& p_WQ) const;
     [[nodiscard]] double wholeDistance(const Vec3& p_WQ) const;
@@ -67,6 +72,7 @@ private:
     [[nodiscard]] Box boundsInA(const Box& bounds_W) const;
 
     PatientDimensions m_dimensions;
+    UpperTrachea m_upper;
     RigidTransform m_X_AW;
     RigidTransform m_X_WA;
     double m_scale; ///< this trachea's length over the adult's: scales sizes without an own figure

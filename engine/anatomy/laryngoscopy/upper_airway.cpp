@@ -163,8 +163,13 @@ std::optional<Vec3> meanInPlane(const std::vector<Vec3>& vertices, double x)
 
 void findTongue(UpperAirway& airway, std::span<const AnatomyPart> parts, double x)
 {
-    const auto isTongue = [](const AnatomyPart& p) { return p.role == PartRole::Tongue; };
-    airway.p_A_tongue = meanInPlane(verticesOf(parts, isTongue), x);
+    const auto isOfTongue = [](const AnatomyPart& p) { return p.role == PartRole::Tongue; };
+    // Without the muscles that it comes from: genioglossus, hyoglossus, styloglossus.
+    const auto isTongue = [&](const AnatomyPart& p) {
+        return isOfTongue(p) && !isCalled(p, "glossus");
+    };
+    const std::vector<Vec3> tongue = verticesOf(parts, isTongue);
+    airway.p_A_tongue = meanInPlane(tongue.empty() ? verticesOf(parts, isOfTongue) : tongue, x);
 }
 
 void findLips(UpperAirway& airway, std::span<const AnatomyPart> parts, double x)

@@ -13,11 +13,12 @@ const std::vector<Vec2>& outline()
 {
     static const auto corners = [] {
         std::vector<Vec2> line =
-            cornersCut({Vec2{-1.0, 4.9}, Vec2{2.4, 4.9}, Vec2{3.4, 11.0}, Vec2{6.6, 18.0},
-                        Vec2{10.8, 24.0}, Vec2{11.6, 31.0}, Vec2{7.0, 34.0}, Vec2{-1.0, 34.0}},
+            cornersCut({Vec2{-1.0, 4.9}, Vec2{2.4, 4.9}, Vec2{3.4, 11.0}, Vec2{6.4, 17.5},
+                        Vec2{10.3, 21.8}, Vec2{11.4, 25.0}, Vec2{11.4, 29.2}, Vec2{10.0, 32.4},
+                        Vec2{6.0, 34.4}, Vec2{-1.0, 34.4}},
                        3);
         line.insert(line.begin(), Vec2{-6.0, 4.9});
-        line.emplace_back(-6.0, 34.0);
+        line.emplace_back(-6.0, 34.4);
         return line;
     }();
     return corners;
@@ -39,13 +40,15 @@ double Epiglottis::distance(const Vec3& p) const
     // Infants' leaves are narrow and bent: as wide, once flattened, as they are here.
     const double narrow = 1.0 - 0.32 * m_omega;
     const double x = std::abs(p.x()) / narrow;
-    const double bend = (0.022 + 0.05 * m_omega) * x * x;
-    const double edge = easedStep(0.0, 10.0, x);
-    const double half = 2.2 - 0.9 * easedStep(10.0, 24.0, p.z()) - 0.3 * edge;
-    const double slope = m_posture == Posture::Laryngoscopy ? 0.10 : 0.36;
-    const double across =
-        (p.y() - middleAt(p.z()) - bend) / std::sqrt(1.0 + slope * slope + 0.01 * bend * bend);
+    const double bent = 0.022 + 0.05 * m_omega;
     const double leaf = 0.9 * narrow * polygonDistance({x, p.z()}, outline());
+    // Thinner towards its rim.
+    const double whole = 2.2 - 1.07 * easedStep(10.0, 24.0, p.z());
+    const double half = (1.0 - 0.3 * easedStep(-5.0, 0.0, leaf)) * whole;
+    const double slope = m_posture == Posture::Laryngoscopy ? 0.10 : 0.36;
+    const double slopeAcross = 2.0 * bent * std::min(x, 12.0) / narrow;
+    const double across = (p.y() - middleAt(p.z()) - bent * x * x)
+                          / std::sqrt(1.0 + slope * slope + slopeAcross * slopeAcross);
     const double blade = roundedMax(leaf, std::abs(across) - half, 1.8);
     const double tubercle =
         ellipsoidDistance(p - Vec3{0.0, middleAt(11.0) + 1.4, 11.0}, {4.0, 2.2, 4.6});

@@ -8,7 +8,8 @@ namespace carina
 /// The epiglottis, a leaf with a free upper edge and its tubercle at the back above the glottis.
 /// Frame of LarynxFrame, millimetres; signed distances.
 ///
-/// 29 mm high and 22 mm wide in grown people (29.1 +- 0.5 and 22.2 +- 0.6 mm, Vadgaonkar 2024).
+/// 29 mm high, 22 mm wide and 2.8 mm thick in a man (29.1 +- 0.5, 22.2 +- 0.6 and 2.6 +- 0.3 mm in
+/// grown people, Vadgaonkar 2024), thinner upwards and towards its round rim.
 class Epiglottis
 {
 public:

@@ -67,8 +67,8 @@ double halfWidth(const Level& level, double y)
 /// its width: cords, which stand out of it, meet in an arc of 0.6 mm.
 constexpr double kRoundInFront = 1.1;
 
-/// Above the cricoid.
-double slit(const Vec3& p)
+/// How far a place is beside the cavity, in the level section at its height.
+double besideSection(const Vec3& p)
 {
     const Level level = levelAt(p.z());
     const double round = std::min(kRoundInFront, halfWidth(level, level.front + kRoundInFront));
@@ -77,8 +77,19 @@ double slit(const Vec3& p)
     const double aside = std::abs(p.x()) - (half - round);
     const double before = centre - p.y();
     const double corner = std::hypot(std::max(aside, 0.0), std::max(before, 0.0));
-    const double sides = corner + std::min(std::max(aside, before), 0.0) - round;
-    return roundedMax(0.75 * sides, p.y() - level.back, 1.6);
+    return corner + std::min(std::max(aside, before), 0.0) - round;
+}
+
+/// Above the cricoid. Where the wall slopes, as on the floor of the ventricle, it is nearer than in
+/// the level section.
+double slit(const Vec3& p)
+{
+    constexpr double kStep = 0.5;
+    const double rise =
+        (besideSection(p + kStep * Vec3::UnitZ()) - besideSection(p - kStep * Vec3::UnitZ()))
+        / (2.0 * kStep);
+    const double sides = besideSection(p) / std::max(std::hypot(1.0, rise), 4.0 / 3.0);
+    return roundedMax(sides, p.y() - levelAt(p.z()).back, 1.6);
 }
 
 } // namespace

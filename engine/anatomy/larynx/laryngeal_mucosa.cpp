@@ -14,9 +14,15 @@ namespace
 
 constexpr Length kMucosaVoxel = millimetres(1.0);
 constexpr Length kFoldVoxel = millimetres(0.65);
+constexpr Length kVocalFoldVoxel = millimetres(0.45);
 constexpr Length kRimVoxel = millimetres(0.85);
 constexpr double kLining = 2.6;     ///< thickness of the mucosa within the cricoid
 constexpr double kStandsOut = 0.35; ///< of a fold from the mucosa below it
+
+/// Where the white vocal fold ends behind: a little behind the tip of the vocal process, so that
+/// it is as long as measured at surgery (14.8 +- 3.0 mm in men, Jibi Inkoka Keibu 125(6)) or little
+/// longer.
+constexpr double kBackOfFold = kVocalProcess_mm + 2.6;
 
 /// Where the edge of the entrance runs on one side, from the back to the epiglottis: y, and height.
 struct RimPoint {
@@ -77,6 +83,14 @@ double corniculate(const Vec3& p, double more)
                        Vec3{1.7, 1.8, 2.4} + Vec3::Constant(more));
 }
 
+/// What covers the front of the arytenoid cartilage: from its vocal process, where the vocal fold
+/// ends, up to the corniculate tubercle.
+double arytenoidRidge(const Vec3& p)
+{
+    return rodDistance({std::abs(p.x()), p.y(), p.z()}, {5.8, 2.0, 0.6},
+                       {5.2, kCorniculate.y - 1.0, kCorniculate.z - 2.4}, 1.5, 2.4);
+}
+
 struct Mucosa {
     LaryngealCavity cavity;
     Epiglottis epiglottis;
@@ -106,49 +120,58 @@ struct Mucosa {
         const double within = std::max(cavity.distance(p) - kLining, p.z() + 4.0);
         const double solid = roundedMin(body, within, 2.0);
         const double ends = kTracheaTop_mm - p.z();
-        return std::max(roundedMax(solid, -air(p), 1.4), ends);
+        const double hollow = roundedMax(solid, -air(p), 1.4);
+        return std::max(roundedMin(hollow, arytenoidRidge(p), 2.0), ends);
     }
 
-    /// Of the wall beside the cavity, what lies between two heights and two y.
-    [[nodiscard]] double fold(const Vec3& p, double low, double high, double front, double back,
-                              double deep) const
-    {
-        const double c = cavity.distance(p);
-        const double within = roundedMax(-kStandsOut - c, c - deep, 0.8);
-        const double band = std::max(low - p.z(), p.z() - high);
-        const double ends = std::max(front - p.y(), p.y() - back);
-        return roundedMax(within, roundedMax(band, ends, 1.0), 0.8);
-    }
-
-    /// White, from the commissure over the vocal process: a band along the cords' edge that is as
-    /// wide everywhere. In front it goes on a little beyond the midline, into that of the other
-    /// side, and around the commissure.
+    /// White, from the commissure to the vocal process: a band along the cords' edge that is as
+    /// wide everywhere, round at that edge and steep on its other side, where it dips into the
+    /// floor of the ventricle. In front it goes on a little beyond the midline, into that of the
+    /// other side, and around the commissure.
     [[nodiscard]] double vocalFold(const Vec3& p) const
     {
-        constexpr double kBand = 1.65; // of the cavity's distance; with the edge 2.7 mm wide
+        constexpr double kOuter = 1.65; // of the cavity's distance at the cords' level: 2.7 mm wide
+        constexpr double kBelow = -2.2;
+        constexpr double kFloor = 0.8; // of the ventricle beside the cords' edge
+        constexpr double kRise = 0.33; // of that floor from there, with the cavity's distance
+        constexpr double kAboveFloor = 0.5;
         constexpr double kBeyondMidline = 0.8;
-        const double along = fold(p, -2.2, 2.5, kCommissure_mm - 1.7, 4.0, 2.8);
-        const double aside = cavity.distance({p.x(), p.y(), 0.0}) - kBand;
-        return roundedMax(roundedMax(along, aside, 0.8), -kBeyondMidline - p.x(), 0.6);
+        const double aside = cavity.distance({p.x(), p.y(), 0.0});
+        const double top = kFloor + kRise * aside + kAboveFloor;
+        const double across = std::max(-kStandsOut - aside, aside - kOuter);
+        const double along = std::max(kCommissure_mm - 1.7 - p.y(), p.y() - kBackOfFold);
+        const double section = roundedMax(across, std::max(p.z() - top, kBelow - p.z()), 1.2);
+        return roundedMax(roundedMax(section, along, 1.6), -kBeyondMidline - p.x(), 0.6);
     }
+
+    /// Of the wall above the ventricle, a band to either side.
     [[nodiscard]] double vestibularFold(const Vec3& p) const
     {
-        return roundedMax(fold(p, 3.6, 8.2, -12.4, 4.5, 2.2), 0.4 - p.x(), 0.6);
+        constexpr double kDeep = 2.2;
+        const double c = cavity.distance(p);
+        const double within = roundedMax(-kStandsOut - c, c - kDeep, 0.8);
+        const double band = std::max(3.6 - p.z(), p.z() - 8.2);
+        const double along = std::max(-12.4 - p.y(), p.y() - 4.5);
+        const double strip = roundedMax(within, roundedMax(band, along, 1.0), 0.8);
+        return roundedMax(strip, 0.4 - p.x(), 0.6);
     }
 
-    /// The surface of the wall as far as a solid reaches.
+    /// The surface of the wall as far as a solid reaches on one side.
     [[nodiscard]] double capWithin(const Vec3& p, double solid) const
     {
-        return roundedMax(std::abs(wall(p) + 0.6) - 0.6 - 1.4 * kStandsOut, solid, 0.6);
+        return roundedMax(std::abs(wall(p) + 0.6) - 0.6 - 1.4 * kStandsOut, std::max(solid, -p.x()),
+                          0.6);
     }
 
-    /// The strip along the edge of the entrance.
+    /// The strip along the edge of the entrance. Behind it ends under the corniculate tubercle and
+    /// beside it.
     [[nodiscard]] double aryepiglotticFold(const Vec3& p) const
     {
         const double w = wall(p);
         const double rim = rimHeight(p.y(), epiglottis);
         const double strip = std::max(rim - 6.5 - p.z(), p.y() - 13.6);
-        const double ends = std::max(epiglottis.middleAt(p.z()) - 0.3 - p.y(), 1.8 - p.x());
+        const double inner = 1.8 + 2.6 * easedStep(8.5, kCorniculate.y, p.y());
+        const double ends = std::max(epiglottis.middleAt(p.z()) - 0.3 - p.y(), inner - p.x());
         return roundedMax(std::abs(w + 0.6) - 0.6 - kStandsOut, std::max(strip, ends), 0.7);
     }
 };
@@ -195,8 +218,9 @@ std::vector<PartPlan> laryngealMucosa(const BodyPlan& plan_, const LarynxFrame& 
                                       const Epiglottis& epiglottis)
 {
     const PatientDimensions& d = plan_.dimensions;
-    const Vec2 trachea = Vec2{0.5 * d.tracheaCoronal.si, 0.5 * d.tracheaSagittal.si} / frame.unit()
-                         - Vec2::Constant(1.6);
+    const UpperTrachea upper = upperTracheaOf(d);
+    const Vec2 trachea =
+        0.5 * Vec2{upper.coronal.si, upper.sagittal.si} / frame.unit() - Vec2::Constant(1.6);
     const Mucosa mucosa{LaryngealCavity{trachea}, epiglottis};
     std::vector<PartPlan> parts;
     parts.push_back(plan("Laryngeal mucosa", PartRole::LaryngealMucosa, "", frame,
@@ -204,7 +228,8 @@ std::vector<PartPlan> laryngealMucosa(const BodyPlan& plan_, const LarynxFrame& 
                          [mucosa](const Vec3& p) { return mucosa.wall(p); }));
     for (const double sign : {1.0, -1.0}) {
         const Box box{Vec3{-1, -16, -8}, Vec3{14, 16, 30}};
-        parts.push_back(onSide("vocal fold", "", PartRole::VocalFold, frame, sign, box, kFoldVoxel,
+        parts.push_back(onSide("vocal fold", "", PartRole::VocalFold, frame, sign, box,
+                               kVocalFoldVoxel,
                                [mucosa](const Vec3& p) { return mucosa.vocalFold(p); }));
         parts.push_back(onSide("vestibular fold", "", PartRole::LaryngealMucosa, frame, sign, box,
                                kFoldVoxel,

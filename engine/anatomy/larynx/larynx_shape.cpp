@@ -62,12 +62,13 @@ double arytenoid(const Vec3& p)
 }
 
 constexpr Length kLarynxVoxel = millimetres(1.1);
+constexpr Length kEpiglottisVoxel = millimetres(0.6); ///< for a rim that is thin and smooth
 
 PartPlan planOf(const char* name, PartRole role, const char* concept_, const LarynxFrame& frame,
-                const Box& box, Implicit local)
+                const Box& box, Implicit local, Length voxel = kLarynxVoxel)
 {
     return {name, role, concept_, frame.inAnatomy(box, std::move(local)),
-            1e3 * frame.unit() * kLarynxVoxel};
+            1e3 * frame.unit() * voxel};
 }
 
 PartPlan onSide(const char* name, const char* concept_, const LarynxFrame& frame, double sign,
@@ -87,7 +88,8 @@ std::vector<PartPlan> larynx(const BodyPlan& plan)
     const PatientDimensions& d = plan.dimensions;
     const LarynxFrame frame{d};
     const Epiglottis leaf{plan};
-    const Vec2 radii = Vec2{0.5 * d.tracheaCoronal.si, 0.5 * d.tracheaSagittal.si} / frame.unit();
+    const UpperTrachea upper = upperTracheaOf(d);
+    const Vec2 radii = 0.5 * Vec2{upper.coronal.si, upper.sagittal.si} / frame.unit();
     std::vector<PartPlan> parts{
         planOf("Thyroid cartilage", PartRole::Larynx, "FMA55099", frame,
                {Vec3{-24, -21, -25}, Vec3{24, 20, 30}}, thyroid),
@@ -98,8 +100,9 @@ std::vector<PartPlan> larynx(const BodyPlan& plan)
         onSide("Right arytenoid cartilage", "FMA55113", frame, -1.0, arytenoid),
         onSide("Left vocal ligament", "FMA55246", frame, 1.0, cord),
         onSide("Right vocal ligament", "FMA55245", frame, -1.0, cord),
-        planOf("Epiglottis", PartRole::Epiglottis, "FMA55130", frame, leaf.bounds(),
-               [leaf](const Vec3& p) { return leaf.distance(p); }),
+        planOf(
+            "Epiglottis", PartRole::Epiglottis, "FMA55130", frame, leaf.bounds(),
+            [leaf](const Vec3& p) { return leaf.distance(p); }, kEpiglottisVoxel),
         hyoid(plan, frame, leaf),
         vallecula(frame, leaf)};
     for (PartPlan& part : laryngealMucosa(plan, frame, leaf))

@@ -4,6 +4,7 @@
 #include "engine/anatomy/mouth/fauces_shape.h"
 #include "engine/anatomy/mouth/lip_shape.h"
 #include "engine/anatomy/mouth/throat_lining.h"
+#include "engine/anatomy/mouth/tongue_root.h"
 #include "engine/anatomy/mouth/tongue_shape.h"
 #include "engine/anatomy/shapes/strand.h"
 
@@ -120,6 +121,7 @@ std::vector<PartPlan> mouth(const BodyPlan& plan)
                      "FMA54640",
                      {tongue.bounds(), [tongue](const Vec3& p_A) { return tongue.distance(p_A); }},
                      1e3 * plan.face * kMouthVoxel});
+    parts.push_back(tongueRoot(plan, larynx, epiglottis, tongue));
     parts.push_back({"Median glosso-epiglottic fold", PartRole::Mucosa, "", tongue.medianFold(),
                      1e3 * plan.face * millimetres(0.8)});
     parts.push_back(planOf("Hard palate", PartRole::Pharynx, "FMA55023", plan,

@@ -46,10 +46,6 @@ constexpr double kFiner = 0.03;
 constexpr Length kAirwayVoxel = millimetres(1.0);
 constexpr Length kMandibleVoxel = millimetres(1.9);
 
-/// The edge of the lower incisors with the mouth closed, from that of the upper ones, in reference
-/// millimetres.
-const Vec3 kUpperToLowerIncisors{0.0, 4.0, 0.5};
-
 void add(std::vector<PartPlan>& all, std::vector<PartPlan> more)
 {
     all.insert(all.end(), std::make_move_iterator(more.begin()),

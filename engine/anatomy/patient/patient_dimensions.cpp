@@ -53,13 +53,18 @@ struct Windpipe {
     Length tracheaLength;
     Length sagittal;
     Length coronal;
+    UpperTrachea upper;
     Length rightBronchus;
 
     /// Lengths and diameters go with the 1.3th power of height (exponents 1.22 to 1.37, ARRD 1985).
     [[nodiscard]] Windpipe at(Length height, Length reference) const
     {
         const double growth = std::pow(height / reference, 1.3);
-        return {growth * cordsToCarina, growth * tracheaLength, growth * sagittal, growth * coronal,
+        return {growth * cordsToCarina,
+                growth * tracheaLength,
+                growth * sagittal,
+                growth * coronal,
+                {growth * upper.sagittal, growth * upper.coronal},
                 growth * rightBronchus};
     }
 };
@@ -69,17 +74,26 @@ constexpr Length kWomansHeight = centimetres(162.0);
 constexpr Length kChildsHeight = centimetres(150.0);
 
 /// Cords to carina 12.7 (1.6) cm, Caucasian adults (BJA 2006); trachea 10.1 cm (Kumari 2019).
-/// Diameters: MRI of men gives 17.1 (1.4) mm front to back and 15.1 mm side to side (KJA 1993),
-/// radiographs 13 to 27 and 13 to 25 mm (Breatnach 1984), and one man whose surfaces are published
-/// (BodyParts3D), brought to this size, 15.4 and 21.5 mm outside. These lie halfway from MRI and
-/// from the middle of the radiographs to him.
-constexpr Windpipe kMan{centimetres(12.7), centimetres(10.1), millimetres(16.3), millimetres(20.2),
+/// Diameters: midway between means of CT of 100 (Lee et al. 1988), air of 18.9 (2.1) mm front to
+/// back and 17.7 (1.9) mm side to side in men, and of radiographs of 808 (Breatnach 1984), 20.0
+/// (2.3) and 19.0 (2.0); within the wall of kMansTracheaWall. The upper
+/// end is what gives the cricoid an opening of 14.11 (2.55) by 17.52 (2.64) mm (31 larynges).
+constexpr Windpipe kMan{centimetres(12.7),
+                        centimetres(10.1),
+                        millimetres(23.05),
+                        millimetres(21.95),
+                        {millimetres(16.3), millimetres(20.2)},
                         centimetres(2.5)};
 /// Cords to carina 12.0 cm (Indian women, Kumari 2019). Trachea between 9.4 cm there and 9.83
 /// (0.87) cm in CT of 60 (Kamel 2009), which leaves a larynx that is less high than a man's:
 /// women's are 36 mm long and men's 44 (Gray 1918), the lamina of the cricoid is 18.4 and 21.2 mm
-/// high. Diameters by the ratio of women to men in MRI, 13.9 : 17.1 and 13.3 : 15.1 (KJA 1993).
-constexpr Windpipe kWoman{centimetres(12.0), centimetres(9.7), millimetres(13.2), millimetres(17.8),
+/// high. Diameters as in the man: air of 15.5 (1.3) by 15.3 (1.2) and of 16.5 (2.2) by 15.5 (1.8)
+/// mm, a cricoid of 12.71 (0.45) by 15.05 (1.02) mm.
+constexpr Windpipe kWoman{centimetres(12.0),
+                          centimetres(9.7),
+                          millimetres(19.5),
+                          millimetres(18.9),
+                          {millimetres(14.4), millimetres(16.8)},
                           centimetres(2.26)};
 
 /// Of the front and the back wall of a trachea, or of both sides.
@@ -93,6 +107,7 @@ Windpipe childsAt(Length height)
     const Length walls = wallsOf(child.tracheaLength);
     child.sagittal = millimetres(12.3) + walls;
     child.coronal = millimetres(12.6) + walls;
+    child.upper = {child.sagittal, child.coronal};
     return child.at(height, kChildsHeight);
 }
 
@@ -114,16 +129,25 @@ Windpipe infantsAt(Length height)
         mix(millimetres(9.2), school.cordsToCarina - school.tracheaLength, grown);
     const Length trachea = cords - toTrachea;
     const Length walls = wallsOf(trachea);
-    return {cords, trachea, 0.0070 * height + centimetres(0.05) + walls,
-            0.0065 * height + centimetres(0.18) + walls,
+    const Length sagittal = 0.0070 * height + centimetres(0.05) + walls;
+    const Length coronal = 0.0065 * height + centimetres(0.18) + walls;
+    return {cords,
+            trachea,
+            sagittal,
+            coronal,
+            {sagittal, coronal},
             (kMan.rightBronchus / kMan.cordsToCarina) * cords};
 }
 
 Windpipe between(const Windpipe& a, const Windpipe& b, double share)
 {
     return {mix(a.cordsToCarina, b.cordsToCarina, share),
-            mix(a.tracheaLength, b.tracheaLength, share), mix(a.sagittal, b.sagittal, share),
-            mix(a.coronal, b.coronal, share), mix(a.rightBronchus, b.rightBronchus, share)};
+            mix(a.tracheaLength, b.tracheaLength, share),
+            mix(a.sagittal, b.sagittal, share),
+            mix(a.coronal, b.coronal, share),
+            {mix(a.upper.sagittal, b.upper.sagittal, share),
+             mix(a.upper.coronal, b.upper.coronal, share)},
+            mix(a.rightBronchus, b.rightBronchus, share)};
 }
 
 Windpipe windpipeOf(const PatientParameters& p)
@@ -306,6 +330,11 @@ Result<LengthRange> teethToCarinaRange(PatientParameters parameters)
     return dimensionsFor(parameters).map([](const PatientDimensions& usual) {
         return rangeAbout(usual.teethToCarina);
     });
+}
+
+UpperTrachea upperTracheaOf(const PatientDimensions& d)
+{
+    return windpipeOf({.ageInYears = d.ageInYears, .height = d.height, .sex = d.sex}).upper;
 }
 
 PatientDimensions dimensionsOf(BuiltinPatient patient)

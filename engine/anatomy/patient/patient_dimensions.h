@@ -120,6 +120,16 @@ struct LengthRange {
 ///          teethToCarina outside teethToCarinaRange.
 [[nodiscard]] Result<PatientDimensions> dimensionsFor(const PatientParameters& parameters);
 
+/// Outer diameters of the trachea's upper end, where it is as narrow as the ring of the cricoid.
+struct UpperTrachea {
+    Length sagittal; ///< front to back
+    Length coronal;  ///< side to side
+};
+
+/// The upper end of a trachea with these dimensions: in children as wide as the rest of it, in
+/// grown people narrower, for the opening of their cricoid is smaller than their trachea's.
+[[nodiscard]] UpperTrachea upperTracheaOf(const PatientDimensions& dimensions);
+
 /// The dimensions of a built-in patient.
 [[nodiscard]] PatientDimensions dimensionsOf(BuiltinPatient patient);
 

@@ -5,6 +5,10 @@
 namespace carina
 {
 
+/// The edge of the lower incisors with the mouth closed, from that of the upper ones, in reference
+/// millimetres (BodyPlan).
+inline const Vec3 kUpperToLowerIncisors{0.0, 4.0, 0.5};
+
 /// The mandible without its teeth, in A: the horseshoe-shaped body, and the rami with coronoid and
 /// condylar processes.
 ///

@@ -56,9 +56,11 @@ inline constexpr double kTongueShare = 1.2;
 inline constexpr double kTongueHeight = 2.0;
 inline constexpr double kChinFrom = 1.5;
 inline constexpr double kChinEnd = 6.0;
-/// Height above 1 over which the pharynx stops leaning with the larynx and goes with the tongue:
-/// so that both slopes are those of leaning() at 1, and 0.
-inline constexpr double kTongueAbove = 2.0 * (kTongueShare - 1.0) * (1.0 - 0.5 * kBendOfLarynx);
+/// Heights between which the pharynx ceases to lean with the larynx beside it: above are the palate
+/// and what hangs from it, which no blade takes along. In between it leans by less than
+/// kTongueShare.
+inline constexpr double kPharynxFrom = 1.0;
+inline constexpr double kPharynxTo = 2.4;
 
 /// How far the face of a blade lies above its heel, at a share of its length: the parabola that
 /// rises by `rise` and sags by `sag` below that half way; straight on beyond its ends.
@@ -105,18 +107,14 @@ template <class T> Smooth<T> leaning(T height)
     return {kPerHeight * (T(0.5) * low * low / kBend + h - low), kPerHeight * low / kBend};
 }
 
-/// The same of the pharynx: up to height 1 as the larynx, from kTongueAbove above it on as the base
-/// of the tongue, and never less the higher.
-template <class T> Smooth<T> followingLean(T height)
+/// The same of the pharynx: as the larynx up to kPharynxFrom, and not at all from kPharynxTo on.
+template <class T> Smooth<T> leaningOfPharynx(T height)
 {
-    using std::max;
-    using std::min;
-    const T above = min(max(height - T(1), T(0)), T(kTongueAbove));
-    const Smooth<T> lean = leaning<T>(min(height, T(1)));
-    constexpr auto kSlope = T(2.0 * (kTongueShare - 1.0) / kTongueAbove);
-    const T bend = T(0.5) * above * above * T(1.0 / kTongueAbove);
-    return {lean.value + kSlope * (above - bend),
-            height <= T(1) ? lean.slope : kSlope * (T(1) - above * T(1.0 / kTongueAbove))};
+    constexpr auto kPer = T(1.0 / (kPharynxTo - kPharynxFrom));
+    const Smooth<T> lean = leaning<T>(height);
+    const Smooth<T> above = step<T>((height - T(kPharynxFrom)) * kPer);
+    return {lean.value * (T(1) - above.value),
+            lean.slope * (T(1) - above.value) - lean.value * above.slope * kPer};
 }
 
 } // namespace formula
@@ -164,23 +162,42 @@ template <class T>
     return {lean.value * front * blade.tilt, blade.tilt * slope.transpose()};
 }
 
+/// A linear function of the place: what is moved is so wholly up to 0, and not from 1 on.
+template <class T> struct BladeDepth {
+    Vector3<T> slope;
+    T from{};
+
+    [[nodiscard]] T at(const Vector3<T>& p) const { return slope.dot(p) + from; }
+};
+
+/// How far a place is behind the hinge of the larynx, across the trachea, in units in which tilting
+/// fades there.
+template <class T> [[nodiscard]] BladeDepth<T> depthBehindHinge(const BladeFrame<T>& blade)
+{
+    using std::max;
+    constexpr auto kNoTilt = T(1e-6); // per square metre: `up` is 0 then
+    const T lean = -blade.back.dot(blade.up) / max(blade.up.squaredNorm(), kNoTilt);
+    return {blade.back + lean * blade.up, blade.backFrom + lean * blade.upFrom};
+}
+
 /// The displacement at p of what goes forward with the larynx by a share of the tilt, and its
-/// gradient: less and less behind it and towards the chin.
+/// gradient: less and less to the back and towards the chin.
 /// @param share at the height of p
 template <class T>
 [[nodiscard]] DisplacementAt<T> forwardShift(const BladeFrame<T>& blade, const Vector3<T>& p,
-                                             const formula::Smooth<T>& share)
+                                             const formula::Smooth<T>& share,
+                                             const BladeDepth<T>& depth)
 {
     using formula::Smooth;
     using formula::step;
     constexpr auto kPerChin = T(1.0 / (formula::kChinEnd - formula::kChinFrom));
-    const T back = blade.back.dot(p) + blade.backFrom;
-    const Smooth<T> behind = step<T>(back);
-    const Smooth<T> chin = step<T>((-back - T(formula::kChinFrom)) * kPerChin);
+    const Smooth<T> behind = step<T>(depth.at(p));
+    const Smooth<T> chin =
+        step<T>((-blade.back.dot(p) - blade.backFrom - T(formula::kChinFrom)) * kPerChin);
     const T place = (T(1) - behind.value) * (T(1) - chin.value);
-    const T placeSlope =
-        chin.slope * kPerChin * (T(1) - behind.value) - behind.slope * (T(1) - chin.value);
-    const Vector3<T> slope = share.slope * place * blade.up + share.value * placeSlope * blade.back;
+    const Vector3<T> placeSlope = chin.slope * kPerChin * (T(1) - behind.value) * blade.back
+                                  - behind.slope * (T(1) - chin.value) * depth.slope;
+    const Vector3<T> slope = share.slope * place * blade.up + share.value * placeSlope;
     return {share.value * place * blade.tilt, blade.tilt * slope.transpose()};
 }
 
@@ -192,14 +209,19 @@ template <class T>
     constexpr auto kPerHeight = T(1.0 / formula::kTongueHeight);
     constexpr auto kShare = T(formula::kTongueShare);
     const auto high = formula::step<T>((blade.up.dot(p) + blade.upFrom) * kPerHeight);
-    return forwardShift<T>(blade, p, {kShare * high.value, kShare * high.slope * kPerHeight});
+    return forwardShift<T>(blade, p, {kShare * high.value, kShare * high.slope * kPerHeight},
+                           {blade.back, blade.backFrom});
 }
 
-/// The displacement at p of the lining of the pharynx, and its gradient.
+/// The displacement at p of the lining of the pharynx, and its gradient. What lies behind the hinge
+/// stays, as high as it may be: the wall in front of the spine.
 template <class T>
 [[nodiscard]] DisplacementAt<T> pharynxShift(const BladeFrame<T>& blade, const Vector3<T>& p)
 {
-    return forwardShift<T>(blade, p, formula::followingLean<T>(blade.up.dot(p) + blade.upFrom));
+    BladeDepth<T> depth = depthBehindHinge(blade);
+    depth.from += T(1);
+    const T height = blade.up.dot(p) + blade.upFrom;
+    return forwardShift<T>(blade, p, formula::leaningOfPharynx<T>(height), depth);
 }
 
 /// The displacement at p of one of the tissues, and its gradient.

@@ -107,6 +107,7 @@ void CourseReader::readTube(const IntubationEvent& event)
         m_course.cuffInflated = event.at;
         break;
     case IntubationStep::CuffDeflated:
+    case IntubationStep::TubeOut: // with it
         m_course.cuffInflated.reset();
         break;
     case IntubationStep::PassedShut:

@@ -70,7 +70,7 @@ struct TryMetrics {
     std::optional<SessionTime> view{};         ///< the glottis was seen for the first time
     std::optional<SessionTime> throughCords{}; ///< for good
     std::optional<SessionTime> firstBreath{};  ///< through the tube, into a lung
-    std::optional<SessionTime> cuffInflated{}; ///< and not deflated again
+    std::optional<SessionTime> cuffInflated{}; ///< and not empty again
     std::optional<SessionTime> passedShut{};   ///< see IntubationStep::PassedShut
     Duration bladeTime{};                      ///< that the blade was in the mouth
     std::optional<double> glotticOpening{};    ///< the largest share that was seen, 0 to 1

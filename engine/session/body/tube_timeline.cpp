@@ -16,9 +16,7 @@ void TubeTimeline::setOverride(SessionTime from, Length innerDiameter)
 
 void TubeTimeline::note(SessionTime from, const IntubationEvent& event, Length innerDiameter)
 {
-    if (m_notes.size() == kMostNotes)
-        m_notes.erase(m_notes.begin());
-    m_notes.push_back({from, event});
+    keep(from, event);
     switch (event.step) {
     case IntubationStep::BladeIn:
     case IntubationStep::BladeOut:
@@ -36,6 +34,24 @@ void TubeTimeline::note(SessionTime from, const IntubationEvent& event, Length i
         break;
     }
     m_noted.set(from, NotedTube{true, event.seat, innerDiameter});
+}
+
+/// A tube that is moved to and fro for long would push out the steps of its try by its rests.
+void TubeTimeline::keep(SessionTime from, const IntubationEvent& event)
+{
+    const NotedStep entry{from, event, lastNote() + 1};
+    const bool restsAgain = event.step == IntubationStep::AtRest && !m_notes.empty()
+                            && m_notes.back().event.step == IntubationStep::AtRest;
+    if (restsAgain)
+        m_notes.pop_back();
+    else if (m_notes.size() == kMostNotes)
+        m_notes.erase(m_notes.begin());
+    m_notes.push_back(entry);
+}
+
+std::span<const NotedStep> TubeTimeline::notesAfter(std::uint64_t number) const
+{
+    return {std::ranges::upper_bound(m_notes, number, {}, &NotedStep::number), m_notes.end()};
 }
 
 void TubeTimeline::forgetBefore(SessionTime t)

@@ -6,6 +6,7 @@
 #include "engine/session/parameter_timeline.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,7 @@ namespace carina
 struct NotedStep {
     SessionTime effect{};
     IntubationEvent event;
+    std::uint64_t number = 0; ///< among all entries about its patient, from 1
 
     friend bool operator==(const NotedStep&, const NotedStep&) = default;
 };
@@ -36,7 +38,8 @@ struct NotedTube {
 class TubeTimeline
 {
 public:
-    /// Entries that are kept: those of several tries. Older ones are in the log.
+    /// Entries that are kept: those of several tries. Older ones are in the log, and of those about
+    /// a tube at rest (IntubationStep::AtRest) each that another one followed at once.
     static constexpr std::size_t kMostNotes = 128;
 
     /// The console's own setting: the inner diameter of a tube in the trachea; 0: none is set.
@@ -80,8 +83,18 @@ public:
     [[nodiscard]] SessionTime changeAfter(SessionTime t) const;
     /// The last kMostNotes entries.
     [[nodiscard]] std::span<const NotedStep> notes() const { return m_notes; }
+    /// Those of them that have a higher number: all after the last one that was looked at, also
+    /// where that one is not kept any more.
+    [[nodiscard]] std::span<const NotedStep> notesAfter(std::uint64_t number) const;
+    /// The number of the last entry; 0 before the first.
+    [[nodiscard]] std::uint64_t lastNote() const
+    {
+        return m_notes.empty() ? 0 : m_notes.back().number;
+    }
 
 private:
+    void keep(SessionTime from, const IntubationEvent& event);
+
     ParameterTimeline<Length> m_override{{}};
     ParameterTimeline<NotedTube> m_noted{NotedTube{}};
     ParameterTimeline<bool> m_blade{false};

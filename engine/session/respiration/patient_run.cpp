@@ -52,11 +52,7 @@ PatientRun::Influence PatientRun::influence() const
             coughs() ? inBodyShares(m_body.tone()) : 0.0};
 }
 
-bool PatientRun::coughs() const
-{
-    const bool hasDrugs = m_body.state().drugs != DrugsInBody{};
-    return hasDrugs && m_body.coughs();
-}
+bool PatientRun::coughs() const { return m_body.isAnaesthetised() && m_body.coughs(); }
 
 RespiratorySettings PatientRun::influenced() const
 {

@@ -24,8 +24,9 @@ namespace carina
 /// drugs leave. All three act in steps of kBodyShare, so that the lungs do not get other settings
 /// with each step of the body.
 ///
-/// A patient whom nobody gave a drug does not cough: a session about lungs, ventilator or the way
-/// of a tube needs none, and its patient is taken for anaesthetised by other means.
+/// A patient in whom no hypnotic and no relaxant acts (isAnaesthetised) does not cough: a session
+/// about lungs, ventilator or the way of a tube needs none, and its patient is taken for
+/// anaesthetised by other means.
 class PatientRun
 {
 public:

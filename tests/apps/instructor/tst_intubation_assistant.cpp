@@ -124,6 +124,20 @@ private Q_SLOTS:
         QVERIFY(!console.isBagSqueezed());
     }
 
+    void hearsEachNoteOnceAlsoOfATubeThatRestsAgain()
+    {
+        Console console;
+        console.run();
+        console.note(IntubationStep::BladeIn);
+        console.note(IntubationStep::CuffInflated);
+        console.note(IntubationStep::AtRest);
+        console.goOn(3s);
+        QVERIFY(console.isBagSqueezed());
+        console.goOn(1s);
+        console.note(IntubationStep::AtRest);
+        QVERIFY(console.isBagSqueezed()); // BladeIn would rest it
+    }
+
     void givesNoDrugsOnceTheBladeIsIn()
     {
         Console console;

@@ -79,6 +79,10 @@ private Q_SLOTS:
     void slowsTheBreathing();
     void leavesBreathingToKetamine();
     void movesThePressure();
+    void anaesthetiseWhileTheyAct_data();
+    void anaesthetiseWhileTheyAct();
+    void doNotAnaesthetise_data();
+    void doNotAnaesthetise();
     void conservesWhatIsNotEliminated();
     void arrivesAtTheSteadyState();
     void doesNothingWithoutDrugs();
@@ -237,6 +241,50 @@ void TestDrugs::movesThePressure()
     ephedrine.wait(180.0);
     expectWithin(ephedrine.effect().pressure, 1.1, 1.3);
     expectWithin(ephedrine.effect().heartRate, 1.05, 1.3);
+}
+
+void TestDrugs::anaesthetiseWhileTheyAct_data()
+{
+    QTest::addColumn<int>("kind");
+    QTest::addColumn<double>("mgPerKg");
+    QTest::newRow("propofol") << int(DrugKind::Propofol) << 2.0;
+    QTest::newRow("ketamine") << int(DrugKind::Ketamine) << 1.5;
+    QTest::newRow("rocuronium") << int(DrugKind::Rocuronium) << 0.6;
+    QTest::newRow("suxamethonium") << int(DrugKind::Suxamethonium) << 1.0;
+}
+
+/// Neither before they have come to where they act, nor once they have worn off.
+void TestDrugs::anaesthetiseWhileTheyAct()
+{
+    QFETCH(const int, kind);
+    QFETCH(const double, mgPerKg);
+    Patient patient;
+    patient.give(DrugKind(kind), mgPerKg);
+    QVERIFY(!isAnaesthetised(patient.effect()));
+    patient.wait(2.0 * kMinute);
+    QVERIFY(isAnaesthetised(patient.effect()));
+    patient.wait(180.0 * kMinute);
+    QVERIFY(amountsOf(patient.drugs(), DrugKind(kind)).effect_mgPerL > 0.0);
+    QVERIFY(!isAnaesthetised(patient.effect()));
+}
+
+void TestDrugs::doNotAnaesthetise_data()
+{
+    QTest::addColumn<int>("kind");
+    QTest::addColumn<double>("mgPerKg");
+    QTest::newRow("fentanyl") << int(DrugKind::Fentanyl) << 0.003;
+    QTest::newRow("sugammadex") << int(DrugKind::Sugammadex) << 4.0;
+    QTest::newRow("ephedrine") << int(DrugKind::Ephedrine) << 0.2;
+}
+
+void TestDrugs::doNotAnaesthetise()
+{
+    QFETCH(const int, kind);
+    QFETCH(const double, mgPerKg);
+    Patient patient;
+    patient.give(DrugKind(kind), mgPerKg);
+    patient.wait(2.0 * kMinute);
+    QVERIFY(!isAnaesthetised(patient.effect()));
 }
 
 // What is in the compartments and what was eliminated add up to the dose.

@@ -21,9 +21,11 @@ class TestTryWatch : public QObject
 
 private Q_SLOTS:
     void reportsATryOnceThePatientIsVentilated();
-    void countsTheFirstBreathThroughTheTube();
+    void takesTheFirstBreathThatIsNoted();
     void takesTheCuffFromItsControl();
+    void takesNoCuffFromATubeThatIsOut();
     void judgesTheDepthByTheRuleOfThePatient();
+    void takesEachNoteOnceAlsoOfATubeThatRestsAgain();
     void watchesTheOxygen();
     void countsMaskVentilationBefore();
     void takesTheForcesThatAreEstimated();
@@ -42,7 +44,7 @@ void TestTryWatch::reportsATryOnceThePatientIsVentilated()
     session.intubate();
     QVERIFY(session.tries.isUnderWay());
     QVERIFY(!session.tries.report());
-    session.squeezeBag();
+    session.note(IntubationStep::FirstBreath, TubeSeat::Trachea, millimetres(200.0));
     session.run(std::chrono::seconds{30});
     QCOMPARE(ended.count(), 1);
     QVERIFY(!session.tries.isUnderWay());
@@ -53,19 +55,18 @@ void TestTryWatch::reportsATryOnceThePatientIsVentilated()
     QCOMPARE(report.advice.size(), kAdviceGiven);
 }
 
-/// A child's bag at 20 a minute begins a breath every 3 s.
-void TestTryWatch::countsTheFirstBreathThroughTheTube()
+/// The monitor finds it; a bag alone proves nothing.
+void TestTryWatch::takesTheFirstBreathThatIsNoted()
 {
     TriedSession session;
     session.intubate();
-    session.run(std::chrono::seconds{5});
-    const SessionTime squeezed = *session.node.now();
     session.squeezeBag();
     session.run(std::chrono::seconds{30});
-    const TryMetrics& metrics = session.tries.report()->metrics;
-    QVERIFY(metrics.firstBreath.value() >= metrics.throughCords.value());
-    QVERIFY(*metrics.firstBreath >= squeezed - std::chrono::seconds{4});
-    QVERIFY(*metrics.firstBreath <= squeezed + std::chrono::seconds{5});
+    QVERIFY(session.tries.isUnderWay());
+    const SessionTime breath = *session.node.now();
+    session.note(IntubationStep::FirstBreath, TubeSeat::Trachea, millimetres(200.0));
+    session.tries.finish();
+    QVERIFY(session.tries.report()->metrics.firstBreath == breath);
 }
 
 void TestTryWatch::takesTheCuffFromItsControl()
@@ -73,8 +74,24 @@ void TestTryWatch::takesTheCuffFromItsControl()
     TriedSession session;
     session.intubate();
     session.node.decide(fact::CuffSet{true});
-    session.squeezeBag();
-    session.run(std::chrono::seconds{30});
+    session.run(std::chrono::seconds{1});
+    session.tries.finish();
+    QVERIFY(session.tries.report()->metrics.cuffInflated);
+}
+
+/// Its cuff is empty then, and nobody has emptied it: the next cuff is inflated as it is told, a
+/// moment before the first one is.
+void TestTryWatch::takesNoCuffFromATubeThatIsOut()
+{
+    TriedSession session;
+    session.intubate();
+    session.node.decide(fact::CuffSet{true});
+    session.run(std::chrono::seconds{1});
+    session.node.decide(
+        fact::IntubationNoted{{.step = IntubationStep::TubeOut, .at = *session.node.now()}, {}});
+    session.tries.watch(); // it takes effect later
+    session.note(IntubationStep::CuffInflated);
+    session.tries.finish();
     QVERIFY(session.tries.report()->metrics.cuffInflated);
 }
 
@@ -93,6 +110,18 @@ void TestTryWatch::judgesTheDepthByTheRuleOfThePatient()
     const TryReport stated = session.tries.report().value();
     QCOMPARE(stated.rule, DepthRule::HalfOfAge);
     QVERIFY(std::abs(inMillimetres(stated.metrics.depthWanted.value()) - 180.0) < 1e-6);
+}
+
+void TestTryWatch::takesEachNoteOnceAlsoOfATubeThatRestsAgain()
+{
+    TriedSession session;
+    session.intubate();
+    session.note(IntubationStep::AtRest, TubeSeat::Trachea, millimetres(205.0));
+    session.note(IntubationStep::AtRest, TubeSeat::Trachea, millimetres(210.0));
+    session.tries.finish();
+    const TryMetrics& metrics = session.tries.report()->metrics;
+    QCOMPARE(metrics.attempts.size(), std::size_t{1});
+    QVERIFY(std::abs(inMillimetres(metrics.depth->atTeeth) - 210.0) < 1e-6);
 }
 
 void TestTryWatch::watchesTheOxygen()
@@ -147,7 +176,7 @@ void TestTryWatch::tellsATubeInTheOesophagusWhenAsked()
     session.note(IntubationStep::BladeIn);
     session.note(IntubationStep::TubePastTeeth);
     session.note(IntubationStep::InOesophagus, TubeSeat::Oesophagus);
-    session.squeezeBag();
+    session.note(IntubationStep::FirstBreath, TubeSeat::Oesophagus);
     session.run(std::chrono::seconds{40});
     QVERIFY(session.tries.isUnderWay());
     session.tries.finish();

@@ -84,6 +84,14 @@ struct Work {
             watch.look();
         }
     }
+    /// Of what does not move a look now and then is enough.
+    void rests(std::chrono::seconds time)
+    {
+        for (int i = 0; i < time.count(); ++i) {
+            node.advance(1s);
+            watch.look();
+        }
+    }
     /// Where the mechanics take the tube to be.
     [[nodiscard]] TubePlace place() const
     {
@@ -470,6 +478,75 @@ private Q_SLOTS:
         QCOMPARE(work.noted(IntubationStep::ThroughCords).size(), 1U);
         QCOMPARE(work.noted(IntubationStep::PastCarina).size(), 1U);
         QVERIFY(work.place().seat == work.watch.course().seat);
+    }
+
+    /// What arrives after 6 s is never news.
+    void givesUpAStepThatIsAlwaysLate()
+    {
+        Work work;
+        work.runs();
+        work.goOn(1s);
+        work.node.isFarAway(6s);
+        work.tube = [](SessionTime) { return pushed(0.0); };
+        work.goOn(1s); // past the teeth, through the cords
+        work.rests(120s);
+        QCOMPARE(work.node.proposed, 2 * IntubationWatch::kMostProposals);
+        QVERIFY(work.noted(IntubationStep::ThroughCords).empty());
+    }
+
+    /// The third step waits for two answers of 3 s each, and arrives when it is too old.
+    void allowsForTheTimeOnASlowPath()
+    {
+        Work work;
+        work.runs();
+        work.goOn(1s);
+        work.node.isFarAway(1500ms);
+        work.tube = [](SessionTime) { return pushed(0.055); };
+        work.goOn(1s);
+        work.rests(30s);
+        QCOMPARE(work.noted(IntubationStep::TubePastTeeth).size(), 1U);
+        QCOMPARE(work.noted(IntubationStep::ThroughCords).size(), 1U);
+        QCOMPARE(work.noted(IntubationStep::PastCarina).size(), 1U);
+        QVERIFY(work.node.proposed > 3);
+    }
+
+    /// A program that joins again hears the answers first, and shows the facts a little later.
+    void notesAStepOnceWhoseAnswerWasLost()
+    {
+        Work work;
+        work.runs();
+        work.goOn(1s);
+        work.node.hearsNothing();
+        work.tube = [](SessionTime) { return pushed(0.0); };
+        work.goOn(7s);
+        work.node.hearsAnswers();
+        work.goOn(100ms);
+        work.node.hearsFacts();
+        work.goOn(2s);
+        QCOMPARE(work.noted(IntubationStep::TubePastTeeth).size(), 1U);
+        QCOMPARE(work.noted(IntubationStep::ThroughCords).size(), 1U);
+        QCOMPARE(work.node.proposed, 2);
+    }
+
+    /// Somebody plays with the cuff meanwhile.
+    void keepsTheLatestStepsWhileTheHostIsAway()
+    {
+        Work work;
+        work.runs();
+        work.tube = [](SessionTime) { return pushed(0.0); };
+        work.goOn(1s);
+        const int before = work.node.proposed;
+        work.node.hostGoesAway();
+        for (std::size_t i = 0; i < 2 * IntubationWatch::kMostQueued; ++i) {
+            work.node.decide(fact::CuffSet{i % 2 == 0});
+            work.goOn(200ms);
+        }
+        work.node.hostComesBack();
+        work.rests(90s);
+        QCOMPARE(work.noted(IntubationStep::CuffInflated).size()
+                     + work.noted(IntubationStep::CuffDeflated).size(),
+                 IntubationWatch::kMostQueued);
+        QCOMPARE(work.node.proposed - before, int(IntubationWatch::kMostQueued) + 1);
     }
 };
 

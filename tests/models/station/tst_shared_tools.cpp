@@ -28,6 +28,13 @@ bool isAt(const std::optional<PoseSample>& sample, const Vec3& p, double toleran
     return sample && (sample->X_FO.translation() - p).norm() < tolerance;
 }
 
+/// Whether what was seen until then is still known. Samples that were on their way may come before
+/// it or after: a device's stamps are read the better the more of them have come.
+bool hasKept(const PoseHistory& history, SessionTime until)
+{
+    return history.samples().front().time <= until;
+}
+
 /// A tube, a hand and a stylus that were seen once, each at a place of its own.
 TrackerChoice recording()
 {
@@ -396,13 +403,13 @@ private Q_SLOTS:
         QVERIFY(station.tools.lay(patient()));
         QVERIFY(two.haveCome(station));
         const auto before = station.tracked();
-        const SessionTime first = before[0].history->samples().front().time;
+        const SessionTime seen = before[0].history->newest()->time;
         QVERIFY(station.tools.setTracker(two.choice({at(0.0, 0.0, 3.0), {}}),
                                          SharedTools::Devices::RunOn));
         const auto after = station.tracked();
         QCOMPARE(after[0].history, before[0].history);
         QCOMPARE(after[1].history, before[1].history);
-        QCOMPARE(after[0].history->samples().front().time, first);
+        QVERIFY(hasKept(*after[0].history, seen));
         QVERIFY(two.haveCome(station));
         for (const PoseSample& sample : after[1].history->samples())
             QVERIFY(isAt(sample, {0.4, 0.5, 3.6}, kFloat));
@@ -420,14 +427,14 @@ private Q_SLOTS:
         QVERIFY(two.haveCome(station));
         const auto before = station.tools.tracking();
         const PoseHistory* chin = station.tracked()[0].history;
-        const SessionTime first = chin->samples().front().time;
+        const SessionTime seen = chin->newest()->time;
         SendingDevice another{.name = "Head", .X_DO = at(0.7, 0.8, 0.9)};
         QVERIFY(station.tools.setTracker(
             TrackerChoice{DeviceSet{
                 {two.chin.described(ToolRole::Jaw), another.described(ToolRole::Head, place)}}},
             SharedTools::Devices::RunOn));
         QVERIFY(static_cast<const PoseHistory*>(station.tracked()[0].history) == chin);
-        QCOMPARE(chin->samples().front().time, first);
+        QVERIFY(hasKept(*chin, seen));
         QVERIFY(soon(
             [&] {
                 another.give();

@@ -54,6 +54,21 @@ private Q_SLOTS:
         QCOMPARE(sounds.of(SoundKind::Alarm).volume_percent, 100);
     }
 
+    /// As they were before each program had its own; from then on each has.
+    void beginsWithTheSoundsThatProgramsShared()
+    {
+        const test::ScratchFolder folder;
+        folder.write("sounds.ini", "[oximeter]\nvolume=30\n[heart]\nmuted=true\n");
+        KeptSounds sounds{folder.path(), kProgram};
+        QCOMPARE(sounds.of(SoundKind::Oximeter), (KeptSounds::Loudness{30, false}));
+        QVERIFY(sounds.of(SoundKind::Heart).isMuted);
+        sounds.keep(SoundKind::Heart, {55, false});
+        folder.write("sounds.ini", "[oximeter]\nvolume=90\n");
+        const KeptSounds next{folder.path(), kProgram};
+        QCOMPARE(next.of(SoundKind::Oximeter), (KeptSounds::Loudness{30, false}));
+        QCOMPARE(next.of(SoundKind::Heart), (KeptSounds::Loudness{55, false}));
+    }
+
     void remembersNothingWithoutAFolder()
     {
         KeptSounds sounds;

@@ -230,7 +230,8 @@ void OrganEffects::setSpotlight(const std::optional<Spotlight>& lamp)
     if (!lamp)
         return;
     const Vec3f dir = lamp->dir_A.cast<float>();
-    m_spot->setValue(QVector4D{dir.x(), dir.y(), dir.z(), static_cast<float>(lamp->usual.si)});
+    m_spot->setValue(
+        QVector4D{dir.x(), dir.y(), dir.z(), static_cast<float>(lamp->trueColorAt.si)});
 }
 
 void OrganEffects::setLook(SurfaceLook look)

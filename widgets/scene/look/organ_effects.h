@@ -56,8 +56,8 @@ struct ErrorUniforms {
 
 /// A lamp beside the eye, as on the blade of a video laryngoscope.
 struct Spotlight {
-    Vec3 dir_A = Vec3::UnitY();       ///< unit; its axis
-    Length usual = millimetres(40.0); ///< what is so far away is as bright as its colour
+    Vec3 dir_A = Vec3::UnitY();             ///< unit; its axis
+    Length trueColorAt = millimetres(40.0); ///< what is so far away is as bright as its colour
 };
 
 /// One effect per draw layer, each with a surface pass and an id pass, and the parameters common to

@@ -168,6 +168,11 @@ private:
 
 } // namespace
 
+bool isColored(SeenStructure structure)
+{
+    return isTissue(structure) || structure == SeenStructure::Teeth;
+}
+
 void colorTissue(std::span<ScenePart> parts, std::span<const SeenStructure> structures,
                  const AirwayLandmarks& landmarks)
 {
@@ -175,7 +180,7 @@ void colorTissue(std::span<ScenePart> parts, std::span<const SeenStructure> stru
     const TrachealRings rings{landmarks};
     for (ScenePart& part : parts) {
         const SeenStructure structure = structures[part.id];
-        if (!isTissue(structure) && structure != SeenStructure::Teeth)
+        if (!isColored(structure))
             continue;
         part.color = kColors.at(std::size_t(structure));
         const TissuePaint paint{part.color,

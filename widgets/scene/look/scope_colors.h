@@ -9,6 +9,9 @@
 namespace carina
 {
 
+/// Whether colorTissue colours it: tissue and teeth.
+[[nodiscard]] bool isColored(SeenStructure structure);
+
 /// Colours what a laryngoscope shows, vertex by vertex: mucosa in the colour of its structure,
 /// darker and redder in hollows, and the trachea with pale rings of cartilage, which are open
 /// behind.

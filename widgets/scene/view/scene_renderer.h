@@ -76,7 +76,7 @@ public:
     void setErrorMap(const std::optional<ErrorMap>& map) { m_effects.setErrorMap(map); }
     /// Lights the scene by a lamp beside the first camera alone, in its direction: what is at this
     /// distance is as bright as its colour. std::nullopt: as usual. Takes effect likewise.
-    void setSpotlight(std::optional<Length> usual) { m_spotlight = usual; }
+    void setSpotlight(std::optional<Length> trueColorAt) { m_spotlight = trueColorAt; }
     void draw();
 
     /// The picture of the present state; a null image if the window cannot be drawn into.

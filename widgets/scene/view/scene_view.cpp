@@ -191,10 +191,10 @@ void SceneView::setErrorMap(const std::optional<ErrorMap>& map)
     m_renderer->setErrorMap(map);
 }
 
-void SceneView::setSpotlight(std::optional<Length> usual)
+void SceneView::setSpotlight(std::optional<Length> trueColorAt)
 {
     m_rest.stir();
-    m_renderer->setSpotlight(usual);
+    m_renderer->setSpotlight(trueColorAt);
 }
 
 void SceneView::setFixedLevel(std::optional<int> level)

@@ -97,7 +97,7 @@ public:
 
     /// Lights the scene by a lamp beside the eye alone, as inside a body; what is at this distance
     /// is as bright as its colour. std::nullopt ends this.
-    void setSpotlight(std::optional<Length> usual);
+    void setSpotlight(std::optional<Length> trueColorAt);
 
     void setFrameSource(FrameSource source) { m_source = std::move(source); }
     /// The listener is called after each frame, when its buffers were swapped; also after one that

@@ -2,6 +2,7 @@
 
 #include "apps/lab/commands.h"
 #include "apps/lab/intubation/intubation_trial.h"
+#include "apps/lab/intubation/intubation_words.h"
 #include "engine/geometry/rotation.h"
 #include "engine/net/devices/any_recording.h"
 #include "tests/evaluation/intubation/tube_patient.h"
@@ -144,6 +145,31 @@ private Q_SLOTS:
         const auto refused = watchRecording(subject(), recording, setupOf(trial));
         QVERIFY(!refused);
         QCOMPARE(refused.error().code, Errc::NothingRecognised);
+    }
+
+    /// In the help and where another word is refused.
+    void namesAllThatCanBeTold()
+    {
+        const test::ScratchFolder folder;
+        const QString file = folder.write("poses.csv", "# carina.poses/1\n");
+        const auto told = [&](const QString& word) {
+            return QString::fromStdString(
+                intubateCommand()
+                    .run({file, QStringLiteral("--told"), word + QStringLiteral("=3")})
+                    .error()
+                    .detail);
+        };
+        QStringList notes;
+        for (const Use& use : intubateCommand().uses)
+            for (const Note& note : use.notes)
+                notes += QString::fromUtf8(note.help);
+        const QString refused = told(QStringLiteral("cough"));
+        for (const MotionAct act : kToldActs) {
+            const QString word = toldWord(act);
+            QVERIFY2(refused.contains(word), qPrintable(refused));
+            QVERIFY(!notes.filter(word).isEmpty());
+            QVERIFY(!told(word).contains(QStringLiteral("STEP=S"))); // it has no poses
+        }
     }
 
     void refusesBadArguments_data()

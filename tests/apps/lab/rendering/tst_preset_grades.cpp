@@ -62,7 +62,7 @@ void TestPresetGrades::init()
 void TestPresetGrades::countsEveryDraw()
 {
     const QJsonArray presets = m_counted[QStringLiteral("presets")].toArray();
-    QCOMPARE(presets.size(), 3);
+    QCOMPARE(presets.size(), 4);
     for (const QJsonValue preset : presets) {
         QCOMPARE(preset[QStringLiteral("draws")].toInt(), kDraws);
         int all = 0;
@@ -77,7 +77,7 @@ void TestPresetGrades::countsEveryDraw()
 void TestPresetGrades::givesTheNamedGrade_data()
 {
     QTest::addColumn<int>("grade");
-    for (const int grade : {1, 2, 3})
+    for (const int grade : {1, 2, 3, 4})
         QTest::newRow(qPrintable(QString::number(grade))) << grade;
 }
 

@@ -77,19 +77,27 @@ private Q_SLOTS:
         QVERIFY(at({0.0, 0.0, kGlottis - 0.04}).pastTeeth > Length{});
     }
 
-    /// Under the jaw, 38 mm from the way over the tongue.
-    void bladeReachesFartherFromTheWayThanATube()
+    /// 38 mm from the way over the tongue, a quarter of a circle: in front of the vallecula, and as
+    /// far from the same place to the side; and under the chin.
+    void bladeReachesFartherOnlyInFrontOfTheVallecula()
     {
-        const Vec3 middle{0.0, -0.060, kGlottis}; // of the drawn quarter of a circle
-        const Vec3 under = middle + 0.022 * Vec3{0.0, 1.0, 1.0}.normalized();
+        const Vec3 middle{0.0, -0.060, kGlottis};
+        const auto within = [&](double share, double radius) {
+            const double angle = share * degrees(90.0).si;
+            return Vec3{middle + radius * Vec3{0.0, std::sin(angle), std::cos(angle)}};
+        };
         const auto bladeAt = [](const Vec3& p_A) {
             return airwayMoment(SessionTime{}, test::drawnWays(), {},
                                 {.validity = Validity::Tracked, .p_A_tip = p_A})
                 .bladePastTeeth;
         };
-        QVERIFY(at(under).pastTeeth < Length{});
-        QVERIFY(bladeAt(under) > Length{});
-        QVERIFY(bladeAt(middle) < Length{});
+        const Vec3 lifted = within(0.85, 0.022);
+        QVERIFY(at(lifted).pastTeeth < Length{});
+        QVERIFY(bladeAt(lifted) > Length{});
+        QVERIFY(bladeAt(within(0.85, 0.010)) < Length{}); // in front of the neck
+        QVERIFY(bladeAt(within(0.85, 0.060) + Vec3{0.038, 0.0, 0.0}) < Length{});
+        QVERIFY(bladeAt(within(0.1, 0.022)) < Length{});
+        QVERIFY(bladeAt(within(0.1, 0.040)) > Length{}); // in the tongue
     }
 
     void oesophagusIsToldFromTheTrachea()

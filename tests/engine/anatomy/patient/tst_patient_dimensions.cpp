@@ -132,12 +132,19 @@ void TestPatientDimensions::windpipeOfAnAdultIsAsPublished()
         QVERIFY(inMillimetres(diameter) > narrowest_mm);
         QVERIFY(inMillimetres(diameter) < widest_mm);
     }
-    // Women's and men's MRI diameters are as 13.9 to 17.1 and 13.3 to 15.1.
-    const PatientDimensions man = of(40.0, 175.0);
-    if (female) {
-        QVERIFY(std::abs(d.tracheaSagittal / man.tracheaSagittal - 13.9 / 17.1) < 0.01);
-        QVERIFY(std::abs(d.tracheaCoronal / man.tracheaCoronal - 13.3 / 15.1) < 0.01);
-    }
+    // Air of 18.9 (2.1) by 17.7 (1.9) mm in men and 15.5 (1.3) by 15.3 (1.2) in women (CT of 100,
+    // Lee et al. 1988), 20.0 (2.3) by 19.0 (2.0) and 16.5 (2.2) by 15.5 (1.8) (radiographs of 808,
+    // Breatnach et al. 1984).
+    const Length walls = 2.0 * (d.tracheaLength / of(40.0, 175.0).tracheaLength) * kMansTracheaWall;
+    const double sagittal = inMillimetres(d.tracheaSagittal - walls);
+    const double coronal = inMillimetres(d.tracheaCoronal - walls);
+    QVERIFY(std::abs(sagittal - (female ? 15.5 : 18.9)) < (female ? 1.3 : 2.1));
+    QVERIFY(std::abs(sagittal - (female ? 16.5 : 20.0)) < (female ? 2.2 : 2.3));
+    QVERIFY(std::abs(coronal - (female ? 15.3 : 17.7)) < (female ? 1.2 : 1.9));
+    QVERIFY(std::abs(coronal - (female ? 15.5 : 19.0)) < (female ? 1.8 : 2.0));
+    // Within the cricoid it is narrower.
+    QVERIFY(upperTracheaOf(d).sagittal < d.tracheaSagittal);
+    QVERIFY(upperTracheaOf(d).coronal < d.tracheaCoronal);
 }
 
 void TestPatientDimensions::lungsFollowTheUsualWeight()
@@ -170,6 +177,8 @@ void TestPatientDimensions::airwaysOfAChildGrowWithHeight()
     const Length coronal = child.tracheaCoronal - walls;
     QVERIFY(sagittal > millimetres(11.6) && sagittal < millimetres(13.0));
     QVERIFY(coronal > millimetres(11.8) && coronal < millimetres(13.3));
+    QCOMPARE(upperTracheaOf(child).sagittal, child.tracheaSagittal);
+    QCOMPARE(upperTracheaOf(child).coronal, child.tracheaCoronal);
 }
 
 void TestPatientDimensions::boysAndGirlsAreAlikeUntilGirlsStop()

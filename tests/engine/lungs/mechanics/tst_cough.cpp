@@ -3,6 +3,7 @@
 #include "tests/support/test_class.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace carina::cough_test
@@ -63,6 +64,8 @@ private Q_SLOTS:
     void leavesNothingBehind();
     void goesOnFromACheckpoint();
     void endsWithinTheLungsOfANewborn();
+    void staysWithinBoundsInInfants_data();
+    void staysWithinBoundsInInfants();
 };
 
 void TestCough::comesInBursts()
@@ -158,6 +161,69 @@ void TestCough::endsWithinTheLungsOfANewborn()
             const Volume gas = fold.content()[lung].gas;
             QVERIFY(gas > curve.floor && gas < curve.floor + curve.span);
         }
+    }
+}
+
+void TestCough::staysWithinBoundsInInfants_data()
+{
+    QTest::addColumn<double>("age_years");
+    QTest::addColumn<double>("height_m");
+    QTest::addColumn<double>("weight_kg");
+    QTest::addColumn<double>("tube_mm");
+    for (const double tube_mm : {0.0, 3.5}) {
+        const auto row = [tube_mm](const char* name, double age, double height, double weight) {
+            const QByteArray tag = QByteArray{name} + (tube_mm > 0.0 ? ", tube" : ", no tube");
+            QTest::newRow(tag.constData()) << age << height << weight << tube_mm;
+        };
+        row("newborn", 0.0, 0.50, 3.3);
+        row("5 weeks", 0.1, 0.55, 4.3);
+        row("1 year", 1.0, 0.75, 9.2);
+    }
+}
+
+/// A minute of the hardest coughs, alone and against a ventilator. What presses on the gas are the
+/// expiratory muscles and the ventilator, each up to its limit, and the inspiratory muscles in
+/// between; a chest that was squeezed springs back with no more than it was squeezed by. A lung
+/// holds more than when it is squeezed empty, and less than its capacity. In a step of 2 ms the
+/// muscles' pressure rises by 1 cmH2O at most, and the flow adds some in a small lung; what changes
+/// more is an integration that swings.
+void TestCough::staysWithinBoundsInInfants()
+{
+    constexpr double kBreath_cmH2O = 15.0;    // of the inspiratory muscles, against the tube, too
+    constexpr double kMostInStep_cmH2O = 5.0; // with what the flow of 2 ms brings to a small lung
+    constexpr double kFastest_lPerS = 6.0;    // 360 L/min, of the weakest coughs of healthy adults
+    QFETCH(const double, age_years);
+    QFETCH(const double, height_m);
+    QFETCH(const double, weight_kg);
+    QFETCH(const double, tube_mm);
+    const PatientBuild infant{metres(height_m), weight_kg, age_years, Sex::Female};
+    RespiratorySettings settings = quiet(infant);
+    settings.tube = millimetres(tube_mm);
+    if (tube_mm > 0.0)
+        settings.ventilator.mode = VentilationMode::VolumeControl;
+    settings.cough = 1.0;
+    RespiratoryFold fold{settings};
+    const double cough_cmH2O = inCmH2O(kCoughPressure);
+    const double blown_cmH2O = tube_mm > 0.0 ? inCmH2O(settings.ventilator.pressureLimit) : 0.0;
+    std::array<double, 2> before{};
+    for (int i = 0; i < 60 * kSecond; ++i) {
+        fold.step();
+        for (std::size_t lung = 0; lung < 2; ++lung) {
+            const PressureVolumeCurve& curve = fold.system().lungs[lung].curve;
+            const Volume gas = fold.content()[lung].gas;
+            QVERIFY(gas > curve.floor && gas < curve.floor + curve.span);
+            const double alveolar = inCmH2O(fold.moment().alveolar[lung]);
+            const double pleural = inCmH2O(fold.moment().pleural[lung]);
+            for (const double pressure : {alveolar, pleural})
+                QVERIFY2(pressure > -cough_cmH2O - kBreath_cmH2O
+                             && pressure < cough_cmH2O + blown_cmH2O + kBreath_cmH2O,
+                         qPrintable(QString::number(pressure)));
+            QVERIFY2(i == 0 || std::abs(alveolar - before[lung]) < kMostInStep_cmH2O,
+                     qPrintable(QString::number(alveolar - before[lung])));
+            before[lung] = alveolar;
+        }
+        const double flow = inLitresPerSecond(fold.moment().airwayFlow);
+        QVERIFY2(std::abs(flow) < kFastest_lPerS, qPrintable(QString::number(flow)));
     }
 }
 

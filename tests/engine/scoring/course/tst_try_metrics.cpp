@@ -31,6 +31,7 @@ private Q_SLOTS:
     void tellAnOesophagusThatWasNotRecognised();
     void believeAMonitorThatConcludesAnew();
     void tellThatATryWasGivenUp();
+    void forgetTheCuffOfATubeThatIsOut();
     void countAttempts();
     void forgetAPassageThatWasUndone();
     void takeTheConfidenceOfTheLastSeat();
@@ -144,6 +145,18 @@ void TestTryMetrics::tellThatATryWasGivenUp()
         .at(52.0, IntubationStep::InOesophagus, TubeSeat::Oesophagus)
         .at(55.0, IntubationStep::OutOfOesophagus, TubeSeat::None);
     QCOMPARE(courseUntil(course, 70.0).outcome, TryOutcome::OesophagusRecognised);
+}
+
+void TestTryMetrics::forgetTheCuffOfATubeThatIsOut()
+{
+    HandWrittenCourse course = goodCourse();
+    course.at(40.0, IntubationStep::BackAboveCords, TubeSeat::None)
+        .at(41.0, IntubationStep::TubeOut)
+        .at(44.0, IntubationStep::TubePastTeeth)
+        .at(46.0, IntubationStep::ThroughCords, TubeSeat::Trachea);
+    QVERIFY(!courseUntil(course, 50.0).cuffInflated);
+    course.at(48.0, IntubationStep::CuffInflated);
+    QCOMPARE(courseUntil(course, 50.0).cuffInflated, courseTime(48.0));
 }
 
 void TestTryMetrics::countAttempts()

@@ -83,6 +83,7 @@ private Q_SLOTS:
     void letsTheConsoleOverrideTheMonitor();
     void losesItsOwnBreathingByDrugs();
     void coughsAgainstATubeInTooLightASleep();
+    void doesNotCoughByDrugsThatAreNoAnaesthetics();
     void doesNotDependOnHowOftenItIsAsked();
     void isTheSameForALateJoiner_data();
     void isTheSameForALateJoiner();
@@ -242,13 +243,24 @@ void TestPatientBody::coughsAgainstATubeInTooLightASleep()
     const SessionState state = stateOf(writer);
     const PatientRun before = ranTo(state, 19.0);
     QVERIFY(before.body().coughs());
-    QCOMPARE(before.fold().settings().cough, 0.0); // nobody gave a drug
+    QCOMPARE(before.fold().settings().cough, 0.0); // no drug acts
     const PatientRun light = ranTo(state, 58.0);
     QVERIFY(light.body().coughs());
     QVERIFY(std::abs(light.fold().settings().cough - light.body().tone()) <= 0.5 * kBodyShare);
     QVERIFY(light.fold().settings().cough > 0.2 && light.fold().settings().cough < 1.0);
     QVERIFY(light.fold().lastBreath().peak > before.fold().lastBreath().peak + cmH2O(3.0));
     QCOMPARE(ranTo(state, 150.0).fold().settings().cough, 0.0);
+}
+
+void TestPatientBody::doesNotCoughByDrugsThatAreNoAnaesthetics()
+{
+    LogWriter writer = runningAdult();
+    note(writer, 5.0, IntubationStep::ThroughCords, TubeSeat::Trachea);
+    writer.add(atSeconds(6.0), fact::DrugGiven{{DrugKind::Ephedrine, 10.0}});
+    writer.add(atSeconds(6.0), fact::DrugGiven{{DrugKind::Fentanyl, 0.05}});
+    const PatientRun run = ranTo(stateOf(writer), 40.0);
+    QVERIFY(run.body().coughs()); // an awake one would
+    QCOMPARE(run.fold().settings().cough, 0.0);
 }
 
 void TestPatientBody::doesNotDependOnHowOftenItIsAsked()

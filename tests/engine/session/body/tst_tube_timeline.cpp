@@ -196,6 +196,45 @@ private Q_SLOTS:
         QCOMPARE(tube.notes().size(), TubeTimeline::kMostNotes);
         QVERIFY(tube.notes().front().effect == atSeconds(kMore));
     }
+
+    /// A hand that trembles for long.
+    void keepsTheLastOfManyRests()
+    {
+        TubeTimeline tube;
+        const auto note = [&tube](int second, IntubationStep step) {
+            tube.note(atSeconds(second), noted(step, TubeSeat::Trachea), {});
+        };
+        note(0, IntubationStep::ThroughCords);
+        constexpr int kRests = 2 * int(TubeTimeline::kMostNotes);
+        for (int i = 1; i <= kRests; ++i)
+            note(i, IntubationStep::AtRest);
+        note(kRests + 1, IntubationStep::CuffInflated);
+        note(kRests + 2, IntubationStep::AtRest);
+        QCOMPARE(tube.notes().size(), std::size_t{4});
+        QCOMPARE(tube.notes()[0].event.step, IntubationStep::ThroughCords);
+        QVERIFY(tube.notes()[1].effect == atSeconds(kRests));
+        QVERIFY(tube.notes()[3].effect == atSeconds(kRests + 2));
+        QCOMPARE(placeAt(tube, 1.0).seat, TubeSeat::Trachea);
+        QVERIFY(tube.changeAfter(atSeconds(5.0)) == atSeconds(6.0)); // each is of the patient's
+    }
+
+    void tellsWhatWasNotedSince()
+    {
+        TubeTimeline tube;
+        const auto note = [&tube](IntubationStep step) {
+            tube.note(atSeconds(1.0), noted(step, TubeSeat::Trachea), {});
+        };
+        QCOMPARE(tube.lastNote(), 0U);
+        QVERIFY(tube.notesAfter(0).empty());
+        note(IntubationStep::ThroughCords);
+        note(IntubationStep::AtRest);
+        const std::uint64_t seen = tube.lastNote();
+        QCOMPARE(tube.notesAfter(0).size(), std::size_t{2});
+        QVERIFY(tube.notesAfter(seen).empty());
+        note(IntubationStep::AtRest); // in place of the one that was seen
+        QCOMPARE(tube.notesAfter(seen).size(), std::size_t{1});
+        QCOMPARE(tube.notesAfter(seen).front().number, tube.lastNote());
+    }
 };
 
 CARINA_TEST(TestTubeTimeline)

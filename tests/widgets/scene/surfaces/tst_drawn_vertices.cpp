@@ -58,7 +58,8 @@ BladeField bladeInLungs(double width = kThroughBothLungs_m, double x = 0.0)
 {
     BladeField blade{{.reach = 0.12, .rise = 0.01, .sag = 0.02, .width = width},
                      {rotationFromVector(degrees(30.0).si * Vec3::UnitX()), {x, -0.04, 0.05}}};
-    blade.tiltLarynx({.p_A = {0.0, -0.03, -0.08}, .behind = millimetres(60.0)}, millimetres(5.0));
+    blade.tiltLarynx({.p_A = {0.0, 0.02, -0.08}, .behind = millimetres(60.0), .slope = 0.4},
+                     millimetres(9.0));
     return blade;
 }
 

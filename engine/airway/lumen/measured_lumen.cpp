@@ -66,6 +66,9 @@ AirwayTissue usualTissue(const TrunkPlace& at)
     return at.pastGlottis < kBelowCords ? AirwayTissue::Larynx : AirwayTissue::Windpipe;
 }
 
+constexpr double kMostAside = 6e-3; ///< metres, from a section to the next; of ours
+constexpr double kBackToLine = 0.85;
+
 /// Away from walls that are nearer than the tube's radius, across the way.
 Vec3 takenOff(Vec3 p_A, const WallSurfaces& walls, const AcrossWay& across, double radius)
 {
@@ -190,8 +193,17 @@ void measureTrunk(AirwayLumen& lumen, const Patient& patient, const Centreline& 
                 sections.back().give = above.give;
                 continue;
             }
-            Vec3 p_A = takenOff(line[i], walls, across, patient.radius);
-            p_A = toTheMiddle(p_A, walls, across, patient.radius, 0.5 * most);
+            const auto middleFrom = [&](const Vec3& p_A) {
+                return toTheMiddle(takenOff(p_A, walls, across, patient.radius), walls, across,
+                                   patient.radius, 0.5 * most);
+            };
+            // Where the line crosses palate or epiglottis the way stays on its side of that, and
+            // comes back to the line behind it.
+            const Vec3 before = sections.back().p_A_centre - line[i - 1];
+            const Vec3 off = before - before.dot(across.along) * across.along;
+            Vec3 p_A = middleFrom(line[i]);
+            if ((p_A - line[i] - off).norm() > kMostAside * patient.size)
+                p_A = middleFrom(line[i] + kBackToLine * off);
             sections.push_back(measured(p_A, walls, across, patient.radius, most, usualTissue(at)));
         }
         sections.back().give = patient.size * giveAt(at);

@@ -1,9 +1,10 @@
 #include "engine/airway/lumen/moved_lumen.h"
 
+#include "engine/airway/lumen/evened_way.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace carina
 {
@@ -12,130 +13,10 @@ namespace
 
 constexpr auto kHalf = std::size_t(kLumenDirections / 2);
 constexpr auto kQuarter = std::size_t(kLumenDirections / 4);
-static_assert(kLumenDirections == 16); // kAcross, wedgeOf and kRounding
 
-/// cos and sin of the directions across a way.
-constexpr double kDiagonal = 0.5 * std::numbers::sqrt2;
-constexpr double kCos = 0.92387953251128674; ///< of 22.5 degrees
-constexpr double kSin = 0.38268343236508977;
-constexpr std::array<std::array<double, 2>, kLumenDirections> kAcross{{{1.0, 0.0},
-                                                                       {kCos, kSin},
-                                                                       {kDiagonal, kDiagonal},
-                                                                       {kSin, kCos},
-                                                                       {0.0, 1.0},
-                                                                       {-kSin, kCos},
-                                                                       {-kDiagonal, kDiagonal},
-                                                                       {-kCos, kSin},
-                                                                       {-1.0, 0.0},
-                                                                       {-kCos, -kSin},
-                                                                       {-kDiagonal, -kDiagonal},
-                                                                       {-kSin, -kCos},
-                                                                       {0.0, -1.0},
-                                                                       {kSin, -kCos},
-                                                                       {kDiagonal, -kDiagonal},
-                                                                       {kCos, -kSin}}};
-
-/// The eighth of a circle of (u, v), counter-clockwise.
-std::size_t eighthOf(double u, double v)
-{
-    if (v >= 0.0) {
-        if (u >= 0.0)
-            return v < u ? 0 : 1;
-        return v > -u ? 2 : 3;
-    }
-    if (u < 0.0)
-        return -v < -u ? 4 : 5;
-    return -v > u ? 6 : 7;
-}
-
-/// The direction before (u, v), counter-clockwise.
-std::size_t wedgeOf(double u, double v)
-{
-    const std::size_t middle = 2 * eighthOf(u, v) + 1;
-    const auto& [um, vm] = kAcross[middle];
-    return um * v - vm * u >= 0.0 ? middle : middle - 1;
-}
-
-/// The corners of a section: at so far along a way that these change by `slope` to either side.
-struct Reaches {
-    const std::array<double, kLumenDirections>& reach;
-    const std::array<double, kLumenDirections>& slope;
-    double along = 0.0;
-
-    [[nodiscard]] double at(std::size_t k) const
-    {
-        return std::max(reach[k] + along * slope[k], MovedSection::kLeastReach);
-    }
-    [[nodiscard]] double least() const
-    {
-        double least = at(0);
-        for (std::size_t k = 1; k < kLumenDirections; ++k)
-            least = std::min(least, at(k));
-        return least;
-    }
-};
-
-/// Depth beyond a rounded polygon about the origin, along the line from there, and its gradient.
-struct PolygonDepth {
-    double depth = 0.0;
-    double byU = 0.0, byV = 0.0;
-    double byAlong = 0.0;
-    double curvature = 0.0; ///< second derivative along the wall, across the way; of places beyond
-};
-/// 1 / reach is a quadratic spline of the direction: round between the corners, and a circle where
-/// these lie on one. Without kRounding a straight wall would be left behind by 2 percent of its
-/// distance; with it by half of that, and a circle is as much too small.
-PolygonDepth polygonDepth(double u, double v, const Reaches& corners)
-{
-    constexpr double kRounding = 1.01;
-    const double r = std::sqrt(u * u + v * v);
-    if (!(r > 0.0))
-        return {.depth = -corners.least() / kRounding};
-    const std::size_t k = wedgeOf(u, v);
-    const auto& [uk, vk] = kAcross[k];
-    const auto& [un, vn] = kAcross[(k + 1) % kLumenDirections];
-    // The share of the way from direction k to the next.
-    const double a = u * vn - v * un;
-    const double b = uk * v - vk * u;
-    const double share = b / (a + b);
-    const double perBoth = 1.0 / ((a + b) * (a + b));
-    const double shareByU = (-vk * a - b * vn) * perBoth;
-    const double shareByV = (uk * a + b * un) * perBoth;
-    const std::size_t m = share < 0.5 ? k : (k + 1) % kLumenDirections;
-    const double f = share < 0.5 ? share : share - 1.0;
-    const std::array at{(m + kLumenDirections - 1) % kLumenDirections, m,
-                        (m + 1) % kLumenDirections};
-    const std::array weight{0.5 * (0.5 - f) * (0.5 - f), 0.75 - f * f, 0.5 * (0.5 + f) * (0.5 + f)};
-    const std::array change{f - 0.5, -2.0 * f, 0.5 + f};
-    constexpr std::array kSecond{1.0, -2.0, 1.0};
-    double inverse = 0.0;
-    double byShare = 0.0;
-    double second = 0.0; // by the share, twice
-    double byAlong = 0.0;
-    for (std::size_t i = 0; i < at.size(); ++i) {
-        const double perReach = 1.0 / corners.at(at[i]);
-        const double one = kRounding * perReach;
-        inverse += weight[i] * one;
-        byShare += change[i] * one;
-        second += kSecond[i] * one;
-        byAlong -= weight[i] * one * corners.slope[at[i]] * perReach;
-    }
-    const double radius = 1.0 / inverse;
-    const double steep = radius * radius;
-    PolygonDepth depth{.depth = r - radius,
-                       .byU = u / r + steep * byShare * shareByU,
-                       .byV = v / r + steep * byShare * shareByV,
-                       .byAlong = steep * byAlong};
-    if (depth.depth > 0.0) {
-        const double shareByAngle = u * shareByV - v * shareByU;
-        const double first = byShare * shareByAngle;
-        depth.curvature =
-            1.0 / r
-            + steep * (second * shareByAngle * shareByAngle - 2.0 * radius * first * first)
-                  / (r * r);
-    }
-    return depth;
-}
+/// Sections on either side over which the direction of a way is taken, so that the planes of
+/// neighbours hardly turn against each other where their middles lie beside each other: of ours.
+constexpr std::size_t kEvenly = 3;
 
 /// Of a section the axes, and the corners from the middle between them.
 /// @param room by which the corners are farther away than that
@@ -220,16 +101,15 @@ MovedWay movedWay(const std::vector<LumenSection>& sections, const TissueMotion&
         }
     }
     for (std::size_t i = 0; i < sections.size(); ++i) {
-        const Vec3 along = about[std::min(i + 1, about.size() - 1)] - about[i > 0 ? i - 1 : 0];
-        const AcrossWay across = acrossWay(along);
+        const AcrossWay across = acrossWay(about[std::min(i + kEvenly, about.size() - 1)]
+                                           - about[i > kEvenly ? i - kEvenly : 0]);
         way.sections.push_back(middled(about[i], across, corners[i],
                                        roomOf(sections[i], allMoves[i], across, push),
                                        sections[i].give.si));
-        way.along.push_back(
-            i > 0 ? way.along.back()
-                        + (way.sections[i].p_A_centre - way.sections[i - 1].p_A_centre).norm()
-                  : 0.0);
+        way.along.push_back(0.0);
+        way.middles.push_back(way.sections.back().p_A_centre);
     }
+    evenOut(way);
     return way;
 }
 
@@ -298,6 +178,18 @@ std::size_t MovedWay::nearestSegment(const Vec3& p_A) const
     return segment;
 }
 
+double MovedWay::fromMiddles(const Vec3& p_A) const
+{
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i + 1 < middles.size(); ++i) {
+        const Vec3 step = middles[i + 1] - middles[i];
+        const double share =
+            std::clamp((p_A - middles[i]).dot(step) / step.squaredNorm(), 0.0, 1.0);
+        nearest = std::min(nearest, (p_A - middles[i] - share * step).squaredNorm());
+    }
+    return std::sqrt(nearest);
+}
+
 double MovedWay::alongAt(const Vec3& p_A, std::size_t& segment) const
 {
     constexpr int kMostSteps = 12;
@@ -333,23 +225,6 @@ double MovedWay::stopBehind(double from) const
     return along.back();
 }
 
-WallTouch MovedPiece::touch(const Vec3& p_A) const
-{
-    const Vec3 from = p_A - section.p_A_centre;
-    const double u = from.dot(section.side);
-    const double v = from.dot(section.back);
-    const double ahead = from.dot(along);
-    const double there = std::clamp(ahead, -before, after);
-    const PolygonDepth across = polygonDepth(u, v, {section.reach, slope, there});
-    Vec3 out = across.byU * section.side + across.byV * section.back;
-    if (there == ahead)
-        out += across.byAlong * along;
-    const double perLength =
-        across.curvature > 0.0 ? std::sqrt(across.curvature) / std::hypot(u, v) : 0.0;
-    const Vec3 round = perLength * (u * section.back - v * section.side);
-    return {across.depth, out, round};
-}
-
 MovedSection MovedLumen::sectionAt(AirwayWay which, double along) const
 {
     const MovedWay& it = way(which);
@@ -359,42 +234,6 @@ MovedSection MovedLumen::sectionAt(AirwayWay which, double along) const
                    - 1;
     return between(it.sections[s], it.sections[s + 1],
                    std::clamp((along - it.along[s]) / (it.along[s + 1] - it.along[s]), 0.0, 1.0));
-}
-
-MovedPiece MovedLumen::pieceAt(AirwayWay which, std::size_t segment, double along) const
-{
-    const MovedWay& it = way(which);
-    const MovedSection& a = it.sections[segment];
-    const MovedSection& b = it.sections[segment + 1];
-    const double length = it.along[segment + 1] - it.along[segment];
-    MovedPiece piece{.section = between(a, b, (along - it.along[segment]) / length),
-                     .along = (b.p_A_centre - a.p_A_centre) / length,
-                     .before = along - it.along[segment],
-                     .after = it.along[segment + 1] - along};
-    for (std::size_t k = 0; k < kLumenDirections; ++k)
-        piece.slope[k] = (b.reach[k] - a.reach[k]) / length;
-    return piece;
-}
-
-WallTouch MovedLumen::touchIn(AirwayWay which, double stop, const Vec3& p_A,
-                              std::size_t& segment) const
-{
-    const MovedWay& it = way(which);
-    const double place = std::min(it.alongAt(p_A, segment), stop);
-    std::size_t s = segment;
-    while (s > 0 && it.along[s] > place)
-        --s;
-    const MovedPiece piece = pieceAt(which, s, place);
-    const double beyond = (p_A - piece.section.p_A_centre).dot(piece.along);
-    if (which == AirwayWay::Trunk && place <= 0.0 && beyond < 0.0)
-        return {};
-    const WallTouch across = piece.touch(p_A);
-    const bool isAtEnd = place >= std::min(stop, it.along.back()) && beyond > 0.0;
-    if (!isAtEnd)
-        return across;
-    const double beside = std::max(across.depth, 0.0);
-    const double depth = std::hypot(beside, beyond);
-    return {depth, (beside * across.out + beyond * piece.along) / depth, Vec3::Zero()};
 }
 
 } // namespace carina

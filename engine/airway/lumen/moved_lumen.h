@@ -1,7 +1,6 @@
 #pragma once
 
 #include "engine/airway/lumen/airway_lumen.h"
-#include "engine/airway/tube/elastic_rod.h"
 #include "engine/geometry/deformation/airway_field.h"
 #include "engine/geometry/deformation/blade_field.h"
 #include "engine/geometry/deformation/throat_field.h"
@@ -36,26 +35,18 @@ struct MovedSection {
     static constexpr double kLeastReach = 1e-5;
 };
 
-/// The wall of a way near one place: between two sections as these are, and straight on beyond.
-struct MovedPiece {
-    MovedSection section;        ///< at the place
-    Vec3 along = -Vec3::UnitZ(); ///< unit, of the centre line
-    double before = 0.0;         ///< so far back along the centre line is the one section, metres
-    double after = 0.0;          ///< and so far ahead the other
-    std::array<double, kLumenDirections> slope{}; ///< of the section's reach along the centre line
-
-    [[nodiscard]] WallTouch touch(const Vec3& p_A) const;
-};
-
 /// A way of a moved lumen. No sections: the patient has none such.
 struct MovedWay {
     std::vector<MovedSection> sections;
     std::vector<double> along; ///< to each, from the first, along the centres; metres
+    std::vector<Vec3> middles; ///< of the sections, between their walls
 
     [[nodiscard]] bool isThere() const { return sections.size() >= 2; }
     /// From the first section to the nearest place of the centre line.
     /// @param segment with which the search begins; it becomes the one that was found
     [[nodiscard]] double alongAt(const Vec3& p_A, std::size_t& segment) const;
+    /// How far a place is from the line of the middles, metres.
+    [[nodiscard]] double fromMiddles(const Vec3& p_A) const;
     /// The segment of the centre line that is nearest to a place.
     [[nodiscard]] std::size_t nearestSegment(const Vec3& p_A) const;
     /// Where a tube that comes from `from` is stopped: the first place that is narrower than tube
@@ -73,16 +64,8 @@ struct MovedLumen {
 
     [[nodiscard]] const MovedWay& way(AirwayWay which) const { return ways[std::size_t(which)]; }
 
-    /// Depth of a place of the tube beyond the wall of one way that ends at `stop`: across the way,
-    /// along the line from the nearest place of its centre; and before the end, if that is more. In
-    /// front of the trunk space is free.
-    /// @param segment with which the search begins; it becomes the one that was found
-    [[nodiscard]] WallTouch touchIn(AirwayWay which, double stop, const Vec3& p_A,
-                                    std::size_t& segment) const;
     /// The section at a length along a way.
     [[nodiscard]] MovedSection sectionAt(AirwayWay which, double along) const;
-    /// The wall around a length along a way. @param segment the one of that length
-    [[nodiscard]] MovedPiece pieceAt(AirwayWay which, std::size_t segment, double along) const;
 };
 
 /// Moves a lumen with the tissue around it. Four corners of each section are moved with what they

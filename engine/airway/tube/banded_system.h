@@ -9,8 +9,8 @@
 namespace carina
 {
 
-/// A system of linear equations for places in a row, of which each has four unknowns and is coupled
-/// with the two before and the two behind it: a symmetric matrix of blocks of 4 x 4, solved
+/// A system of linear equations for places in a row, of which each has three unknowns and is
+/// coupled with the two before and the two behind it: a symmetric matrix of blocks of 3 x 3, solved
 /// directly by Cholesky's L L^T. Its cost is in proportion to the number of places.
 ///
 /// It is eliminated from the last place to the first: those of a rod that is held at its first ones
@@ -19,8 +19,8 @@ namespace carina
 class BandedSystem
 {
 public:
-    using Values = Eigen::Vector4d;
-    using Block = Eigen::Matrix4d;
+    using Values = Eigen::Vector3d;
+    using Block = Eigen::Matrix3d;
 
     struct Row {
         Block diagonal = Block::Zero();
@@ -29,17 +29,10 @@ public:
         Values right = Values::Zero();      ///< the right side
     };
     std::vector<Row> rows;
-    /// What is added to a row for another solution; as many as rows.
-    struct Support {
-        Block diagonal = Block::Zero();
-        Values right = Values::Zero();
-    };
-    std::vector<Support> supports;
 
     void resize(std::size_t places)
     {
         rows.resize(places);
-        supports.resize(places);
         m_factors.resize(places);
     }
 
@@ -70,7 +63,7 @@ private:
         /// From the blocks of the matrix. @returns false where that is not positive definite.
         [[nodiscard]] bool factorise()
         {
-            for (int k = 0; k < 4; ++k) {
+            for (int k = 0; k < 3; ++k) {
                 const double pivot = own(k, k);
                 if (!(pivot > 0.0))
                     return false;
@@ -80,7 +73,7 @@ private:
                 before.col(k) *= per;
                 secondBefore.col(k) *= per;
                 right[k] *= per;
-                for (int j = k + 1; j < 4; ++j) {
+                for (int j = k + 1; j < 3; ++j) {
                     const double share = own(j, k);
                     own.col(j) -= share * own.col(k);
                     before.col(j) -= share * before.col(k);
@@ -96,8 +89,8 @@ private:
             Values value = right;
             value.noalias() -= before.transpose() * one;
             value.noalias() -= secondBefore.transpose() * two;
-            for (int k = 3; k >= 0; --k) {
-                for (int j = k + 1; j < 4; ++j)
+            for (int k = 2; k >= 0; --k) {
+                for (int j = k + 1; j < 3; ++j)
                     value[k] -= own(j, k) * value[j];
                 value[k] *= perDiagonal[k];
             }
@@ -109,10 +102,10 @@ private:
     {
         const Row& row = rows[i];
         Factor& it = m_factors[i];
-        it.own = row.diagonal + supports[i].diagonal;
+        it.own = row.diagonal;
         it.before = row.before.transpose();
         it.secondBefore = row.secondBefore.transpose();
-        it.right = row.right + supports[i].right;
+        it.right = row.right;
         if (i + 1 < rows.size()) {
             const Factor& next = m_factors[i + 1];
             it.own.noalias() -= next.before * next.before.transpose();

@@ -2,7 +2,6 @@
 
 #include "engine/airway/tube/tube_shape_code.h"
 #include "engine/core/expects.h"
-#include "engine/geometry/rotation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,14 +12,19 @@ namespace carina
 namespace
 {
 
-constexpr Length kBeside = millimetres(30.0); ///< of ours
-constexpr double kGoesOver = 0.06;            ///< metres behind the teeth: of ours
-constexpr int kRoundsToRest = 4;
-constexpr double kJustBeyond = 1e-4; ///< metres
-constexpr double kAtStop = 1e-3;     ///< metres before a stop from which a tip is said to be there
+constexpr double kBeforeConnector = 0.3; ///< metres: as far back as a tube can be held
+constexpr int kPiecesInFront = 12;       ///< of the curve from the connector to the mouth
+constexpr double kLeastInFront = 0.012;  ///< metres from the connector to where the way begins
+constexpr double kLeaves = 0.01;         ///< metres before the teeth, from which a tip is outside
+constexpr double kNearTeeth = 0.06;      ///< metres: a connector that may be between them
+constexpr double kLeastApart = 1e-3;     ///< metres between sections of two ways
+constexpr double kGoesOver = 8e-3; ///< metres of the trunk in which a tube turns into a branch
+constexpr double kPastFork = 0.01; ///< metres
+constexpr double kAtStop = 1e-3;   ///< metres before a stop from which a tip is said to be there
+constexpr Length kStopped = millimetres(0.2);
 
 /// The place at a length along the centre of a way, and beyond its end on in its direction.
-Vec3 centreAt(const MovedWay& way, double along)
+Vec3 middleAt(const MovedWay& way, double along)
 {
     const auto after = std::ranges::upper_bound(way.along, along);
     const auto i = std::size_t(std::clamp<std::ptrdiff_t>(after - way.along.begin(), 1,
@@ -30,285 +34,205 @@ Vec3 centreAt(const MovedWay& way, double along)
     return a + (along - way.along[i - 1]) / (way.along[i] - way.along[i - 1]) * (b - a);
 }
 
-/// The centre line of the trunk up to where a way branches off, and that of the way.
-MovedWay throughTrunk(const MovedLumen& lumen, AirwayWay which)
+double branchOf(const MovedLumen& lumen, AirwayWay which)
 {
     const MovedWay& trunk = lumen.way(AirwayWay::Trunk);
     if (which == AirwayWay::Trunk)
-        return trunk;
-    const MovedWay& branch = lumen.way(which);
-    std::size_t segment = trunk.nearestSegment(branch.sections.front().p_A_centre);
-    MovedWay whole;
-    const double until = trunk.alongAt(branch.sections.front().p_A_centre, segment);
-    for (std::size_t i = 0; i < trunk.sections.size() && trunk.along[i] < until - 1e-3; ++i) {
-        whole.sections.push_back(trunk.sections[i]);
-        whole.along.push_back(trunk.along[i]);
+        return trunk.along.back();
+    const Vec3& p_A = lumen.way(which).sections.front().p_A_centre;
+    std::size_t segment = trunk.nearestSegment(p_A);
+    return trunk.alongAt(p_A, segment);
+}
+
+/// Where a place is along a way and the trunk before it.
+double placeIn(const MovedLumen& lumen, AirwayWay which, const Vec3& p_A)
+{
+    const MovedWay& way = lumen.way(which);
+    std::size_t segment = way.nearestSegment(p_A);
+    const double place = way.alongAt(p_A, segment);
+    return which == AirwayWay::Trunk ? place : branchOf(lumen, which) + place;
+}
+
+std::size_t entryOf(std::span<const Vec3> nodes, const Vec3& p_A)
+{
+    const auto nearest = std::ranges::min_element(
+        nodes, {}, [&](const Vec3& node) { return (node - p_A).squaredNorm(); });
+    return std::size_t(nearest - nodes.begin());
+}
+
+GuideSection walled(const MovedSection& section)
+{
+    return {section.p_A_centre, section.side, section.back, section.reach, false};
+}
+
+bool hasMainBronchi(const MovedLumen& lumen)
+{
+    return lumen.way(AirwayWay::RightMain).isThere() && lumen.way(AirwayWay::LeftMain).isThere();
+}
+
+bool isBehind(const MovedWay& way, const Vec3& p_A)
+{
+    std::size_t segment = way.nearestSegment(p_A);
+    return way.alongAt(p_A, segment) >= way.along.back();
+}
+
+/// A cubic from one place and direction to another one, without its last place.
+std::vector<Vec3> curveBetween(const Vec3& a, const Vec3& alongA, const Vec3& b, const Vec3& alongB)
+{
+    const double length = (b - a).norm();
+    std::vector<Vec3> curve;
+    for (int i = 0; i < kPiecesInFront; ++i) {
+        const double s = double(i) / kPiecesInFront;
+        const double r = 1.0 - s;
+        curve.push_back(r * r * (1.0 + 2.0 * s) * a + s * s * (1.0 + 2.0 * r) * b
+                        + length * s * r * (r * alongA - s * alongB));
     }
-    for (std::size_t i = 0; i < branch.sections.size(); ++i) {
-        whole.sections.push_back(branch.sections[i]);
-        whole.along.push_back(until + branch.along[i]);
-    }
-    return whole;
+    return curve;
 }
 
 } // namespace
 
-WallTouch TubeInLumen::Walls::at(std::size_t node, const Vec3& p_A) const
-{
-    if (node < m_firstInside)
-        return {};
-    Node& it = m_nodes[node];
-    if (node + 1 < m_nodes.size())
-        return it.piece.touch(p_A);
-    return m_lumen->touchIn(it.way, stop(it.way), p_A, it.segment);
-}
-
-/// The way beyond whose wall a place lies least; while it is inside of one, that is kept.
-TubeInLumen::Walls::Node TubeInLumen::Walls::chosen(const Vec3& p_A) const
-{
-    Node best;
-    double least = std::numeric_limits<double>::infinity();
-    for (const AirwayWay which : kAllAirwayWays) {
-        const MovedWay& way = m_lumen->way(which);
-        if (!way.isThere())
-            continue;
-        Node there{which, way.nearestSegment(p_A), {}};
-        if (which != AirwayWay::Trunk && way.alongAt(p_A, there.segment) <= 0.0)
-            continue;
-        const double depth = m_lumen->touchIn(which, stop(which), p_A, there.segment).depth;
-        if (depth < least) {
-            least = depth;
-            best = there;
-        }
-    }
-    return best;
-}
-
-bool TubeInLumen::Walls::isInFront(const Vec3& p_A, Node node) const
-{
-    return node.way == AirwayWay::Trunk && m_lumen->way(node.way).alongAt(p_A, node.segment) <= 0.0;
-}
-
-/// The first node that is inside, from the tip back to the mouth.
-std::size_t TubeInLumen::Walls::entered(std::span<const Vec3> nodes)
-{
-    const std::size_t tip = nodes.size() - 1;
-    const bool wasInside = m_firstInside <= tip;
-    m_nodes[tip] = chosen(nodes[tip]);
-    const Node& there = m_nodes[tip];
-    std::size_t segment = there.segment;
-    const double depth = m_lumen->touchIn(there.way, stop(there.way), nodes[tip], segment).depth;
-    const bool isInFunnel =
-        there.way == AirwayWay::Trunk
-        && m_lumen->way(there.way).alongAt(nodes[tip], segment) < m_lumen->teeth + kCaught.si;
-    if (isInFront(nodes[tip], there) || (!wasInside && !(isInFunnel && depth < kCaught.si)))
-        return nodes.size();
-    std::size_t first = tip;
-    while (first > 0) {
-        const std::size_t i = first - 1;
-        segment = m_nodes[i].segment;
-        const bool isKnown =
-            m_isKnown && i >= m_firstInside && m_lumen->way(m_nodes[i].way).isThere();
-        if (!isKnown
-            || m_lumen->touchIn(m_nodes[i].way, stop(m_nodes[i].way), nodes[i], segment).depth
-                   > 0.0)
-            m_nodes[i] = chosen(nodes[i]);
-        if (isInFront(nodes[i], m_nodes[i]))
-            break;
-        first = i;
-    }
-    return first;
-}
-
-void TubeInLumen::Walls::takeIn(std::size_t first)
-{
-    m_nodes.clear();
-    m_firstInside = first;
-}
-
-void TubeInLumen::Walls::choose(const MovedLumen& lumen, std::span<const Vec3> nodes)
-{
-    m_lumen = &lumen;
-    m_isKnown = !m_nodes.empty();
-    m_nodes.resize(nodes.size());
-    const auto before = m_stops;
-    for (std::size_t w = 0; w < kAirwayWays; ++w)
-        m_stops[w] = lumen.ways[w].isThere() ? lumen.ways[w].along.back() : 0.0;
-    m_firstInside = entered(nodes);
-    for (std::size_t i = m_firstInside; i + 1 < nodes.size(); ++i) {
-        Node& node = m_nodes[i];
-        const double along = lumen.way(node.way).alongAt(nodes[i], node.segment);
-        node.piece = lumen.pieceAt(node.way, node.segment, along);
-    }
-    // Ahead of the tip each way ends where it is too narrow.
-    Node& tip = m_nodes.back();
-    const double place = lumen.way(tip.way).alongAt(nodes.back(), tip.segment);
-    for (const AirwayWay which : kAllAirwayWays) {
-        const bool isPassed = which == AirwayWay::Trunk && tip.way != AirwayWay::Trunk;
-        if (lumen.way(which).isThere() && !isPassed)
-            m_stops[std::size_t(which)] = which == tip.way
-                                              ? stopAhead(which, place, before[std::size_t(which)])
-                                              : lumen.way(which).stopBehind(0.0);
-    }
-}
-
-/// A tip that presses on a stop is a little beyond it, and has not passed it.
-double TubeInLumen::Walls::stopAhead(AirwayWay which, double place, double before) const
-{
-    const MovedSection beyond = m_lumen->sectionAt(which, before + kJustBeyond);
-    const bool isPressed = place > before && place < before + 2.0 * kAtStop;
-    return isPressed && beyond.spare + beyond.give < 0.0 ? before
-                                                         : m_lumen->way(which).stopBehind(place);
-}
-
 TubeInLumen::TubeInLumen(const TubeSize& size, std::span<const Vec3> p_E_rest)
-    : m_size(size), m_rod(RodMaterial{.stiffness = size.stiffness}, inPieces(p_E_rest, kPieces))
+    : m_size(size), m_rod(size.stiffness, inPieces(p_E_rest, kPieces))
 {
 }
 
 void TubeInLumen::step(const RigidTransform& X_AE, const MovedLumen& lumen)
 {
-    CARINA_EXPECTS(lumen.way(AirwayWay::Trunk).isThere());
-    const double way = (X_AE.translation() - m_X_AE.translation()).norm();
-    const Angle turn = angleBetween(X_AE.rotation(), m_X_AE.rotation());
-    const double parts = std::max(std::ceil(std::max(way / kMostAtOnce.si, turn / kMostTurn)), 1.0);
-    if (!m_hasBegun || parts > kMostParts || outside() > kLost) {
-        layAnew(X_AE, lumen);
-        relax(X_AE, lumen);
+    const MovedWay& trunk = lumen.way(AirwayWay::Trunk);
+    CARINA_EXPECTS(trunk.isThere());
+    const std::vector<Vec3> measured = m_rod.nodesAtRest(X_AE);
+    const bool wasInside = m_isInside;
+    m_isInside = isFoundInside(measured, lumen);
+    if (m_isInside) {
+        const double before = wasInside ? tipOnWay() : 0.0;
+        m_way.which = nearestWay(measured.back(), lumen);
+        m_way.branch = branchOf(lumen, m_way.which);
+        guideAlong(measured[0], (measured[1] - measured[0]).normalized(), lumen);
+        const double place = wasInside ? before : placeIn(lumen, m_way.which, measured.back());
+        const RodHold hold{X_AE, &m_guide, m_onGuide.clamp, guideAt(stopAhead(place, lumen)),
+                           kHeldByHand};
+        if (!wasInside || !m_rod.step(hold))
+            m_rod.layAlong(hold, entryOf(measured, middleAt(trunk, m_onGuide.joined)),
+                           m_onGuide.join);
     } else {
-        for (int i = 1; i <= int(parts); ++i)
-            relax(interpolate(m_X_AE, X_AE, i / parts), lumen);
+        m_rod.lay(X_AE);
+        m_way = {};
     }
-    if (isFoundInside(lumen)) {
-        layAnew(X_AE, lumen);
-        relax(X_AE, lumen);
-    }
-    m_X_AE = X_AE;
-    m_hasBegun = true;
     judgeTip(lumen);
 }
 
-void TubeInLumen::relax(const RigidTransform& X_AE, const MovedLumen& lumen)
+bool TubeInLumen::isFoundInside(std::span<const Vec3> measured, const MovedLumen& lumen) const
 {
-    m_walls.choose(lumen, m_rod.nodes());
-    m_rod.stiffenBefore(m_walls.firstInside(), kHeldByHand);
-    m_rod.step(X_AE, m_walls);
-}
-
-/// Whether a tube that came in beside the funnel lies in the airway, from the teeth to its tip.
-bool TubeInLumen::isFoundInside(const MovedLumen& lumen) const
-{
-    const std::span<const Vec3> nodes = m_rod.nodes();
-    if (m_walls.firstInside() < nodes.size())
+    const Vec3& p_A_tip = measured.back();
+    const AirwayWay which = nearestWay(p_A_tip, lumen);
+    const double behindTeeth = placeIn(lumen, which, p_A_tip) - lumen.teeth;
+    if (behindTeeth < (m_isInside ? -kLeaves : 0.0))
         return false;
-    const Walls::Node& tip = m_walls.node(nodes.size() - 1);
-    const MovedWay& way = lumen.way(tip.way);
-    std::size_t segment = tip.segment;
-    const bool isInside =
-        lumen.touchIn(tip.way, way.along.back(), nodes.back(), segment).depth < 0.0;
-    const bool isPastTeeth = tip.way != AirwayWay::Trunk
-                             || way.alongAt(nodes.back(), segment) > lumen.teeth + kCaught.si;
-    return isInside && isPastTeeth && passesTeeth(nodes, lumen);
-}
-
-bool TubeInLumen::passesTeeth(std::span<const Vec3> nodes, const MovedLumen& lumen)
-{
-    const Vec3 p_A_teeth = centreAt(lumen.way(AirwayWay::Trunk), lumen.teeth);
+    if (!m_isInside && lumen.way(which).fromMiddles(p_A_tip) > kBeside.si)
+        return false;
+    const Vec3 p_A_teeth = middleAt(lumen.way(AirwayWay::Trunk), lumen.teeth);
     return std::ranges::any_of(
-        nodes, [&](const Vec3& p_A) { return (p_A - p_A_teeth).norm() < kBeside.si; });
+        measured, [&](const Vec3& p_A) { return (p_A - p_A_teeth).norm() < kBeside.si; });
 }
 
-void TubeInLumen::layAnew(const RigidTransform& X_AE, const MovedLumen& lumen)
+AirwayWay TubeInLumen::nearestWay(const Vec3& p_A_tip, const MovedLumen& lumen) const
 {
-    m_rod.lay(X_AE);
-    m_walls.takeIn(m_rod.nodes().size());
-    const std::vector<Vec3> rest = m_rod.nodesAtRest();
-    // The way whose middle is nearest to the measured tip, of those that lead there.
-    const AirwayWay which = *std::ranges::min_element(kAllAirwayWays, {}, [&](AirwayWay w) {
-        const MovedWay& way = lumen.way(w);
+    const auto distanceOf = [&](AirwayWay which) {
+        const MovedWay& way = lumen.way(which);
         if (!way.isThere())
             return std::numeric_limits<double>::infinity();
-        std::size_t segment = way.nearestSegment(rest.back());
-        return (centreAt(way, way.alongAt(rest.back(), segment)) - rest.back()).norm();
-    });
-    const MovedWay path = throughTrunk(lumen, which);
-    const Vec3 p_A_teeth = centreAt(path, lumen.teeth);
-    std::size_t segment = path.nearestSegment(rest.back());
-    const double place = path.alongAt(rest.back(), segment);
-    // A tip that is far from the airway is beside the body.
-    if (place <= lumen.teeth || !passesTeeth(rest, lumen)
-        || (centreAt(path, place) - rest.back()).norm() > kBeside.si)
-        return;
-    const auto nearest = std::ranges::min_element(
-        rest, {}, [&](const Vec3& p_A) { return (p_A - p_A_teeth).squaredNorm(); });
-    layAlong(path, lumen, std::max(std::size_t(nearest - rest.begin()), ElasticRod::kHeld), X_AE);
+        // Behind the carina there is no trunk.
+        if (which == AirwayWay::Trunk && hasMainBronchi(lumen) && isBehind(way, p_A_tip))
+            return std::numeric_limits<double>::infinity();
+        const double distance = way.fromMiddles(p_A_tip);
+        if (!m_isInside || which == m_way.which)
+            return distance;
+        const double fork = std::min(branchOf(lumen, which), m_way.branch);
+        return distance + kNearer.si + kNearerEach * std::max(tipOnWay() - fork, 0.0);
+    };
+    return *std::ranges::min_element(kAllAirwayWays, {}, distanceOf);
 }
 
-/// From one node on in the middle of a way, to which it goes over from where it is at rest; then it
-/// comes to rest in the lumen.
-void TubeInLumen::layAlong(const MovedWay& path, const MovedLumen& lumen, std::size_t entry,
-                           const RigidTransform& X_AE)
+/// Straight before the connector and its first segment, then evenly bent to the teeth, and on in
+/// the middle of the way.
+void TubeInLumen::guideAlong(const Vec3& p_A, const Vec3& direction, const MovedLumen& lumen)
 {
-    std::vector<Vec3> nodes = m_rod.nodesAtRest();
-    const Vec3 beside = nodes[entry] - centreAt(path, lumen.teeth);
-    for (std::size_t i = entry; i < nodes.size(); ++i) {
-        const double inside = m_rod.along(i) - m_rod.along(entry);
-        const double share = std::max(1.0 - inside / kGoesOver, 0.0);
-        nodes[i] =
-            centreAt(path, lumen.teeth + inside) + share * share * (3.0 - 2.0 * share) * beside;
-    }
-    m_rod.lay(X_AE, nodes);
-    m_walls.takeIn(entry);
-    for (int i = 0; i < kRoundsToRest; ++i) {
-        m_walls.choose(lumen, m_rod.nodes());
-        m_rod.stiffenBefore(m_walls.firstInside(), kHeldByHand);
-        m_rod.comeToRest(m_walls);
-    }
-}
-
-Length TubeInLumen::depthAtTeeth(const MovedLumen& lumen) const
-{
-    const std::span<const Vec3> nodes = m_rod.nodes();
     const MovedWay& trunk = lumen.way(AirwayWay::Trunk);
-    if (m_walls.firstInside() >= nodes.size())
-        return {};
-    double after = 0.0; // of the node behind, beyond the teeth
-    for (std::size_t i = nodes.size(); i-- > 0;) {
-        const Walls::Node& node = m_walls.node(i);
-        if (node.way != AirwayWay::Trunk)
-            continue;
-        std::size_t segment = node.segment;
-        const double beyond = trunk.alongAt(nodes[i], segment) - lumen.teeth;
-        if (beyond <= 0.0 && i + 1 == nodes.size())
-            return {};
-        if (beyond <= 0.0) {
-            const double share = after > beyond ? after / (after - beyond) : 0.0;
-            return along(nodes.size() - 1) - along(i + 1) + share * (along(i + 1) - along(i));
-        }
-        after = beyond;
+    double join = std::max(lumen.teeth - kBeforeTeeth.si, 0.0);
+    if ((p_A - middleAt(trunk, lumen.teeth)).norm() < kNearTeeth) {
+        std::size_t segment = trunk.nearestSegment(p_A);
+        join = std::max(join, trunk.alongAt(p_A, segment) + kLeastInFront);
     }
-    return along(nodes.size() - 1);
+    const Vec3 p_A_held = p_A + m_rod.along(1) * direction;
+    const MovedSection joint = lumen.sectionAt(AirwayWay::Trunk, join);
+    std::vector<Vec3> line{p_A - kBeforeConnector * direction, p_A};
+    for (const Vec3& point :
+         curveBetween(p_A_held, direction, joint.p_A_centre, joint.back.cross(joint.side)))
+        line.push_back(point);
+    m_guide.clear();
+    m_guide.addFree(line);
+    const bool isTrunk = m_way.which == AirwayWay::Trunk;
+    m_guide.add(walled(joint));
+    m_onGuide = {kBeforeConnector, m_guide.length(), std::numeric_limits<double>::infinity(), join};
+    addSections(trunk, join + kLeastApart, isTrunk ? trunk.along.back() : m_way.branch - kGoesOver);
+    if (isTrunk)
+        return;
+    m_guide.add(walled(lumen.way(m_way.which).sections.front()));
+    m_onGuide.branch = m_guide.length();
+    addSections(lumen.way(m_way.which), kLeastApart, lumen.way(m_way.which).along.back());
+}
+
+void TubeInLumen::addSections(const MovedWay& way, double from, double until)
+{
+    for (std::size_t i = 0; i < way.sections.size() && way.along[i] <= until; ++i)
+        if (way.along[i] >= from)
+            m_guide.add(walled(way.sections[i]));
+}
+
+double TubeInLumen::wayAt(double alongGuide) const
+{
+    if (alongGuide >= m_onGuide.branch)
+        return m_way.branch + alongGuide - m_onGuide.branch;
+    const double place = m_onGuide.joined + alongGuide - m_onGuide.join;
+    return m_way.which == AirwayWay::Trunk ? place : std::min(place, m_way.branch);
+}
+
+double TubeInLumen::guideAt(double alongWay) const
+{
+    if (m_way.which != AirwayWay::Trunk && alongWay >= m_way.branch)
+        return m_onGuide.branch + alongWay - m_way.branch;
+    return m_onGuide.join + alongWay - m_onGuide.joined;
+}
+
+/// Where a tip at a place of the way is stopped, along the way.
+double TubeInLumen::stopAhead(double place, const MovedLumen& lumen) const
+{
+    const MovedWay& trunk = lumen.way(AirwayWay::Trunk);
+    // A tip that rests at a stop is there by no more than kAtStop.
+    const double from = std::max(place - kAtStop, 0.0);
+    double stop = trunk.stopBehind(from);
+    if (m_way.which != AirwayWay::Trunk && (from >= m_way.branch || stop >= m_way.branch))
+        stop = m_way.branch + lumen.way(m_way.which).stopBehind(std::max(from - m_way.branch, 0.0));
+    // It has become too narrow around the tip, which goes no farther.
+    return stop <= from ? place : stop;
 }
 
 void TubeInLumen::judgeTip(const MovedLumen& lumen)
 {
-    const std::size_t last = m_rod.nodes().size() - 1;
-    Walls::Node node = m_walls.node(last);
-    m_tip = {.p_A = m_rod.nodes().back(), .way = node.way};
-    if (m_walls.firstInside() > last) {
-        m_tip.way = AirwayWay::Trunk;
-        m_tip.aboveCarina = metres(lumen.way(AirwayWay::Trunk).along.back());
+    const double carina = lumen.way(AirwayWay::Trunk).along.back();
+    m_tip = {.p_A = m_rod.nodes().back(), .way = m_way.which};
+    if (!m_isInside) {
+        m_tip.aboveCarina = metres(carina);
         m_tip.pastGlottis = metres(-lumen.glottis);
         return;
     }
-    const double place = lumen.way(node.way).alongAt(m_tip.p_A, node.segment);
+    const double place = tipOnWay();
     m_tip.depth = depthAtTeeth(lumen);
     m_tip.isPastTeeth = m_tip.depth > Length{};
-    m_tip.isStopped =
-        m_tip.isPastTeeth && m_rod.force(last) > 0.0 && place > m_walls.stop(node.way) - kAtStop;
-    const double carina = lumen.way(AirwayWay::Trunk).along.back();
-    const double beyond = place - lumen.begins[std::size_t(node.way)];
-    switch (node.way) {
+    m_tip.isStopped = m_tip.isPastTeeth && heldBack() > kStopped;
+    const double beyond = place - m_way.branch - lumen.begins[std::size_t(m_way.which)];
+    switch (m_way.which) {
     case AirwayWay::Trunk:
         m_tip.seat = place > lumen.glottis ? TubeSeat::Trachea : TubeSeat::None;
         m_tip.aboveCarina = metres(carina - place);
@@ -316,8 +240,10 @@ void TubeInLumen::judgeTip(const MovedLumen& lumen)
     case AirwayWay::RightMain:
     case AirwayWay::LeftMain: {
         const TubeSeat side =
-            node.way == AirwayWay::RightMain ? TubeSeat::RightMain : TubeSeat::LeftMain;
-        m_tip.seat = beyond > 0.0 ? side : TubeSeat::Trachea;
+            m_way.which == AirwayWay::RightMain ? TubeSeat::RightMain : TubeSeat::LeftMain;
+        m_tip.seat = beyond > 0.0            ? side
+                     : place > lumen.glottis ? TubeSeat::Trachea
+                                             : TubeSeat::None;
         m_tip.aboveCarina = metres(-beyond);
         break;
     }
@@ -328,14 +254,30 @@ void TubeInLumen::judgeTip(const MovedLumen& lumen)
     m_tip.pastGlottis = metres(carina - lumen.glottis) - m_tip.aboveCarina;
 }
 
+Length TubeInLumen::depthAtTeeth(const MovedLumen& lumen) const
+{
+    double after = 0.0; // of the node behind, beyond the teeth
+    for (std::size_t i = kPieces + 1; i-- > 0;) {
+        const double beyond = wayAt(m_rod.alongGuide(i)) - lumen.teeth;
+        if (beyond <= 0.0) {
+            if (i == kPieces)
+                return {};
+            const double share = after / (after - beyond);
+            return metres(m_rod.along(kPieces) - m_rod.along(i + 1) + share * m_rod.along(1));
+        }
+        after = beyond;
+    }
+    return metres(m_rod.along(kPieces));
+}
+
 std::vector<TubeContact> TubeInLumen::contacts() const
 {
     std::vector<TubeContact> contacts;
     for (std::size_t i = 0; i < m_rod.nodes().size(); ++i)
-        if (const double force = m_rod.force(i); force > 0.0)
+        if (const double force = m_rod.push(i).norm(); force > 0.0)
             contacts.push_back({.along = along(i),
                                 .p_A = m_rod.nodes()[i],
-                                .out_A = m_rod.touches()[i].out.normalized(),
+                                .out_A = m_rod.push(i) / force,
                                 .force = newtons(force)});
     return contacts;
 }
@@ -352,12 +294,6 @@ Length TubeInLumen::farthestApart() const
     for (std::size_t i = 0; i < rest.size(); ++i)
         most = std::max(most, (m_rod.nodes()[i] - rest[i]).norm());
     return metres(most);
-}
-
-Length TubeInLumen::outside() const
-{
-    const auto deepest = std::ranges::max_element(m_rod.touches(), {}, &WallTouch::depth);
-    return metres(std::max(deepest->depth, 0.0));
 }
 
 } // namespace carina

@@ -34,24 +34,19 @@ struct TubeContact {
 };
 
 /// A tracked tube in a virtual airway, in two shapes: as measured, its curve at rest at the pose of
-/// its connector; and constrained, an elastic rod that stays in the lumen. A fold of steps of
+/// its connector; and constrained, an elastic rod that lies inside of the lumen. A fold of steps of
 /// kTubeStep: deterministic, with the connector's pose and the lumen of the moment.
 ///
-/// Each step the nodes of the rod have one way each (AirwayWay), and the way of the tip ends where
-/// a tube so thick is stopped. A place that has become too narrow behind the tip does not let go of
-/// the tube, but holds it in its middle.
+/// It is in the airway while its curve as measured passes the teeth within kBeside and its tip lies
+/// behind them; otherwise it is as measured. Inside it lies along one way (AirwayWay): the one to
+/// whose middle the measured tip is nearest. It goes over to another one that is nearer by kNearer,
+/// and by kNearerEach more of each metre that its tip is past the fork: a tip deep in the trachea
+/// does not get into the oesophagus. From the connector to kBeforeTeeth it is in free space, held
+/// by a hand and stiffer by kHeldByHand, and from there on inside of the sections of the way.
 ///
-/// What of the tube lies outside of the mouth is as measured and is held by a hand: it meets no
-/// wall, and is stiffer by kHeldByHand. A tip gets into the mouth through the funnel in front of
-/// the teeth; one that passes beside that stays outside, until the tube as measured lies in the
-/// airway from the teeth to its tip, as one does that is simulated and goes straight through a
-/// chin.
-///
-/// A connector that moved by more than kMostAtOnce or kMostTurn within a step is moved in several;
-/// where these would be more than kMostParts, as after it was lost, the tube is laid anew: in the
-/// way whose middle is nearest to the measured tip, and as deep as measured, from where it comes to
-/// rest without friction, as nobody knows how it got there. So it is where it has come to lie
-/// outside by more than kLost, as after a lumen has jumped. That takes as long as many steps.
+/// The way ends where a tube so thick is stopped. A place that has become too narrow behind the tip
+/// does not let go of the tube, but holds it in its middle. One that is first seen inside is taken
+/// to have passed what lies before its tip, as nobody knows how it got there.
 class TubeInLumen
 {
 public:
@@ -72,66 +67,49 @@ public:
     /// Distance of the tips of both shapes; and the greatest of all their points.
     [[nodiscard]] Length apart() const;
     [[nodiscard]] Length farthestApart() const;
-    /// By how much it lies outside the lumen where it does so most; 0 inside.
-    [[nodiscard]] Length outside() const;
+    /// By how much the connector is ahead of where the tube is held, as it was stopped.
+    [[nodiscard]] Length heldBack() const { return metres(m_rod.heldBack()); }
 
     static constexpr int kPieces = 64;
-    static constexpr Length kMostAtOnce = millimetres(5.0); ///< of ours, as those that follow
-    static constexpr Angle kMostTurn = degrees(4.0);
-    static constexpr int kMostParts = 32;
-    /// A tip that comes in is at most so far beyond the wall of the funnel.
-    static constexpr Length kCaught = millimetres(10.0);
-    static constexpr double kHeldByHand = 8.0;
-    static constexpr Length kLost = millimetres(5.0);
+    static constexpr Length kBeside = millimetres(30.0); ///< of ours, as those that follow
+    static constexpr Length kNearer = millimetres(1.0);
+    static constexpr double kNearerEach = 0.3;
+    static constexpr double kHeldByHand = 30.0;
+    static constexpr Length kBeforeTeeth = millimetres(6.0);
 
 private:
-    /// The lumen around each node.
-    class Walls final : public RodWall
-    {
-    public:
-        [[nodiscard]] WallTouch at(std::size_t node, const Vec3& p_A) const override;
-        void choose(const MovedLumen& lumen, std::span<const Vec3> nodes);
-        /// The first node from which on the tube is inside; as many as there are nodes outside.
-        [[nodiscard]] std::size_t firstInside() const { return m_firstInside; }
-        /// The tube was laid anew, and is inside from this node on.
-        void takeIn(std::size_t first);
-
-        struct Node {
-            AirwayWay way = AirwayWay::Trunk;
-            std::size_t segment = 0;
-            MovedPiece piece; ///< around where it is as a step begins; not of the tip
-        };
-        [[nodiscard]] const Node& node(std::size_t i) const { return m_nodes[i]; }
-        [[nodiscard]] double stop(AirwayWay way) const { return m_stops[std::size_t(way)]; }
-
-    private:
-        [[nodiscard]] Node chosen(const Vec3& p_A) const;
-        [[nodiscard]] double stopAhead(AirwayWay which, double place, double before) const;
-        [[nodiscard]] std::size_t entered(std::span<const Vec3> nodes);
-        [[nodiscard]] bool isInFront(const Vec3& p_A, Node node) const;
-
-        const MovedLumen* m_lumen = nullptr; ///< during a step
-        mutable std::vector<Node> m_nodes;   ///< the search begins where the last one ended
-        std::array<double, kAirwayWays> m_stops{};
-        std::size_t m_firstInside = kPieces + 1;
-        bool m_isKnown = false; ///< whether the nodes have ways from the step before
+    /// The way that it lies in, from in front of the teeth to its end: at first along the trunk.
+    struct Way {
+        AirwayWay which = AirwayWay::Trunk;
+        double branch =
+            0.0; ///< along the trunk: where it branches off; the end of the trunk itself
+    };
+    /// Of the guide, in lengths along it.
+    struct OnGuide {
+        double clamp = 0.0;  ///< the connector
+        double join = 0.0;   ///< where it goes on along the way, `joined` along that
+        double branch = 0.0; ///< where the way branches off; infinite in the trunk
+        double joined = 0.0;
     };
 
-    void relax(const RigidTransform& X_AE, const MovedLumen& lumen);
-    [[nodiscard]] bool isFoundInside(const MovedLumen& lumen) const;
-    [[nodiscard]] static bool passesTeeth(std::span<const Vec3> nodes, const MovedLumen& lumen);
-    void layAnew(const RigidTransform& X_AE, const MovedLumen& lumen);
-    void layAlong(const MovedWay& path, const MovedLumen& lumen, std::size_t entry,
-                  const RigidTransform& X_AE);
+    [[nodiscard]] bool isFoundInside(std::span<const Vec3> measured, const MovedLumen& lumen) const;
+    [[nodiscard]] AirwayWay nearestWay(const Vec3& p_A_tip, const MovedLumen& lumen) const;
+    void guideAlong(const Vec3& p_A, const Vec3& direction, const MovedLumen& lumen);
+    void addSections(const MovedWay& way, double from, double until);
+    [[nodiscard]] double stopAhead(double place, const MovedLumen& lumen) const;
+    [[nodiscard]] double wayAt(double alongGuide) const;
+    [[nodiscard]] double guideAt(double alongWay) const;
+    [[nodiscard]] double tipOnWay() const { return wayAt(m_rod.alongGuide(kPieces)); }
     void judgeTip(const MovedLumen& lumen);
     [[nodiscard]] Length depthAtTeeth(const MovedLumen& lumen) const;
 
     TubeSize m_size;
     ElasticRod m_rod;
-    Walls m_walls;
+    RodGuide m_guide;
+    OnGuide m_onGuide;
+    bool m_isInside = false;
+    Way m_way;
     TubeTip m_tip;
-    RigidTransform m_X_AE;
-    bool m_hasBegun = false;
 };
 
 /// The step of the fold, seconds.

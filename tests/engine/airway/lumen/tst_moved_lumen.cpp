@@ -1,7 +1,9 @@
 #include "engine/airway/lumen/moved_lumen.h"
 #include "tests/support/test_class.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace carina::moved_lumen_test
 {
@@ -25,10 +27,19 @@ AirwayLumen pipe()
     return roundLumen(lines, radii, metres(kTube));
 }
 
+/// Beyond the farthest of the sides of the section in which a place lies, metres.
 double depthAt(const MovedLumen& lumen, const Vec3& p_A)
 {
-    std::size_t segment = lumen.way(AirwayWay::Trunk).nearestSegment(p_A);
-    return lumen.touchIn(AirwayWay::Trunk, 1.0, p_A, segment).depth;
+    const MovedWay& trunk = lumen.way(AirwayWay::Trunk);
+    std::size_t segment = trunk.nearestSegment(p_A);
+    const MovedSection section = lumen.sectionAt(AirwayWay::Trunk, trunk.alongAt(p_A, segment));
+    double depth = -1.0;
+    for (std::size_t k = 0; k < kLumenDirections; ++k) {
+        const double angle = 2.0 * std::numbers::pi * double(k) / kLumenDirections;
+        const Vec3 out = std::cos(angle) * section.side + std::sin(angle) * section.back;
+        depth = std::max(depth, out.dot(p_A - section.p_A_centre) - section.reach[k]);
+    }
+    return depth;
 }
 
 } // namespace
@@ -39,16 +50,11 @@ class TestMovedLumen : public QObject
 
 private Q_SLOTS:
     void hasItsWallWhereATubeTouchesIt();
-    void leavesNoStraightWallBehind();
-    void hasTheGradientOfItsDepth();
-    void hasTheCurvatureOfItsWall();
-    void goesOnBetweenItsSections();
     void followsAShift();
     void isWidenedByAPushAndNotNarrowed();
     void narrowsAsWallsComeTogether();
     void isStoppedWhereItIsTooNarrow();
-    void endsAtItsEnd();
-    void isFreeInFrontOfTheMouth();
+    void knowsHowFarAPlaceIsFromItsMiddles();
 };
 
 void TestMovedLumen::hasItsWallWhereATubeTouchesIt()
@@ -62,81 +68,6 @@ void TestMovedLumen::hasItsWallWhereATubeTouchesIt()
         const Vec3 middle{0.0, 0.0, -0.05};
         QVERIFY(depthAt(lumen, middle + (1.0 - kOfRadius) * room * out) < 0.0);
         QVERIFY(depthAt(lumen, middle + (1.0 + kOfRadius) * room * out) > 0.0);
-    }
-}
-
-void TestMovedLumen::leavesNoStraightWallBehind()
-{
-    // Between two plates 32 mm apart: at a plate no place is inside that is beyond it by more.
-    constexpr double kOutside = 0.2e-3; // metres
-    constexpr double kPlate = 0.016;
-    constexpr double kWide = 0.05;
-    AirwayLumen lumen = pipe();
-    for (LumenSection& section : lumen.ways.front())
-        for (LumenLimit& limit : section.limits) {
-            const Vec3 out = -limit.fromWall.normalized();
-            const double reach = std::min(kPlate / std::max(std::abs(out.x()), 1e-9), kWide);
-            limit.p_A_wall = section.p_A_centre + reach * out - limit.fromWall;
-        }
-    const MovedLumen plates = unmoved(lumen);
-    for (int i = -100; i <= 100; ++i) {
-        const double y = 0.0003 * i;
-        QVERIFY(depthAt(plates, {kPlate + kOutside, y, -0.05}) > 0.0);
-        QVERIFY(depthAt(plates, {-kPlate - kOutside, y, -0.05}) > 0.0);
-    }
-}
-
-void TestMovedLumen::hasTheGradientOfItsDepth()
-{
-    constexpr double kStep = 1e-7;
-    constexpr double kSlope = 1e-4;
-    AirwayLumen lumen = pipe();
-    // A section that is neither round nor like its neighbours, but as wide to both sides.
-    for (std::size_t k = 0; k < kLumenDirections; ++k)
-        lumen.ways.front()[10].limits[k].fromWall *= 0.7 + 0.1 * double(k % 4);
-    const MovedLumen moved = unmoved(lumen);
-    for (int i = 0; i < 30; ++i) {
-        const Vec3 p{0.008 * std::cos(0.37 * i), 0.008 * std::sin(0.37 * i), -0.0385};
-        std::size_t segment = 9;
-        const WallTouch touch = moved.touchIn(AirwayWay::Trunk, 1.0, p, segment);
-        for (int axis = 0; axis < 3; ++axis) {
-            Vec3 step = Vec3::Zero();
-            step[axis] = kStep;
-            const double slope =
-                (depthAt(moved, p + step) - depthAt(moved, p - step)) / (2 * kStep);
-            QVERIFY(std::abs(slope - touch.out[axis]) < kSlope);
-        }
-    }
-}
-
-void TestMovedLumen::hasTheCurvatureOfItsWall()
-{
-    // round * round^T is the second derivative along the wall of a pipe: 1 / r.
-    const MovedLumen lumen = unmoved(pipe());
-    for (int i = 0; i < 32; ++i) {
-        const double r = 0.007;
-        const Vec3 out{std::cos(0.2 * i), std::sin(0.2 * i), 0.0};
-        std::size_t segment = 12;
-        const WallTouch touch =
-            lumen.touchIn(AirwayWay::Trunk, 1.0, Vec3{0.0, 0.0, -0.05} + r * out, segment);
-        QVERIFY(touch.depth > 0.0);
-        QVERIFY(std::abs(touch.round.squaredNorm() * r - 1.0) < 1e-6);
-        QVERIFY(std::abs(touch.round.dot(out)) < 1e-6);
-    }
-}
-
-void TestMovedLumen::goesOnBetweenItsSections()
-{
-    // A piece of the wall is that of the way where it was taken, and up to both sections.
-    AirwayLumen lumen = pipe();
-    for (LumenLimit& limit : lumen.ways.front()[10].limits)
-        limit.fromWall *= 1.5;
-    const MovedLumen narrow = unmoved(lumen);
-    const double along = 0.0385;
-    const MovedPiece piece = narrow.pieceAt(AirwayWay::Trunk, 9, along);
-    for (const double z : {-0.0361, -0.038, -0.0399}) {
-        const Vec3 p{0.005, 0.002, z};
-        QVERIFY(std::abs(piece.touch(p).depth - depthAt(narrow, p)) < kSame);
     }
 }
 
@@ -195,22 +126,12 @@ void TestMovedLumen::isStoppedWhereItIsTooNarrow()
     QVERIFY(std::abs(unmoved(lumen).way(AirwayWay::Trunk).stopBehind(0.0) - 0.1) < kSame);
 }
 
-void TestMovedLumen::endsAtItsEnd()
+void TestMovedLumen::knowsHowFarAPlaceIsFromItsMiddles()
 {
     const MovedLumen lumen = unmoved(pipe());
-    std::size_t segment = 20;
-    const WallTouch touch = lumen.touchIn(AirwayWay::Trunk, 0.1, {0.0, 0.0, -0.103}, segment);
-    QVERIFY(std::abs(touch.depth - 0.003) < kSame);
-    QVERIFY((touch.out + Vec3::UnitZ()).norm() < kSame);
-    segment = 20;
-    QVERIFY(
-        std::abs(lumen.touchIn(AirwayWay::Trunk, 0.05, {0.0, 0.0, -0.052}, segment).depth - 0.002)
-        < kSame);
-}
-
-void TestMovedLumen::isFreeInFrontOfTheMouth()
-{
-    QVERIFY(depthAt(unmoved(pipe()), {0.2, 0.0, 0.001}) < 0.0);
+    const MovedWay& trunk = lumen.way(AirwayWay::Trunk);
+    QVERIFY(std::abs(trunk.fromMiddles({0.003, 0.004, -0.0501}) - 0.005) < kSame);
+    QVERIFY(std::abs(trunk.fromMiddles({0.0, 0.0, -0.107}) - 0.007) < kSame);
 }
 
 CARINA_TEST(TestMovedLumen)

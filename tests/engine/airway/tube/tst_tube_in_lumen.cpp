@@ -21,19 +21,41 @@ TubeSize sizeOf(double inner_mm) { return *tubeOfSize(millimetres(inner_mm)); }
 TubeInLumen tubeOf(const TubeSize& size) { return {size, restCurve(size, 200)}; }
 
 /// Feeds a tube until so much of it should be inside, and lets it come to rest.
-/// @returns by how much it was outside of the lumen at most
-Length feed(TubeInLumen& tube, const MovedLumen& lumen, double inside)
+void feed(TubeInLumen& tube, const MovedLumen& lumen, double inside)
 {
-    Length most{};
-    const auto step = [&](double now) {
-        tube.step(fed(tube.size(), now), lumen);
-        most = std::max(most, tube.outside());
-    };
     for (double now = -0.02; now < inside; now += kFeed)
-        step(now);
+        tube.step(fed(tube.size(), now), lumen);
     for (int i = 0; i < 60; ++i)
-        step(inside);
-    return most;
+        tube.step(fed(tube.size(), inside), lumen);
+}
+
+/// A straight airway along +y with a branch that leaves it by 30 degrees behind 12 cm.
+AirwayLumen forked(Length tubeRadius)
+{
+    std::array<std::vector<Vec3>, kAirwayWays> lines;
+    std::array<std::vector<double>, kAirwayWays> radii;
+    for (int i = -7; i <= 60; ++i) {
+        lines[0].emplace_back(0.0, 0.004 * i, 0.0);
+        radii[0].push_back(0.010);
+    }
+    const Vec3 aside{0.0, std::cos(degrees(30.0).si), std::sin(degrees(30.0).si)};
+    for (int i = 0; i <= 25; ++i) {
+        lines[3].push_back(Vec3{0.0, 0.12, 0.0} + 0.004 * i * aside);
+        radii[3].push_back(0.010);
+    }
+    AirwayLumen lumen = roundLumen(lines, radii, tubeRadius);
+    lumen.teeth = 7;
+    lumen.glottis = 40;
+    lumen.begins[3] = 4;
+    return lumen;
+}
+
+/// Held so that its tip, as measured, is there: a straight tube that points at it from the teeth.
+RigidTransform pointingAt(const TubeSize& size, const Vec3& p_A_tip)
+{
+    const Vec3 along = (p_A_tip - Vec3{0.0, 0.0, 0.0}).normalized();
+    const Quat q = Quat::FromTwoVectors(-Vec3::UnitZ(), along);
+    return {q, p_A_tip - size.length.si * along};
 }
 
 void sizes()
@@ -59,6 +81,9 @@ private Q_SLOTS:
     void isAsMeasuredOutside();
     void isApartFromWhatIsMeasured();
     void isLaidAnewWhereItWasLost();
+    void takesTheWayToWhichItsTipIsNearest();
+    void doesNotGoOverDeepInAWay();
+    void staysBehindAHandThatPushesItOn();
     void givesTheSameBits();
 };
 
@@ -167,8 +192,59 @@ void TestTubeInLumen::isLaidAnewWhereItWasLost()
     for (int i = 0; i < 50; ++i)
         tube.step(X_AE, unmoved(lumen));
     QVERIFY(tube.apart() < kNear);
-    QVERIFY(tube.outside() < kOutside);
     QCOMPARE(tube.tip().seat, TubeSeat::Trachea);
+}
+
+void TestTubeInLumen::takesTheWayToWhichItsTipIsNearest()
+{
+    const TubeSize size = sizeOf(7.0);
+    const std::vector<Vec3> line{Vec3::Zero(), -size.length.si * Vec3::UnitZ()};
+    const MovedLumen lumen = unmoved(forked(size.outerRadius()));
+    for (const bool isAside : {false, true}) {
+        TubeInLumen tube{size, line};
+        for (int i = 0; i <= 130; ++i) {
+            const double y = -0.02 + 0.0015 * i;
+            const double z = isAside ? 0.5 * std::max(y - 0.12, 0.0) : 0.0;
+            tube.step(pointingAt(size, {0.0, std::max(y, 0.001), z}), lumen);
+        }
+        QCOMPARE(tube.tip().way, isAside ? AirwayWay::Oesophagus : AirwayWay::Trunk);
+        QCOMPARE(tube.tip().seat, isAside ? TubeSeat::Oesophagus : TubeSeat::Trachea);
+    }
+}
+
+void TestTubeInLumen::doesNotGoOverDeepInAWay()
+{
+    // In the trunk, and then its tip as measured is 2 cm beside it, where the branch is.
+    const TubeSize size = sizeOf(7.0);
+    const std::vector<Vec3> line{Vec3::Zero(), -size.length.si * Vec3::UnitZ()};
+    const MovedLumen lumen = unmoved(forked(size.outerRadius()));
+    TubeInLumen tube{size, line};
+    for (int i = 0; i <= 150; ++i)
+        tube.step(pointingAt(size, {0.0, std::max(-0.02 + 0.0015 * i, 0.001), 0.0}), lumen);
+    for (int i = 0; i <= 20; ++i)
+        tube.step(pointingAt(size, {0.0, 0.2, 0.001 * i}), lumen);
+    QCOMPARE(tube.tip().way, AirwayWay::Trunk);
+    QVERIFY(std::abs(tube.tip().p_A.z()) < 0.010 - size.outerRadius().si + kOutside.si);
+}
+
+void TestTubeInLumen::staysBehindAHandThatPushesItOn()
+{
+    constexpr Length kNear = millimetres(3.0);
+    const BentLumen airway;
+    const TubeSize size = sizeOf(7.0);
+    AirwayLumen lumen = airway.lumenFor(size.outerRadius());
+    LumenSection& narrow = lumen.ways.front()[lumen.glottis + 5];
+    for (LumenLimit& limit : narrow.limits)
+        limit.p_A_wall =
+            narrow.p_A_centre
+            + (size.outerRadius().si - 0.0006) * (limit.p_A_wall - narrow.p_A_centre).normalized();
+    TubeInLumen tube = tubeOf(size);
+    feed(tube, unmoved(lumen), 0.19);
+    const Length depth = tube.tip().depth;
+    const Length back = tube.heldBack();
+    feed(tube, unmoved(lumen), 0.21);
+    QVERIFY(std::abs((tube.tip().depth - depth).si) < kNear.si);
+    QVERIFY(std::abs((tube.heldBack() - back).si - 0.02) < kNear.si);
 }
 
 void TestTubeInLumen::givesTheSameBits()

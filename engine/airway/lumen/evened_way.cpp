@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 namespace carina
@@ -69,13 +70,23 @@ double reachFrom(const AcrossSection& from, const AcrossSection& direction,
     return nearest < std::numeric_limits<double>::infinity() ? nearest : MovedSection::kLeastReach;
 }
 
+/// How far it is from the centre to the side before a direction, unit.
+double reachOfCorners(const AcrossSection& direction, const SectionCorners& corners)
+{
+    constexpr double kEach = 2.0 * std::numbers::pi / kLumenDirections;
+    const double turns = std::atan2(direction.y(), direction.x()) / kEach;
+    const auto k = std::size_t(std::floor(turns) + kLumenDirections) % kLumenDirections;
+    const AcrossSection side = corners[(k + 1) % kLumenDirections] - corners[k];
+    return crossOf(corners[k], side) / crossOf(direction, side);
+}
+
 /// No farther from the old centre than a share of the way to the wall.
 AcrossSection kept(const AcrossSection& off, const SectionCorners& corners)
 {
     const double length = off.norm();
     if (!(length > 0.0))
         return off;
-    const double most = kMostOfReach * reachFrom(AcrossSection::Zero(), off / length, corners);
+    const double most = kMostOfReach * reachOfCorners(off / length, corners);
     return length > most ? AcrossSection{off * (most / length)} : off;
 }
 

@@ -260,8 +260,9 @@ DeformationSweep::deformedBy(const DeformationCombination& combination) const
         fields.blade = bladeInTissue(followed(airway, fields.throat), blade, X_AL);
     } else {
         const auto& jaw = combination.jaw;
-        fields.throat =
-            throatWith(jaw ? movedJaw(marks.p_A_incisors, jaw->opening, jaw->forward) : m_held);
+        const double size = std::min(m_airway.size(), 1.0);
+        fields.throat = throatWith(
+            jaw ? movedJaw(marks.p_A_incisors, jaw->opening, jaw->forward, size) : m_held);
     }
     std::vector<DeformedPart> parts;
     for (const AnatomyPart& part : m_patient->parts) {

@@ -20,10 +20,10 @@ struct SweptBlade {
     Angle levering{};      ///< by which the handle is then tipped back (levered)
 };
 
-/// A jaw as movedJaw has it.
+/// A jaw as movedJaw has it, of the size of the patient's airway, but not larger than a man's.
 struct SweptJaw {
-    Angle opening{}; ///< from the shut mouth
-    Length forward{};
+    Angle opening{};  ///< from the shut mouth
+    Length forward{}; ///< in a man
 };
 
 /// Everything by which the head and neck of a patient are deformed, but for the breath.

@@ -145,12 +145,12 @@ const float kPerNarrowBelow = 1.0 / 0.62;
 const float kNarrowBend = 0.1;
 
 const float kSoftContact = 3e-3;
-const float kBeforeFace = 5e-3;
-const float kMostSqueezed = 0.9;
+const float kBeforeFace = 7.2e-3;
+const float kMostSqueezed = 0.8;
 const float kPerBesideBlade = 1.0 / 20e-3;
 const float kPerUsualHalfWidth = 1.0 / 8e-3;
 const float kPerBeforeHeel = 1.0 / 0.15;
-const float kPerPastTip = 1.0 / 0.2;
+const float kPerPastTip = 1.0 / 0.3;
 const float kBendOfLarynx = 0.3;
 const float kTongueShare = 1.2;
 const float kPharynxFrom = 1.0;

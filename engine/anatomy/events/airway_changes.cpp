@@ -8,6 +8,8 @@
 #include "engine/core/expects.h"
 
 #include <algorithm>
+#include <initializer_list>
+#include <numeric>
 
 namespace carina
 {
@@ -19,6 +21,16 @@ constexpr double kTongueByBurn = 0.3;
 constexpr double kPharynxByBurn = 0.7;
 constexpr double kEpiglottisByBurn = 0.4;
 constexpr double kEntranceByBurn = 0.7;
+
+/// Swollen tongue, pharynx and epiglottis, and one that has fallen back, take the same room, the
+/// throat's: two of them at their worst fill it, and of more each has less. Of ours.
+constexpr double kMostInThroat = 2.0;
+
+double shareOfThroat(std::initializer_list<double> severities)
+{
+    const double together = std::accumulate(severities.begin(), severities.end(), 0.0);
+    return together > kMostInThroat ? kMostInThroat / together : 1.0;
+}
 
 } // namespace
 
@@ -43,21 +55,25 @@ AirwayField airwayChanges(const UpperAirway& airway, const AirwayEvents& events,
     const auto swollen = [&](AirwayEventKind kind, double ofBurn) {
         return canShow(airway, kind) ? std::max(severityOf(kind), ofBurn * burn) : 0.0;
     };
-    change(swollen(AirwayEventKind::TongueOedema, kTongueByBurn), swellTongue);
+    const double tongue = swollen(AirwayEventKind::TongueOedema, kTongueByBurn);
+    const double pharynx = swollen(AirwayEventKind::PharyngealSwelling, kPharynxByBurn);
+    const double epiglottis = swollen(AirwayEventKind::Epiglottitis, kEpiglottisByBurn);
+    const double floppy = severityOf(AirwayEventKind::FloppyEpiglottis);
+    const double share = shareOfThroat({tongue, pharynx, epiglottis, floppy});
+    change(share * tongue, swellTongue);
     change(severityOf(AirwayEventKind::AngioOedema), swellMouth);
     const auto changeByBoth = [&](double one, double other, auto how) {
         if (one > 0.0 || other > 0.0)
             how(field, airway, one, other);
     };
-    changeByBoth(swollen(AirwayEventKind::PharyngealSwelling, kPharynxByBurn),
-                 severityOf(AirwayEventKind::NeckObesity), narrowPharynx);
+    changeByBoth(share * pharynx, severityOf(AirwayEventKind::NeckObesity), narrowPharynx);
     changeByBoth(severityOf(AirwayEventKind::TrachealStenosis), severityOf(AirwayEventKind::Goitre),
                  narrowTrachea);
-    change(swollen(AirwayEventKind::Epiglottitis, kEpiglottisByBurn), swellEpiglottis);
+    change(share * epiglottis, swellEpiglottis);
     change(std::max(swollen(AirwayEventKind::LaryngealOedema, kEntranceByBurn),
                     severityOf(AirwayEventKind::AngioOedema)),
            swellEntrance);
-    change(severityOf(AirwayEventKind::FloppyEpiglottis), letEpiglottisFall);
+    change(share * floppy, letEpiglottisFall);
     change(severityOf(AirwayEventKind::AnteriorLarynx), moveLarynxForward);
     change(severityOf(AirwayEventKind::ExternalPressure), pressLarynx);
     changeByBoth(severityOf(AirwayEventKind::TrachealDeviation),

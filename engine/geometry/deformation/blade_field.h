@@ -43,22 +43,22 @@ struct LarynxHinge {
 ///     pharynx: x = p + g(d) j(b) u(h) t forward
 ///     tongue:  q = p + 1.2 g(b) j(b) s(h) t forward,   x = q + w c(f - q_y) y_L
 ///
-/// where f is the height of the blade's face there, c(e) = 0.45 (m + sqrt(m^2 + 4 k^2)) with
-/// m = e + 5 mm a soft contact, w in 0..1 fades beside the blade (of a narrow one within less, and
-/// its k and 5 mm are smaller, as kUsualHalfWidth says), before its heel and beyond its tip, h is a
-/// height above the hinge of the larynx, r grows with it in proportion but near the hinge, s from 0
-/// to 1, u as r up to height 1 and back to 0 above it, where the palate is, g fades from 1 to 0
-/// towards the back, and j towards the chin. b begins farther back the higher a place is, as an
-/// epiglottis leans; d does not, and of the pharynx nothing moves that lies behind the hinge: its
-/// wall is fixed to the spine.
+/// where f is the height of the blade's face there, c(e) = 0.4 (m + sqrt(m^2 + 4 k^2)) with
+/// m = e + 7.2 mm a soft contact, w in 0..1 fades beside the blade (of a narrow one within less,
+/// and its k and 7.2 mm are smaller, as kUsualHalfWidth says), before its heel and beyond its tip,
+/// h is a height above the hinge of the larynx, r grows with it in proportion but near the hinge, s
+/// from 0 to 1, u as r up to height 1 and back to 0 above it, where the palate is, g fades from 1
+/// to 0 towards the back, and j towards the chin. b begins farther back the higher a place is, as
+/// an epiglottis leans; d does not, and of the pharynx nothing moves that lies behind the hinge:
+/// its wall is fixed to the spine.
 ///
 /// Nothing folds, wherever the blade is. The determinant of the deformation gradient is at least 1
 /// for the larynx, as `forward` is perpendicular to the direction in which h grows, and g grows
 /// along it. For the pharynx, too, g grows along `forward`, and it is at least 0.2 (1 - 1.2 t j'
 /// with t at most twice the length over which g fades); for the tongue the product of at least this
-/// and of 1 - w c' with 0 < c' < 0.9, so that a thin sheet that a blade presses flat keeps a tenth
+/// and of 1 - w c' with 0 < c' < 0.8, so that a thin sheet that a blade presses flat keeps a fifth
 /// of its thickness, and its triangles do not pass through each other. Where w is 1 nothing of the
-/// tongue stays inside the blade up to a depth of 45 mm, as c(e) > e there.
+/// tongue stays inside the blade up to a depth of 28.8 mm, as c(e) > e there.
 class BladeField
 {
 public:

@@ -38,15 +38,15 @@ namespace formula
 
 inline constexpr double kSoftContact = 3e-3; ///< metres over which tissue begins to give way
 /// Tissue gives way so far before the blade's face, metres, by at most this share of what it lies
-/// deeper: no sheet becomes thinner than a tenth.
-inline constexpr double kBeforeFace = 5e-3;
-inline constexpr double kMostSqueezed = 0.9;
+/// deeper: no sheet becomes thinner than a fifth of what it was.
+inline constexpr double kBeforeFace = 7.2e-3;
+inline constexpr double kMostSqueezed = 0.8;
 inline constexpr double kBesideBlade = 20e-3; ///< metres beside its edge where its effect ends
 /// These lengths are those of a blade as wide as a grown person's, or wider; of a narrower one they
 /// are less in proportion, or an infant's blade would take the cheeks along.
 inline constexpr double kUsualHalfWidth = 8e-3;
 inline constexpr double kBeforeHeel = 0.15; ///< likewise, in shares of its length
-inline constexpr double kPastTip = 0.2;
+inline constexpr double kPastTip = 0.3;
 inline constexpr double kBendOfLarynx = 0.3; ///< height over which its tilt begins
 
 /// The base of the tongue goes forward with the larynx: by this share of what lies at height 1,
@@ -73,7 +73,7 @@ template <class T> Smooth<T> bladeFace(T rise, T sag, T along)
 
 /// How far something is pushed that would lie `inside` the face of a blade: nearly 0 far outside.
 /// Its slope is between 0 and kMostSqueezed. It is more than `inside`, so that nothing stays inside
-/// the blade, up to kMostSqueezed kBeforeFace narrow / (1 - kMostSqueezed): 45 mm where `narrow`
+/// the blade, up to kMostSqueezed kBeforeFace narrow / (1 - kMostSqueezed): 28.8 mm where `narrow`
 /// is 1.
 /// @param narrow what the lengths of contact are multiplied by (narrowness); above 0
 template <class T> Smooth<T> contactPush(T inside, T narrow)

@@ -90,11 +90,18 @@ HeadPosition withinReach(const HeadPosition& position)
     return {radians(flexion), radians(std::clamp(position.extension.si, kLeastExtension.si, most))};
 }
 
+HeadPosition withinReach(const HeadPosition& position, Length way)
+{
+    const double share = std::min(way / kGrownWay, 1.0);
+    const Angle most = share * kMostFlexion;
+    return withinReach({std::min(position.flexion, most), position.extension});
+}
+
 NeckField::NeckField(const Vec3& p_A_glottis, const Vec3& p_A_incisors,
                      const HeadPosition& position)
 {
     const double length = (p_A_incisors - p_A_glottis).norm();
-    const HeadPosition drawn = withinReach(position);
+    const HeadPosition drawn = withinReach(position, metres(length));
     if (!(length > kLeast) || drawn == HeadPosition{})
         return;
     m_frame.flexion = flexionOf(p_A_glottis, length, drawn.flexion);

@@ -38,6 +38,15 @@ inline constexpr Angle kMostExtension = degrees(30.0); ///< while the neck is no
 /// itself. That this limit falls evenly up to 20 degrees is of ours.
 [[nodiscard]] HeadPosition withinReach(const HeadPosition& position);
 
+/// The same of who has this way from incisors to glottis. Where it is shorter than kGrownWay the
+/// neck is flexed less, in proportion (22 degrees in a newborn): the chest comes nearer to the chin
+/// of an infant, whose neck is short and round, and skin that lies farther before the hinge than
+/// NeckField reaches would pass through itself. Of ours; no measured limit was found. Nothing that
+/// is done is lost: the large occiput flexes the neck by itself, and simple extension aligns the
+/// axes of infants and young children (Vialet et al., Paediatr Anaesth 2008;18:525, by MRI).
+[[nodiscard]] HeadPosition withinReach(const HeadPosition& position, Length way);
+inline constexpr Length kGrownWay = millimetres(79.0); ///< 0.9 of that of the man of BodyParts3D
+
 /// How everything between trunk and head moves as these lie in another position. First the head is
 /// extended about the joints of occiput and atlas, then the neck flexed, with the head, about the
 /// disc between the sixth and the seventh cervical vertebra. Each of the two turns a place about an
@@ -72,7 +81,7 @@ public:
     /// Neutral: nothing moves.
     NeckField() = default;
     /// The points are those of AirwayLandmarks; a position out of reach is drawn as withinReach has
-    /// it. Where they are within kLeast of each other nothing moves.
+    /// it for their distance. Where they are within kLeast of each other nothing moves.
     NeckField(const Vec3& p_A_glottis, const Vec3& p_A_incisors, const HeadPosition& position);
 
     [[nodiscard]] const NeckFrame<double>& frame() const { return m_frame; }

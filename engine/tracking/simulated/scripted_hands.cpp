@@ -274,10 +274,10 @@ RigidTransform ScriptedHands::headAt(double phase) const
 
 RigidTransform handOnTube() { return RigidTransform::translation(kGrip); }
 
-RigidTransform movedJaw(const Vec3& p_A_incisors, Angle opening, Length forward)
+RigidTransform movedJaw(const Vec3& p_A_incisors, Angle opening, Length forward, double size)
 {
-    const Vec3 p_A_condyles = p_A_incisors + kCondyles;
-    return RigidTransform::translation(p_A_condyles - forward.si * Vec3::UnitY())
+    const Vec3 p_A_condyles = p_A_incisors + size * kCondyles;
+    return RigidTransform::translation(p_A_condyles - size * forward.si * Vec3::UnitY())
            * RigidTransform{rotationFromVector(opening.si * Vec3::UnitX()), Vec3::Zero()}
            * RigidTransform::translation(-p_A_condyles);
 }

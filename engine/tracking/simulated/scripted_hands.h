@@ -90,7 +90,9 @@ private:
 /// X_AJ of a mandible whose frame J coincides with A while the mouth is closed: moved forward, and
 /// rotated about the transverse axis through the condyles, which lie 88 mm from the incisors, 26
 /// degrees above the plane of the teeth (Bonwill's triangle, Balkwill's angle).
-[[nodiscard]] RigidTransform movedJaw(const Vec3& p_A_incisors, Angle opening, Length forward = {});
+/// @param size by which these lengths are multiplied, above 0: less than 1 in who is smaller
+[[nodiscard]] RigidTransform movedJaw(const Vec3& p_A_incisors, Angle opening, Length forward = {},
+                                      double size = 1.0);
 
 /// X_TA of a patient in front of a tracker that looks at a point before the face from 1.25 m to the
 /// left and above. All four tools, with a tube of common size, stay inside the working volume, and

@@ -212,6 +212,7 @@ private Q_SLOTS:
     void swellsReddensAndBlackensByABurn_data() { people(); }
     void swellsReddensAndBlackensByABurn();
     void burnsNoTongueWhereThereIsNone();
+    void sharesTheRoomOfTheThroat();
     void movesMoreWithTheSeverity_data();
     void movesMoreWithTheSeverity();
     void foldsNowhereWithAllEventsAtOnce_data() { people(); }
@@ -732,6 +733,34 @@ void TestAirwayChanges::burnsNoTongueWhereThereIsNone()
     QVERIFY(canShow(person.airway, AirwayEventKind::Burn));
     const AirwayField field = person.field(AirwayEventKind::Burn, 1.0);
     QVERIFY(mostOf(person, field, "Epiglottis") > 1.0 * kMillimetre);
+}
+
+// Two at their worst are drawn as they are, and of four each as one of half the severity; what is
+// not in the throat is as before.
+void TestAirwayChanges::sharesTheRoomOfTheThroat()
+{
+    const Person person{QStringLiteral("adult")};
+    using enum AirwayEventKind;
+    const auto swellings = [&](const AirwayEvents& events) {
+        return airwayChanges(person.airway, events).frame().swellings;
+    };
+    const auto both = swellings({{Epiglottitis, 1.0}, {FloppyEpiglottis, 1.0}});
+    QCOMPARE(both[0].outward, swellings({{Epiglottitis, 1.0}})[0].outward);
+    QVERIFY(both[1].shift == swellings({{FloppyEpiglottis, 1.0}})[0].shift);
+    const AirwayEvents four{{TongueOedema, 1.0},
+                            {PharyngealSwelling, 1.0},
+                            {Epiglottitis, 1.0},
+                            {Laryngospasm, 1.0},
+                            {FloppyEpiglottis, 1.0}};
+    const AirwayEvents halves{{TongueOedema, 0.5},
+                              {PharyngealSwelling, 0.5},
+                              {Epiglottitis, 0.5},
+                              {Laryngospasm, 1.0},
+                              {FloppyEpiglottis, 0.5}};
+    for (const char* part : {"Tongue", "Uvula", "Epiglottis", "Left vocal fold"})
+        QVERIFY2(person.verticesOf(part, airwayChanges(person.airway, four))
+                     == person.verticesOf(part, airwayChanges(person.airway, halves)),
+                 part);
 }
 
 // But trismus, which is of the jaw (tst_mouth_opening.cpp), a stiff neck (tst_neck_motion.cpp),

@@ -114,19 +114,19 @@ void TestBladeField::leavesTeethSkinAndWindpipe()
         }
 }
 
-// From before its face to 45 mm deep; but for its last fifth before the heel the blade pushes
+// From before its face to 28.8 mm deep; but for its last fifth before the heel the blade pushes
 // wholly.
 void TestBladeField::leavesNothingInsideTheBlade()
 {
     const BladeField blade = plainBlade();
     for (const double share : {0.05, 0.3, 0.6, 1.0})
-        for (const double depth : {0.0, 0.005, 0.02, 0.045})
+        for (const double depth : {0.0, 0.005, 0.02, 0.0288})
             for (const double x : {-0.007, 0.0, 0.007}) {
                 const Vec3 p_A{x, faceAt(share) - depth, -share * BladeForm{}.reach};
                 const double outside = pushed(blade, p_A).y() - faceAt(share);
                 QVERIFY(outside > 0.0);
-                // c(e) - e falls from 5.77 mm at the face to 0.16 mm at 45 mm.
-                QVERIFY(outside < 0.00577 - 0.1 * depth);
+                // c(e) - e falls from 6.63 mm at the face to 0.20 mm at 28.8 mm.
+                QVERIFY(outside < 0.00663 - 0.2 * depth);
             }
 }
 
@@ -147,10 +147,10 @@ void TestBladeField::leavesWhatIsFarAway()
 {
     const BladeField blade = plainBlade();
     const double reach = BladeForm{}.reach;
-    for (const Vec3& p_A : {Vec3{0.0, -0.02, 0.16 * reach}, Vec3{0.0, -0.02, -1.21 * reach},
+    for (const Vec3& p_A : {Vec3{0.0, -0.02, 0.16 * reach}, Vec3{0.0, -0.02, -1.31 * reach},
                             Vec3{0.029, -0.02, -0.5 * reach}, Vec3{-0.029, -0.02, -0.5 * reach}})
         QCOMPARE(bladePush<double>(blade.frame(), p_A).d.norm(), 0.0);
-    // Above the blade tissue gives way less and less: by 0.9 k^2 / m.
+    // Above the blade tissue gives way less and less: by 0.8 k^2 / m.
     QVERIFY(bladePush<double>(blade.frame(), {0.0, 0.1, -0.5 * reach}).d.norm() < 9e-6 / 0.1);
 }
 
@@ -243,7 +243,7 @@ void TestBladeField::leavesTheBackOfThePharynx()
     }
 }
 
-// det (I + grad d) is 1 - w c' before a blade, so at least 0.1, at least 1 for the larynx, and at
+// det (I + grad d) is 1 - w c' before a blade, so at least 0.2, at least 1 for the larynx, and at
 // least 0.2 for the base of the tongue and for the pharynx.
 void TestBladeField::foldsNowhereWhereverABladeIs()
 {
@@ -253,7 +253,7 @@ void TestBladeField::foldsNowhereWhereverABladeIs()
         for (const Vec3& p_A : places()) {
             const Mat3 tongue = Mat3::Identity() + bladePush<double>(frame, p_A).gradient;
             const Mat3 larynx = Mat3::Identity() + larynxTilt<double>(frame, p_A).gradient;
-            QVERIFY(tongue.determinant() >= 0.1 - kDeterminantTolerance);
+            QVERIFY(tongue.determinant() >= 0.2 - kDeterminantTolerance);
             QVERIFY(tongue.determinant() <= 1.0 + kDeterminantTolerance);
             QVERIFY(larynx.determinant() >= 1.0 - kDeterminantTolerance);
             const Mat3 base = Mat3::Identity() + tongueBaseShift<double>(frame, p_A).gradient;
@@ -262,7 +262,7 @@ void TestBladeField::foldsNowhereWhereverABladeIs()
             QVERIFY(pharynx.determinant() >= 0.2 - kDeterminantTolerance);
             const Mat3 both =
                 Mat3::Identity() + bladePull<double>(frame, AirwayTissue::Throat, p_A).gradient;
-            QVERIFY(both.determinant() >= 0.02 - kDeterminantTolerance);
+            QVERIFY(both.determinant() >= 0.04 - kDeterminantTolerance);
         }
     }
 }

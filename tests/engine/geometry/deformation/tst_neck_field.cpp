@@ -43,8 +43,8 @@ Person anyPerson(std::mt19937& random)
     person.p_A_glottis = {between(-0.01, 0.01), between(-0.05, 0.0), between(0.06, 0.16)};
     person.p_A_incisors = person.p_A_glottis + length * Vec3{0.0, -std::cos(rise), std::sin(rise)};
     const Angle flexion = radians(between(kLeastFlexion.si, kMostFlexion.si));
-    person.position =
-        withinReach({flexion, radians(between(kLeastExtension.si, kMostExtension.si))});
+    person.position = withinReach(
+        {flexion, radians(between(kLeastExtension.si, kMostExtension.si))}, metres(length));
     return person;
 }
 
@@ -134,6 +134,7 @@ private Q_SLOTS:
     void leavesTheLarynxWithTheNeck();
     void takesTheNearestPositionInReach();
     void extendsAFlexedNeckLess();
+    void flexesAnInfantsNeckLess();
     void foldsNowhereWithinReach();
     void hasTheSlopesOfItsDisplacement();
     void hasTheJawFollowInTheHead();
@@ -240,6 +241,23 @@ void TestNeckField::extendsAFlexedNeckLess()
     QVERIFY(beyond.neck().X_AU().matrix() == Person{}.neck().X_AU().matrix());
 }
 
+// By 22 degrees in a newborn; the head is extended as far, and the neck bent back as far.
+void TestNeckField::flexesAnInfantsNeckLess()
+{
+    constexpr double kSame_deg = 1e-9;
+    const Length newborn = millimetres(49.7);
+    const HeadPosition drawn = withinReach(kSniffing, newborn);
+    QVERIFY(std::abs(inDegrees(drawn.flexion) - 35.0 * 49.7 / 79.0) < kSame_deg);
+    QCOMPARE(drawn.extension, kSniffing.extension);
+    const HeadPosition back{kLeastFlexion, kMostExtension};
+    QVERIFY(withinReach(back, newborn) == back);
+    QVERIFY(withinReach(kSniffing, kGrownWay) == kSniffing);
+    Person infant;
+    infant.p_A_incisors = infant.p_A_glottis + 0.0497 * Vec3{0.0, -0.8, 0.6};
+    QVERIFY(std::abs(inDegrees(infant.neck().position().flexion) - inDegrees(drawn.flexion))
+            < kSame_deg);
+}
+
 void TestNeckField::foldsNowhereWithinReach()
 {
     std::mt19937 random{7};
@@ -248,7 +266,8 @@ void TestNeckField::foldsNowhereWithinReach()
         Person person = anyPerson(random);
         if (n % 3 == 0) // the corners of what is drawn
             person.position = withinReach({n % 2 == 0 ? kMostFlexion : kLeastFlexion,
-                                           n % 4 == 0 ? kMostExtension : kLeastExtension});
+                                           n % 4 == 0 ? kMostExtension : kLeastExtension},
+                                          metres(person.length()));
         const NeckFrame<double> frame = person.neck().frame();
         for (const Vec3& p_A : places(random))
             for (const bool isFlexion : {false, true}) {

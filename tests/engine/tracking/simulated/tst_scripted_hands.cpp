@@ -99,6 +99,22 @@ private Q_SLOTS:
             QVERIFY(distanceToLine(hands.p_A_tip(t), hands.script().path_A) < kTolerance);
     }
 
+    /// Of a jaw half as large the condyles are half as far away, and it comes half as far forward.
+    void movesASmallJawInProportion()
+    {
+        const Vec3 p_A_incisors{0.0, -0.05, 0.07};
+        const Angle rise = degrees(26.0);
+        const Vec3 p_A_condyles =
+            p_A_incisors + 0.044 * Vec3{0.0, std::cos(rise.si), std::sin(rise.si)};
+        const RigidTransform opened = movedJaw(p_A_incisors, degrees(20.0), {}, 0.5);
+        QVERIFY((opened * p_A_condyles - p_A_condyles).norm() < kTolerance);
+        const RigidTransform forward = movedJaw(p_A_incisors, {}, millimetres(10.0), 0.5);
+        QVERIFY((forward * p_A_incisors - p_A_incisors + Vec3{0.0, 5e-3, 0.0}).norm() < kTolerance);
+        const RigidTransform whole = movedJaw(p_A_incisors, degrees(20.0), millimetres(10.0));
+        QVERIFY(whole.matrix()
+                == movedJaw(p_A_incisors, degrees(20.0), millimetres(10.0), 1.0).matrix());
+    }
+
     void holdsTheTubeOutsideAndThenInPlaceAboveTheCarina_data()
     {
         QTest::addColumn<double>("restMm");

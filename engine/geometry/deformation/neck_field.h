@@ -41,9 +41,10 @@ inline constexpr Angle kMostExtension = degrees(30.0); ///< while the neck is no
 /// The same of who has this way from incisors to glottis. Where it is shorter than kGrownWay the
 /// neck is flexed less, in proportion (22 degrees in a newborn): the chest comes nearer to the chin
 /// of an infant, whose neck is short and round, and skin that lies farther before the hinge than
-/// NeckField reaches would pass through itself. Of ours; no measured limit was found. Nothing that
-/// is done is lost: the large occiput flexes the neck by itself, and simple extension aligns the
-/// axes of infants and young children (Vialet et al., Paediatr Anaesth 2008;18:525, by MRI).
+/// NeckField reaches would pass through itself. Of ours; no measured limit was found. Little that
+/// is done is lost: the large occiput flexes the neck by itself, and a slight extension of the head
+/// brings the line of sight nearer to the larynx' axis in infants and young children (Vialet et
+/// al., Paediatr Anaesth 2008;18:525, by MRI).
 [[nodiscard]] HeadPosition withinReach(const HeadPosition& position, Length way);
 inline constexpr Length kGrownWay = millimetres(79.0); ///< 0.9 of that of the man of BodyParts3D
 

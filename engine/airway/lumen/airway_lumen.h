@@ -44,8 +44,8 @@ struct LumenSection {
 /// The space in which the centre line of a tube of one outer radius can be, as a patient's surfaces
 /// have it; A, metres. It is a polygon of kLumenDirections corners for each section of each way,
 /// about 4 mm apart, and in between of what lies between two of them. So it is smooth enough for a
-/// rod, quickly asked, and can be moved: each corner goes with the tissue that it touches
-/// (MovedLumen).
+/// rod, quickly asked, and can be moved: four of the corners of each section go with the tissue
+/// that they touch, and those between with these (MovedLumen).
 ///
 /// A dense signed distance field would need to know where space goes between tissues that move
 /// apart, as tongue and palate do when a mouth opens; the corners need not.

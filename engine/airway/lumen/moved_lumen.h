@@ -26,7 +26,7 @@ struct MovedSection {
     Vec3 p_A_centre = Vec3::Zero();
     Vec3 side = Vec3::UnitX(); ///< unit, as AcrossWay
     Vec3 back = Vec3::UnitY();
-    /// From the centre to the corners, at least kLeastReach, metres.
+    /// From the centre to the sides across these directions (evenOut), metres.
     std::array<double, kLumenDirections> reach{};
     /// Half the least width, metres; below 0 by so much the tube is too thick.
     double spare = 0.0;

@@ -119,12 +119,14 @@ BetweenWays between(const Vec3& p_A_one, const Vec3& p_A_other, const Vec3& p_A)
     return {(p_A - p_A_one).dot(across) / apart - 0.5 * apart, apart};
 }
 
-void findOesophagus(AirwayMoment& moment, const PatientWays& ways, const PlaceOnWay& inTrachea)
+/// @param p_A the tip as it was measured: one that is held in a way lies in that without evidence
+void findOesophagus(AirwayMoment& moment, const PatientWays& ways, const Vec3& p_A)
 {
-    const Vec3 behind = nearestOnWay(ways.oesophagus, inTrachea.p_A).p_A;
-    BetweenWays place = between(inTrachea.p_A, behind, moment.p_A_tip);
+    const Vec3 inTrachea = nearestOnWay(ways.trachea, p_A).p_A;
+    const Vec3 behind = nearestOnWay(ways.oesophagus, inTrachea).p_A;
+    BetweenWays place = between(inTrachea, behind, p_A);
     // At the larynx a tip may go by at the side.
-    const Vec3 fromGlottis = moment.p_A_tip - ways.p_A_glottis();
+    const Vec3 fromGlottis = p_A - ways.p_A_glottis();
     if (std::abs(fromGlottis.dot(ways.up_A())) < ways.size * kBesideGlottis.si)
         place.beyond =
             std::max(place.beyond, std::abs(fromGlottis.x()) - ways.size * kBesideGlottis.si);
@@ -142,7 +144,9 @@ Vec3 downAtCarina(const PatientWays& ways)
 
 /// Both bronchi go down from the carina: at the height of the tip, and the way to there in the
 /// nearer one.
-void findBronchus(AirwayMoment& moment, const PatientWays& ways, const Vec3& down, double beyond)
+/// @param p_A the tip as it was measured
+void findBronchus(AirwayMoment& moment, const PatientWays& ways, const Vec3& down, double beyond,
+                  const Vec3& p_A)
 {
     const Vec3 carina = ways.p_A_carina();
     const auto at = [&](const Vec3& end) {
@@ -152,20 +156,20 @@ void findBronchus(AirwayMoment& moment, const PatientWays& ways, const Vec3& dow
     };
     const Vec3 right = at(ways.p_A_rightEnd);
     const Vec3 left = at(ways.p_A_leftEnd);
-    const BetweenWays place = between(carina + right, carina + left, moment.p_A_tip);
+    const BetweenWays place = between(carina + right, carina + left, p_A);
     moment.towardsLeft = metres(place.beyond);
     moment.rightToLeft = metres(place.apart);
     moment.aboveCarina = metres(-(place.beyond < 0.0 ? right : left).norm());
 }
 
-void findPlace(AirwayMoment& moment, const PatientWays& ways)
+void findPlace(AirwayMoment& moment, const PatientWays& ways, const Vec3& p_A_measured)
 {
     const PlaceOnWay inTrachea = nearestOnWay(ways.trachea, moment.p_A_tip);
-    findOesophagus(moment, ways, inTrachea);
+    findOesophagus(moment, ways, p_A_measured);
     const Vec3 down = downAtCarina(ways);
     const double beyond = (moment.p_A_tip - ways.p_A_carina()).dot(down);
     if (beyond > 0.0) {
-        findBronchus(moment, ways, down, beyond);
+        findBronchus(moment, ways, down, beyond, p_A_measured);
         return;
     }
     const Length trachea = lengthOf(ways.trachea);
@@ -178,9 +182,9 @@ void findPlace(AirwayMoment& moment, const PatientWays& ways)
 }
 
 /// A tube that lies beside the patient may be farther away than an entry of a session may say.
-void findTip(AirwayMoment& moment, const PatientWays& ways)
+void findTip(AirwayMoment& moment, const PatientWays& ways, const Vec3& p_A_measured)
 {
-    findPlace(moment, ways);
+    findPlace(moment, ways, p_A_measured);
     moment.aboveCarina =
         std::clamp(moment.aboveCarina, -1.0 * kFarthestFromCarina, kFarthestFromCarina);
 }
@@ -201,7 +205,7 @@ void findTube(AirwayMoment& moment, const PatientWays& ways, const TubeCurves& t
     moment.pastCords = pastCords(ways, moment.p_A_tip);
     moment.measuredPastCords = pastCords(ways, measured);
     moment.besides = metres((measured - moment.p_A_tip).norm());
-    findTip(moment, ways);
+    findTip(moment, ways, measured);
     if (moment.pastTeeth > Length{})
         moment.depthAtTeeth = depthOf(ways, tube.p_A_shown);
 }

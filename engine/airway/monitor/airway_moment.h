@@ -34,10 +34,10 @@ struct AirwayMoment {
     Length pastTeeth{};         ///< of the tip; negative in front of the incisors and beside the
                                 ///< ways, where a tube in a body cannot be
     Length pastCords{};         ///< through the cords' plane, likewise, in the larynx or behind it
-    Length towardsOesophagus{}; ///< from halfway between airway and oesophagus; negative: airway
+    Length towardsOesophagus{}; ///< of the measured tip, from halfway; negative: airway
     Length tracheaToOesophagus{}; ///< at the height of the tip
     Length aboveCarina{};         ///< along the airway, negative beyond; to kFarthestFromCarina
-    Length towardsLeft{};         ///< from halfway between both main bronchi; negative: right
+    Length towardsLeft{};         ///< of that, from halfway between both; negative: right
     Length rightToLeft{};         ///< of these, at the height of the tip; 0 above the carina
     Length depthAtTeeth{};        ///< along the tube; 0 outside
     Length measuredPastCords{};   ///< of the tip as it was measured

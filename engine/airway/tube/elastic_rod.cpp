@@ -293,7 +293,7 @@ void ElasticRod::draw(const RodHold& hold)
                 break;
             const double cosine = segment.dot(hold.guide->slope(m_segments[i], drawn)) / length;
             drawn.along += (m_length - length) / std::max(cosine, kLeastCosine);
-            if (slide + 1 == kMostSlides)
+            if (slide + 1 == kMostSlides) // as where it doubles back: its length counts
                 m_nodes[i] = m_nodes[i - 1] + m_length / length * segment;
         }
     }

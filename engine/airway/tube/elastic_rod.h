@@ -24,8 +24,9 @@ struct RodHold {
 ///
 ///     sum B_i / (2 l^3) |M_i^T (x_i-1 - 2 x_i + x_i+1) - k_i|^2 - f . x_tip
 ///
-/// is least: a discrete elastic rod (Bergou et al, ACM Trans Graph 2008;27:63) of segments of equal
-/// length l. M_i are two axes across it at a node, carried from what holds it along the rod without
+/// is least: a discrete elastic rod after Bergou et al (ACM Trans Graph 2008;27:63), whose
+/// curvature of a turn by phi, 2 tan(phi / 2), is 2 sin(phi / 2) here, of segments of equal length
+/// l. M_i are two axes across it at a node, carried from what holds it along the rod without
 /// rotation about it, and k_i the same of its curve at rest: so it is as if it could not be
 /// twisted. Lengths are held by multipliers.
 ///

@@ -106,7 +106,7 @@ void TubeInLumen::step(const RigidTransform& X_AE, const MovedLumen& lumen)
     m_isInside = isFoundInside(measured, lumen);
     if (m_isInside) {
         const double before = wasInside ? tipOnWay() : 0.0;
-        m_way.which = nearestWay(measured.back(), lumen);
+        m_way.which = nearestWay(measured.back(), lumen, wasInside);
         m_way.branch = branchOf(lumen, m_way.which);
         guideAlong(measured[0], (measured[1] - measured[0]).normalized(), lumen);
         const double place = wasInside ? before : placeIn(lumen, m_way.which, measured.back());
@@ -125,7 +125,7 @@ void TubeInLumen::step(const RigidTransform& X_AE, const MovedLumen& lumen)
 bool TubeInLumen::isFoundInside(std::span<const Vec3> measured, const MovedLumen& lumen) const
 {
     const Vec3& p_A_tip = measured.back();
-    const AirwayWay which = nearestWay(p_A_tip, lumen);
+    const AirwayWay which = nearestWay(p_A_tip, lumen, m_isInside);
     const double behindTeeth = placeIn(lumen, which, p_A_tip) - lumen.teeth;
     if (behindTeeth < (m_isInside ? -kLeaves : 0.0))
         return false;
@@ -136,7 +136,8 @@ bool TubeInLumen::isFoundInside(std::span<const Vec3> measured, const MovedLumen
         measured, [&](const Vec3& p_A) { return (p_A - p_A_teeth).norm() < kBeside.si; });
 }
 
-AirwayWay TubeInLumen::nearestWay(const Vec3& p_A_tip, const MovedLumen& lumen) const
+/// @param isHeld a way that it lies in already is given up only for one that is clearly nearer
+AirwayWay TubeInLumen::nearestWay(const Vec3& p_A_tip, const MovedLumen& lumen, bool isHeld) const
 {
     const auto distanceOf = [&](AirwayWay which) {
         const MovedWay& way = lumen.way(which);
@@ -146,7 +147,7 @@ AirwayWay TubeInLumen::nearestWay(const Vec3& p_A_tip, const MovedLumen& lumen) 
         if (which == AirwayWay::Trunk && hasMainBronchi(lumen) && isBehind(way, p_A_tip))
             return std::numeric_limits<double>::infinity();
         const double distance = way.fromMiddles(p_A_tip);
-        if (!m_isInside || which == m_way.which)
+        if (!isHeld || which == m_way.which)
             return distance;
         const double fork = std::min(branchOf(lumen, which), m_way.branch);
         return distance + kNearer.si + kNearerEach * std::max(tipOnWay() - fork, 0.0);

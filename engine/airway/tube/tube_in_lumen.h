@@ -45,7 +45,7 @@ struct TubeContact {
 /// by a hand and stiffer by kHeldByHand, and from there on inside of the sections of the way.
 ///
 /// The way ends where a tube so thick is stopped. A place that has become too narrow behind the tip
-/// does not let go of the tube, but holds it in its middle. One that is first seen inside is taken
+/// does not let go of the tube, but yields to it. One that is first seen inside is taken
 /// to have passed what lies before its tip, as nobody knows how it got there.
 class TubeInLumen
 {
@@ -93,7 +93,8 @@ private:
     };
 
     [[nodiscard]] bool isFoundInside(std::span<const Vec3> measured, const MovedLumen& lumen) const;
-    [[nodiscard]] AirwayWay nearestWay(const Vec3& p_A_tip, const MovedLumen& lumen) const;
+    [[nodiscard]] AirwayWay nearestWay(const Vec3& p_A_tip, const MovedLumen& lumen,
+                                       bool isHeld) const;
     void guideAlong(const Vec3& p_A, const Vec3& direction, const MovedLumen& lumen);
     void addSections(const MovedWay& way, double from, double until);
     [[nodiscard]] double stopAhead(double place, const MovedLumen& lumen) const;

@@ -40,10 +40,10 @@ ShapeBetween ShapeView::beyond(SessionTime t) const
     const StreamShape& newest = m_shapes.back();
     const auto later =
         std::ranges::upper_bound(m_shapes, newest.time - kBaseline, {}, &StreamShape::time);
-    const StreamShape& before = later == m_shapes.begin() ? *later : *std::prev(later);
-    const double since = toSeconds(newest.time - before.time);
-    if (!(since > 0.0))
+    if (later == m_shapes.begin())
         return {newest, newest};
+    const StreamShape& before = *std::prev(later);
+    const double since = toSeconds(newest.time - before.time);
     return {before, newest, 1.0 + carriedSeconds(t - newest.time) / since};
 }
 

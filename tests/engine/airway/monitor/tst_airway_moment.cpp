@@ -100,6 +100,19 @@ private Q_SLOTS:
         QVERIFY(bladeAt(within(0.1, 0.040)) > Length{}); // in the tongue
     }
 
+    /// A tip that is held in the trachea is no evidence of that: where it was measured is.
+    void evidenceIsThatOfTheMeasuredTip()
+    {
+        const std::vector<Vec3> shown{{0.0, 0.0, 0.2}, {0.0, 0.0, 0.06}};
+        const std::vector<Vec3> measured{{0.0, 0.0, 0.2},
+                                         {0.0, 0.5 * 0.0139 * 125.0 / 127.0, 0.06}};
+        TubeCurves tube{
+            .validity = Validity::Tracked, .p_A_shown = shown, .p_A_measured = measured};
+        const AirwayMoment moment = airwayMoment(SessionTime{}, test::drawnWays(), tube, {});
+        QVERIFY(std::abs(moment.towardsOesophagus.si) < kDrawn);
+        QCOMPARE(moment.p_A_tip, shown.back());
+    }
+
     void oesophagusIsToldFromTheTrachea()
     {
         const AirwayMoment inTrachea = at({0.0, 0.0, 0.06});

@@ -14,7 +14,8 @@ namespace
 
 constexpr double kStiffness = 5e-3; // N m^2
 constexpr int kSegments = 64;
-constexpr double kOfSolution = 0.05; // share
+constexpr double kOfSolution = 0.01; // share
+constexpr double kOfElastica = 0.05;
 
 /// Straight along -z; the first segment is held.
 std::vector<Vec3> straight(double length)
@@ -115,8 +116,8 @@ private Q_SLOTS:
         Laid it{straight(length)};
         const double free = length * (kSegments - 1) / kSegments;
         const Vec3 found = it.deflected({2.0 * kStiffness / (free * free), 0.0, 0.0});
-        QVERIFY(std::abs(found.x() / free - 0.49346) < kOfSolution * 0.49346);
-        QVERIFY(std::abs(found.z() / free - 0.16064) < kOfSolution * 0.16064);
+        QVERIFY(std::abs(found.x() / free - 0.49346) < kOfElastica * 0.49346);
+        QVERIFY(std::abs(found.z() / free - 0.16064) < kOfElastica * 0.16064);
     }
 
     /// A quarter of a circle, clamped at one end, loaded at the other across its direction there,
@@ -146,7 +147,8 @@ private Q_SLOTS:
         for (int i = 0; i < 40; ++i)
             QVERIFY(rod.step(hold));
         const double truth = 0.5 * kStiffness * angle / radius;
-        QVERIFY2(std::abs(rod.energy() - truth) < kOfSolution * truth,
+        constexpr double kOfEnergy = 0.02; // share: half a turn is left at what holds it
+        QVERIFY2(std::abs(rod.energy() - truth) < kOfEnergy * truth,
                  qPrintable(QString::number(rod.energy() / truth)));
     }
 

@@ -83,6 +83,7 @@ private Q_SLOTS:
     void isLaidAnewWhereItWasLost();
     void takesTheWayToWhichItsTipIsNearest();
     void doesNotGoOverDeepInAWay();
+    void isFoundAgainInTheSameWay();
     void staysBehindAHandThatPushesItOn();
     void givesTheSameBits();
 };
@@ -225,6 +226,25 @@ void TestTubeInLumen::doesNotGoOverDeepInAWay()
         tube.step(pointingAt(size, {0.0, 0.2, 0.001 * i}), lumen);
     QCOMPARE(tube.tip().way, AirwayWay::Trunk);
     QVERIFY(std::abs(tube.tip().p_A.z()) < 0.010 - size.outerRadius().si + kOutside.si);
+}
+
+void TestTubeInLumen::isFoundAgainInTheSameWay()
+{
+    // One pose beside the patient, as of a tracker that took another marker for it.
+    const TubeSize size = sizeOf(7.0);
+    const std::vector<Vec3> line{Vec3::Zero(), -size.length.si * Vec3::UnitZ()};
+    const MovedLumen lumen = unmoved(forked(size.outerRadius()));
+    TubeInLumen tube{size, line};
+    const auto aside = [&](double y) {
+        return pointingAt(size, {0.0, std::max(y, 0.001), 0.5 * std::max(y - 0.12, 0.0)});
+    };
+    for (int i = 0; i <= 120; ++i)
+        tube.step(aside(-0.02 + 0.0015 * i), lumen);
+    QCOMPARE(tube.tip().way, AirwayWay::Oesophagus);
+    tube.step(RigidTransform::translation({0.3, 0.0, 0.0}) * aside(0.16), lumen);
+    QVERIFY(!tube.tip().isPastTeeth);
+    tube.step(aside(0.16), lumen);
+    QCOMPARE(tube.tip().way, AirwayWay::Oesophagus);
 }
 
 void TestTubeInLumen::staysBehindAHandThatPushesItOn()

@@ -86,6 +86,15 @@ private Q_SLOTS:
         QVERIFY(std::abs(ahead - kPerSecond * 0.400) < 0.1 * (1.0 + 80.0 / 80.0) + kExact);
     }
 
+    /// Of two forms within a millisecond nobody knows how fast they go on.
+    void doesNotGoOnWithoutABaseline()
+    {
+        ShapeView view;
+        view.take(shapeAt(0ms));
+        view.take(shapeAt(1ms));
+        QVERIFY(isAt(view.at(kStart + 101ms), 0.001));
+    }
+
     void leavesWhatIsNotLater()
     {
         ShapeView view = fedEach(16ms, 160ms);

@@ -3,6 +3,7 @@
 #include "tests/engine/sync/wire/datagram_samples.h"
 #include "tests/support/test_class.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -178,6 +179,90 @@ private Q_SLOTS:
         row("lowest code of a form at rest", 19, 53, "00 80", "form");
         row("form's lowest code", 19, 57, "00 80", "form");
         row("form's last code the lowest", 19, 71, "00 80", "form");
+        row("action kind", 1, 9, "03", "action kind");
+        row("event beyond the range of times", 1, 10, "01 00 00 00 00 00 00 20", "time");
+        row("quaternion too long", 1, 18, "00 00 80 00 00 00 f0 3f", "rotation");
+        row("quaternion too short", 1, 18, "00 00 00 ff ff ff ef 3f", "rotation");
+        row("quaternion not a number", 1, 42, "00 00 00 00 00 00 f8 7f", "rotation");
+        row("position infinite", 1, 50, "00 00 00 00 00 00 f0 7f", "position");
+        row("position not a number", 1, 66, "00 00 00 00 00 00 f8 7f", "position");
+        row("axis zero", 1, 78, "00 00 00 00", "axis");
+        row("axis too long", 1, 78, "00 01 80 3f", "axis");
+        row("axis not a number", 1, 74, "00 00 c0 7f", "axis");
+        row("position too far", 1, 50, "01 00 00 00 80 84 2e 41", "position");
+        row("rate above the fastest", 1, 86, "01 00 c8 42", "rate");
+        row("rate below the fastest backwards", 1, 86, "01 00 c8 c2", "rate");
+        row("rate infinite", 1, 86, "00 00 80 ff", "rate");
+        row("rate not a number", 1, 86, "00 00 c0 7f", "rate");
+        row("scale zero", 1, 90, "00 00 00 00", "scale");
+        row("scale negative", 1, 90, "00 00 80 bf", "scale");
+        row("scale infinite", 1, 90, "00 00 80 7f", "scale");
+        row("scale not a number", 1, 90, "00 00 c0 7f", "scale");
+        row("fact number zero", 2, 1, "00 00 00 00 00 00 00 00", "fact number");
+        row("committed beyond the range of times", 2, 21, "01 00 00 00 00 00 00 20", "time");
+        row("effect before the range of times", 2, 29, "ff ff ff ff ff ff ff df", "time");
+        row("fact without a body", 2, 37, "00 00", "body length");
+        row("fact with too long a body", 2, 37, "01 04", "body length");
+        row("fact with a body cut short", 2, 37, "04 00", "length");
+        row("proposal without a body", 3, 11, "00 00", "body length");
+        row("proposal with the longest length", 3, 11, "ff ff", "body length");
+        row("hello without a proposal", 6, 35, "00 00", "body length");
+        row("hello with too long a station", 6, 39, "41", "length of a station's name");
+        row("reason zero", 5, 9, "00", "reason");
+        row("reason above the last", 5, 9, "15", "reason");
+        row("reason above all", 8, 1, "ff", "reason");
+        row("too many words", 8, 2, "c9", "length of a detail");
+        row("more words than bytes", 8, 2, "01", "length");
+        row("strategy above the last", 14, 1, "08", "number of a strategy");
+        row("strategy without a message", 14, 2, "00", "length of a strategy's message");
+        row("strategy with too long a message", 14, 2, "81", "length of a strategy's message");
+        row("strategy with a message cut short", 14, 2, "04", "length");
+        row("shown rotation too long", 16, 11, "00 00 80 00 00 00 f0 3f", "rotation");
+        row("shown position infinite", 16, 43, "00 00 00 00 00 00 f0 7f", "position");
+        row("shown size zero", 16, 67, "00 00 00 00", "scale");
+        row("shown size negative", 16, 67, "00 00 80 bf", "scale");
+        row("shown size infinite", 16, 67, "00 00 80 7f", "scale");
+        row("shown size not a number", 16, 67, "00 00 c0 7f", "scale");
+        row("clock without an error", 17, 9, "00 00 00 00 00 00 00 00", "error of a clock");
+        row("clock off by more than 16 s", 17, 9, "01 a0 ac b9 03 00 00 00", "error of a clock");
+        row("negative error of a clock", 17, 9, "ff ff ff ff ff ff ff ff", "error of a clock");
+    }
+
+    void refusesWhatBreaksARule()
+    {
+        QFETCH(int, record);
+        QFETCH(int, offset);
+        QFETCH(QByteArray, hex);
+        QFETCH(QByteArray, rule);
+        auto bytes = headerAnd(goldenRecords()[static_cast<std::size_t>(record)].hex);
+        QVERIFY(decodeDatagram(bytes));
+        const auto fault = fromHex(hex.constData());
+        std::ranges::copy(fault, bytes.begin() + static_cast<int>(kBundleHeaderBytes) + offset);
+        const auto datagram = decodeDatagram(bytes);
+        QVERIFY(!datagram);
+        QCOMPARE(datagram.error().code, Errc::PacketMalformed);
+        QCOMPARE(QByteArray::fromStdString(datagram.error().detail), rule);
+    }
+
+    void acceptsTheLastValueWithinEachRule_data()
+    {
+        QTest::addColumn<int>("record");
+        QTest::addColumn<int>("offset");
+        QTest::addColumn<QByteArray>("hex");
+        const auto row = [](const char* name, int record, int offset, const char* hex) {
+            QTest::newRow(name) << record << offset << QByteArray{hex};
+        };
+        row("latest time", 4, -20, "00 00 00 00 00 00 00 20");
+        row("earliest time", 4, -20, "00 00 00 00 00 00 00 e0");
+        row("latest time of a stream", 0, 7, "20 a1 07 00");
+        row("earliest time of a stream", 0, 7, "e0 5e f8 ff");
+        row("half an hour after the first", 0, 55, "05 d2 49 6b");
+        row("half an hour before the first", 0, 55, "05 2e b6 94");
+        row("position's lowest value", 0, 28, "01 00 80");
+        row("velocity's lowest value", 0, 37, "01 80");
+        row("largest error", 0, 17, "ff");
+        row("longest quaternion", 1, 18, "00 00 40 00 00 00 f0 3f");
+        row("shortest quaternion", 1, 18, "00 00 80 ff ff ff ef 3f");
         row("form as old as may be", 19, 49, "ff");
         row("thinnest and shortest form", 19, 50, "01 01 00");
         row("form's lowest value", 19, 57, "01 80");

@@ -5,9 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
-#include <optional>
 
 namespace carina
 {
@@ -67,7 +65,7 @@ const Vec3 kJawHinge{0.0, 87.0 / 87.6, 45.0 / 87.6};
 /// larynx to the size of the larynx, the rest to that of the airway.
 constexpr Length kTipBelowTeeth = millimetres(9.0);
 constexpr Length kTipBeforeEpiglottis = millimetres(14.0);
-constexpr Length kTipInVallecula = millimetres(2.3); ///< from its side to the epiglottis
+constexpr Length kTipInVallecula = millimetres(4.0); ///< in front of the epiglottis
 constexpr Length kTipBehindEpiglottis = millimetres(5.0);
 constexpr double kUvulaShare = 0.55; ///< of the way from the teeth to the epiglottis
 constexpr double kIntoTongue = 0.5;  ///< of the way from its back to the straight line
@@ -76,7 +74,6 @@ constexpr double kDirectShare = 0.6; ///< of the epiglottis' height, where a str
 constexpr Length kReachOfLigament = millimetres(18.0); ///< above the vallecula, where a tip is felt
 constexpr double kLever = 1.2; ///< of the vallecula's way forward over that of the tip
 constexpr Length kMostTilt = millimetres(18.0);       ///< of the vallecula
-constexpr Length kBeforeThickness = millimetres(1.2); ///< from a line on its front to all of this
 constexpr Length kBehindThickness = millimetres(2.0); ///< from the epiglottis' middle to its back
 
 /// The hinge of the larynx, from the base of the epiglottis: below the cords. What lies so far
@@ -140,12 +137,6 @@ double heightOf(const UpperAirway& airway, const Vec3& p_A)
     return airway.up_A.dot(p_A - airway.p_A_epiglottisBase);
 }
 
-/// From the front of the epiglottis to the middle of a tip in the vallecula.
-double inFrontOfVallecula(const UpperAirway& airway)
-{
-    return kBladeHalfThickness + airway.larynxSize() * kTipInVallecula.si;
-}
-
 /// A place of the epiglottis at a height.
 Vec3 onEpiglottis(const UpperAirway& airway, double height)
 {
@@ -166,14 +157,14 @@ Centreline wayToEpiglottis(const UpperAirway& moved)
 /// the epiglottis.
 Vec3 placedTip(const UpperAirway& moved, const Blade& blade, Length lift)
 {
+    const double size = moved.larynxSize();
     if (blade.lift == EpiglottisLift::Ligament) {
         const double above = -lift.si * moved.up_A.dot(liftDirection(moved));
-        return moved.p_A_vallecula + inFrontOfVallecula(moved) * moved.forward_A()
+        return moved.p_A_vallecula + size * kTipInVallecula.si * moved.forward_A()
                + above * moved.up_A;
     }
     const double height = kDirectShare * heightOf(moved, moved.p_A_epiglottisTip);
-    return onEpiglottis(moved, height)
-           - moved.larynxSize() * kTipBehindEpiglottis.si * moved.forward_A();
+    return onEpiglottis(moved, height) - size * kTipBehindEpiglottis.si * moved.forward_A();
 }
 
 /// Pressed into the tongue at a length of the way over it: between it and the straight line.
@@ -196,8 +187,9 @@ Vec3 tipIn(LaryngoscopyStep step, const UpperAirway& moved, const Blade& blade, 
     case LaryngoscopyStep::Epiglottis:
         if (blade.lift == EpiglottisLift::Direct)
             return overTongue(moved, way, lengthOf(way) - size * kTipBeforeEpiglottis);
-        return moved.p_A_vallecula + inFrontOfVallecula(moved) * moved.forward_A()
-               + moved.larynxSize() * kReachOfLigament.si * moved.up_A;
+        return moved.p_A_vallecula
+               + moved.larynxSize()
+                     * (kTipInVallecula.si * moved.forward_A() + kReachOfLigament.si * moved.up_A);
     case LaryngoscopyStep::Partial:
     case LaryngoscopyStep::Full:
         break;
@@ -205,15 +197,14 @@ Vec3 tipIn(LaryngoscopyStep step, const UpperAirway& moved, const Blade& blade, 
     return placedTip(moved, blade, lift);
 }
 
-/// How far forward the epiglottis is taken at its vallecula by what pulls at the ligament, where
-/// nothing keeps it.
+/// How far forward the epiglottis is taken at its vallecula by what pulls at the ligament.
 double pulledBy(const UpperAirway& moved, const Vec3& p_A_tip)
 {
     const double size = moved.larynxSize();
     const double over = heightOf(moved, p_A_tip - moved.p_A_vallecula + moved.p_A_epiglottisBase);
     const double felt = 1.0 - formula::step(over / (size * kReachOfLigament.si)).value;
     const double forward =
-        moved.forward_A().dot(p_A_tip - moved.p_A_vallecula) - inFrontOfVallecula(moved);
+        moved.forward_A().dot(p_A_tip - moved.p_A_vallecula) - size * kTipInVallecula.si;
     return felt * kLever * std::max(forward, 0.0);
 }
 
@@ -233,69 +224,31 @@ LarynxHinge hingeOf(const UpperAirway& moved)
             .slope = std::max(kHingeSlope, lean)};
 }
 
-/// The share by which a place goes with a tilted larynx: above 0.
+/// The share by which a place goes with a tilted larynx.
 double tiltingShare(const LarynxHinge& hinge, const Vec3& p_A)
 {
-    constexpr double kLeastShare = 0.01;
     BladeField tilted;
     tilted.tiltLarynx(hinge, hinge.behind);
-    const Vec3 d = larynxTilt<double>(tilted.frame(), p_A).d;
-    return std::max(d.dot(hinge.forward_A) / hinge.behind.si, kLeastShare);
-}
-
-/// Where a blade comes to a height above the base of the epiglottis; nothing where all of it is
-/// above, or it begins below.
-/// @param above of the place over the middle of the blade, metres, towards the handle
-std::optional<Vec3> placeAtHeight(const UpperAirway& moved, const BladeForm& form,
-                                  const RigidTransform& X_AL, double above, double height)
-{
-    constexpr int kHalvings = 30;
-    const auto placeAt = [&](double along) {
-        return Vec3{X_AL * Vec3{middleOfBlade(form, along) + above * Vec3::UnitY()}};
-    };
-    const auto isDeeper = [&](double along) { return heightOf(moved, placeAt(along)) < height; };
-    if (!isDeeper(1.0) || isDeeper(0.0))
-        return std::nullopt;
-    double higher = 0.0;
-    double deeper = 1.0;
-    for (int i = 0; i < kHalvings; ++i) {
-        const double middle = std::midpoint(higher, deeper);
-        (isDeeper(middle) ? deeper : higher) = middle;
-    }
-    return placeAt(higher);
-}
-
-/// How far the vallecula goes forward until the leaf of the epiglottis lies with its front against
-/// the underside of a blade, which keeps it from going farther.
-double mostBehind(const UpperAirway& moved, const BladeForm& form, const RigidTransform& X_AL,
-                  const LarynxHinge& hinge)
-{
-    constexpr int kPlaces = 16;
-    const Vec3 leaf = moved.p_A_epiglottisTip - moved.p_A_vallecula;
-    const Vec3 p_A_end =
-        X_AL * Vec3{middleOfBlade(form, 1.0) - kBladeHalfThickness * Vec3::UnitY()};
-    const double beside = moved.up_A.dot(p_A_end - moved.p_A_vallecula) / moved.up_A.dot(leaf);
-    double most = std::numeric_limits<double>::max();
-    for (int i = 0; i <= kPlaces; ++i) {
-        const double share = std::lerp(std::clamp(beside, 0.0, 1.0), 1.0, double(i) / kPlaces);
-        const Vec3 p_A = moved.p_A_vallecula + share * leaf;
-        const auto p_A_blade =
-            placeAtHeight(moved, form, X_AL, -kBladeHalfThickness, heightOf(moved, p_A));
-        if (!p_A_blade)
-            continue;
-        const double room =
-            moved.forward_A().dot(*p_A_blade - p_A) - moved.larynxSize() * kBeforeThickness.si;
-        most = std::min(most, std::max(room, 0.0) / tiltingShare(hinge, p_A));
-    }
-    return most;
+    return larynxTilt<double>(tilted.frame(), p_A).d.dot(hinge.forward_A) / hinge.behind.si;
 }
 
 /// What of a blade lifts the epiglottis: its tip, or where the tip is deeper than kDirectShare of
 /// the epiglottis' height, what of the blade is at that height.
 Vec3 liftingPlace(const UpperAirway& moved, const BladeForm& form, const RigidTransform& X_AL)
 {
+    constexpr int kHalvings = 30;
     const double height = kDirectShare * heightOf(moved, moved.p_A_epiglottisTip);
-    return placeAtHeight(moved, form, X_AL, 0.0, height).value_or(X_AL * middleOfBlade(form, 1.0));
+    const auto placeAt = [&](double along) { return Vec3{X_AL * middleOfBlade(form, along)}; };
+    const auto isDeeper = [&](double along) { return heightOf(moved, placeAt(along)) < height; };
+    if (!isDeeper(1.0) || isDeeper(0.0))
+        return placeAt(1.0);
+    double above = 0.0;
+    double deeper = 1.0;
+    for (int i = 0; i < kHalvings; ++i) {
+        const double middle = std::midpoint(above, deeper);
+        (isDeeper(middle) ? deeper : above) = middle;
+    }
+    return placeAt(above);
 }
 
 /// The same by what of a blade is behind it.
@@ -307,7 +260,8 @@ double liftedBy(const UpperAirway& moved, const Vec3& p_A_blade, const LarynxHin
     const Vec3 p_A_lifted = onEpiglottis(moved, height);
     const double behind = moved.forward_A().dot(p_A_blade - p_A_lifted);
     const double wanted = behind + kBladeHalfThickness + moved.larynxSize() * kBehindThickness.si;
-    return std::max(wanted, 0.0) / tiltingShare(hinge, p_A_lifted);
+    constexpr double kLeastShare = 0.01;
+    return std::max(wanted, 0.0) / std::max(tiltingShare(hinge, p_A_lifted), kLeastShare);
 }
 
 /// That of who is smaller than a small adult is less, and with a straight blade in children less
@@ -368,10 +322,9 @@ BladeField bladeInTissue(const UpperAirway& moved, const Blade& blade, const Rig
     BladeField field{blade.form, X_AL};
     const Vec3 p_A_tip = X_AL * middleOfBlade(blade.form, 1.0);
     const LarynxHinge hinge = hingeOf(moved);
-    const double forward =
-        blade.lift == EpiglottisLift::Ligament
-            ? std::min(pulledBy(moved, p_A_tip), mostBehind(moved, blade.form, X_AL, hinge))
-            : liftedBy(moved, liftingPlace(moved, blade.form, X_AL), hinge);
+    const double forward = blade.lift == EpiglottisLift::Ligament
+                               ? pulledBy(moved, p_A_tip)
+                               : liftedBy(moved, liftingPlace(moved, blade.form, X_AL), hinge);
     field.tiltLarynx(hinge, metres(std::min(forward, mostTilt(moved))));
     return field;
 }

@@ -77,10 +77,9 @@ inline constexpr Length kTeethClearance = millimetres(5.0);
 [[nodiscard]] std::array<Vec3, 4> restingWay(const UpperAirway& moved, const Blade& blade);
 
 /// The tissue in front of a blade at a pose, wherever it is: the tongue is pushed away, and the
-/// larynx is tilted with its epiglottis as far as the blade's tip has taken the vallecula forward
-/// and the epiglottis stays behind the blade, or, by a blade that lifts the epiglottis itself,
-/// until this lies before the blade. A tip that has not come down to the vallecula tilts it less
-/// the farther above it is.
+/// larynx is tilted with its epiglottis as far as the blade's tip has taken the vallecula forward,
+/// or, by a blade that lifts the epiglottis itself, until this lies before the blade. A tip that
+/// has not come down to the vallecula tilts it less the farther above it is.
 /// @param moved the places after they have followed the jaw
 [[nodiscard]] BladeField bladeInTissue(const UpperAirway& moved, const Blade& blade,
                                        const RigidTransform& X_AL);

@@ -154,7 +154,8 @@ private Q_SLOTS:
         bends(20ms, 1.0);
         bends(40ms, 3.0);
         QVERIFY(std::abs(object.shapeAt(kStart + 30ms)->times - 0.5) < kExact);
-        QVERIFY(std::abs(object.shapeAt(kStart + 50ms)->times - 1.5) < kExact);
+        // Two that are so near tell not how fast it goes on.
+        QCOMPARE(object.shapeAt(kStart + 50ms)->from.perMetre[0], 3.0);
         QCOMPARE(object.shapeAt(kStart + 50ms)->to.perMetre[0], 3.0);
         object.take(movingAt(60ms, 0.0), kStart + 60ms);
         QVERIFY(!object.shapeAt(kStart + 60ms));

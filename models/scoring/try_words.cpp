@@ -1,7 +1,7 @@
 #include "models/scoring/try_words.h"
 
 #include "engine/scoring/score/literature.h"
-#include "models/station/intubation_timeline.h"
+#include "models/intubation/intubation_timeline.h"
 
 #include <QCoreApplication>
 

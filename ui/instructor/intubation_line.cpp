@@ -1,6 +1,6 @@
 #include "ui/instructor/intubation_line.h"
 
-#include "models/station/intubation_timeline.h"
+#include "models/intubation/intubation_timeline.h"
 
 #include <QAccessible>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "models/attention/attention_model.h"
-#include "models/station/intubation_timeline.h"
+#include "models/intubation/intubation_timeline.h"
 #include "models/station/stations_model.h"
 #include "ui/scene/station_scene.h"
 

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "models/intubation/distant_tube.h"
+#include "models/intubation/elastic_tube.h"
 #include "models/patient/patient_model.h"
-#include "models/station/distant_tube.h"
-#include "models/station/elastic_tube.h"
 #include "models/station/head_by_mouse.h"
 #include "models/station/headset_view.h"
 #include "models/station/laryngoscope_sight.h"

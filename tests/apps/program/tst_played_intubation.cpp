@@ -1,8 +1,8 @@
 #include "apps/program/played_intubation.h"
 
 #include "engine/anatomy/patient/builtin_patient.h"
+#include "models/intubation/intubation_watch.h"
 #include "models/patient/patient_source.h"
-#include "models/station/intubation_watch.h"
 #include "models/tracker/played_hands.h"
 #include "tests/models/fake_session_node.h"
 #include "tests/support/test_class.h"

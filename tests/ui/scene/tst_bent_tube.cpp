@@ -1,6 +1,6 @@
 #include "engine/anatomy/patient/builtin_patient.h"
+#include "models/intubation/sent_shape.h"
 #include "models/patient/patient_source.h"
-#include "models/station/sent_shape.h"
 #include "tests/models/fake_session_node.h"
 #include "tests/support/soon.h"
 #include "tests/support/test_class.h"

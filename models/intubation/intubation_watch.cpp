@@ -1,10 +1,10 @@
-#include "models/station/intubation_watch.h"
+#include "models/intubation/intubation_watch.h"
 
 #include "engine/session/news_rules.h"
 #include "engine/session/respiration/respiration_timeline.h"
+#include "models/intubation/sent_shape.h"
 #include "models/patient/shared_patient.h"
 #include "models/session/proposed.h"
-#include "models/station/sent_shape.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "models/station/intubation_timeline.h"
+#include "models/intubation/intubation_timeline.h"
 #include "tests/models/fake_session_node.h"
 #include "tests/support/test_class.h"
 

@@ -1,9 +1,9 @@
-#include "models/station/intubation_watch.h"
+#include "models/intubation/intubation_watch.h"
 
 #include "engine/anatomy/airway/airway_measure.h"
 #include "engine/anatomy/patient/builtin_patient.h"
+#include "models/intubation/sent_shape.h"
 #include "models/patient/patient_source.h"
-#include "models/station/sent_shape.h"
 #include "tests/models/fake_session_node.h"
 #include "tests/support/test_class.h"
 

@@ -1,4 +1,4 @@
-#include "models/station/sent_shape.h"
+#include "models/intubation/sent_shape.h"
 
 #include "engine/anatomy/airway/centreline.h"
 

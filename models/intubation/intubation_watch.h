@@ -5,9 +5,9 @@
 #include "engine/geometry/deformation/airway_field.h"
 #include "engine/session/respiration/respiration_follower.h"
 #include "engine/session/respiration/tube_breath_watch.h"
+#include "models/intubation/drawn_ways.h"
+#include "models/intubation/elastic_tube.h"
 #include "models/patient/patient_lumen.h"
-#include "models/station/drawn_ways.h"
-#include "models/station/elastic_tube.h"
 #include "models/station/laryngoscope_sight.h"
 #include "models/station/station_view.h"
 

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "models/intubation/elastic_tube.h"
+#include "models/intubation/sent_shape.h"
 #include "models/patient/patient_lumen.h"
-#include "models/station/elastic_tube.h"
-#include "models/station/sent_shape.h"
 
 #include <optional>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "models/station/drawn_ways.h"
+#include "models/intubation/drawn_ways.h"
 
 namespace carina
 {

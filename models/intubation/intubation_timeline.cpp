@@ -1,4 +1,4 @@
-#include "models/station/intubation_timeline.h"
+#include "models/intubation/intubation_timeline.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "models/station/distant_tube.h"
+#include "models/intubation/distant_tube.h"
 
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "engine/net/objects/remote_object.h"

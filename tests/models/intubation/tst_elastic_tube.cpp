@@ -1,4 +1,4 @@
-#include "models/station/elastic_tube.h"
+#include "models/intubation/elastic_tube.h"
 #include "tests/engine/airway/tube/bent_lumen.h"
 #include "tests/support/test_class.h"
 

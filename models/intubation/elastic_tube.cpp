@@ -1,4 +1,4 @@
-#include "models/station/elastic_tube.h"
+#include "models/intubation/elastic_tube.h"
 
 #include "engine/anatomy/airway/centreline.h"
 

@@ -14,8 +14,8 @@ const std::vector<Vec2>& outline()
     static const auto corners = [] {
         std::vector<Vec2> line =
             cornersCut({Vec2{-1.0, 4.9}, Vec2{2.4, 4.9}, Vec2{3.4, 11.0}, Vec2{6.4, 17.5},
-                        Vec2{10.3, 21.8}, Vec2{11.4, 25.0}, Vec2{11.4, 29.2}, Vec2{10.0, 32.4},
-                        Vec2{6.0, 34.4}, Vec2{-1.0, 34.4}},
+                        Vec2{10.3, 21.8}, Vec2{11.5, 25.0}, Vec2{11.2, 28.4}, Vec2{9.4, 31.4},
+                        Vec2{6.4, 33.4}, Vec2{3.0, 34.4}, Vec2{-1.0, 34.4}},
                        3);
         line.insert(line.begin(), Vec2{-6.0, 4.9});
         line.emplace_back(-6.0, 34.4);

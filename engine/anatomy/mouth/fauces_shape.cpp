@@ -132,11 +132,14 @@ double Fauces::archOf(const Curtain& curtain, double joined_m, double top_mm, co
     constexpr double kReach = 1.5;
     constexpr double kFromMidline = 3.0; // nearer to it the palate covers it
     constexpr double kWidest = 27.0;     // within the gums and beyond the pharynx' walls
+    constexpr double kSinksFrom = 12.0;  // from there to kFromMidline it sinks into the palate
+    constexpr double kSinksBy = 1.2;
     const Vec3 p = inFront_mm(p_A);
     const double x = std::abs(p.x());
     const double air = m_air.distance(p_A) / m_plan.face;
     const double other = std::min(-air, joined_m / m_plan.face) + kUnderSurface;
-    const double arch = joined(curtain.distance(p), other, kFillet, kReach, 0.8);
+    const double sunk = kSinksBy * (1.0 - easedStep(kFromMidline, kSinksFrom, x));
+    const double arch = joined(curtain.distance(p) + sunk, other + sunk, kFillet, kReach, 0.8);
     const double ends = std::max(
         {air - kWithinWall, kFromMidline - x, x - kWidest, Curtain::levelHeight(p) - top_mm});
     return m_plan.face * roundedMax(arch, ends, 1.0);

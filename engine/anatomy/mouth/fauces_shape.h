@@ -16,9 +16,9 @@ namespace carina
 ///
 /// Soft palate and arches are curtains with a free edge. That of the palate is a double arch beside
 /// the uvula and goes over into the palatopharyngeal arches. Each arch has a fillet where it joins
-/// palate, tongue and wall, and ends within them. How they curve, how thick they are (soft palate
-/// 4.0 to 5.6, arches 3 to 4 mm in the reference man) and how wide their openings, is of ours; no
-/// figures were at hand.
+/// palate, tongue and wall, and ends within them; towards the midline it sinks into the palate. How
+/// they curve, how thick they are (soft palate 4.0 to 5.6, arches 3 to 4 mm in the reference man)
+/// and how wide their openings, is of ours; no figures were at hand.
 class Fauces
 {
 public:

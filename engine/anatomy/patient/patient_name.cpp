@@ -12,7 +12,7 @@ namespace
 {
 
 /// Of what patientFor makes: raised with every change of a shape.
-constexpr std::string_view kVersion = "11";
+constexpr std::string_view kVersion = "12";
 
 constexpr std::string_view kAsked =
     "a patient is adult, child, or age (newborn to 90 years), height (100 to 210 cm; below six "

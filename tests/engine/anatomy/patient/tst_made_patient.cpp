@@ -97,7 +97,7 @@ void TestMadePatient::skinStandsOffTheRibsByTheFat()
 void TestMadePatient::isCalledByAgeAndHeight()
 {
     QCOMPARE(woman().name, std::string{"45 years, 162 cm, woman, obese"});
-    QCOMPARE(woman().contentHash, std::string{"builtin-45y-162cm-female-obese-11"});
+    QCOMPARE(woman().contentHash, std::string{"builtin-45y-162cm-female-obese-12"});
 }
 
 void TestMadePatient::isRefusedBeforeBirth()

@@ -11,7 +11,7 @@ namespace
 
 constexpr int kPatience_ms = 60'000; ///< for a program to start on a busy machine
 constexpr int kFoundWithin_ms = 5'000;
-const QString kAdult = QStringLiteral("builtin-adult-11");
+const QString kAdult = QStringLiteral("builtin-adult-12");
 
 QString valueOf(const Program& program, const char* key)
 {

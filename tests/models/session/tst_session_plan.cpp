@@ -85,7 +85,7 @@ private Q_SLOTS:
     void tellsWhatHappened()
     {
         FakeSessionNode node;
-        node.decide(fact::AnatomyChosen{"builtin-adult-11", "Adult"});
+        node.decide(fact::AnatomyChosen{"builtin-adult-12", "Adult"});
         node.decide(fact::PhaseChanged{SessionPhase::Running});
         node.advance(std::chrono::milliseconds{75'500}); // its begin takes effect a little later
         QStringList told;

@@ -37,7 +37,7 @@ bool makeSession(const QString& file, const char* name, SessionPhase phase)
     const auto node = hostIn(file, name);
     if (!node)
         return false;
-    node->propose(StationId{0}, fact::AnatomyChosen{"builtin-adult-11", "Adult"});
+    node->propose(StationId{0}, fact::AnatomyChosen{"builtin-adult-12", "Adult"});
     node->propose(kNoStation, fact::PhaseChanged{SessionPhase::Running});
     if (phase != SessionPhase::Running)
         node->propose(kNoStation, fact::PhaseChanged{phase});
@@ -61,7 +61,7 @@ private Q_SLOTS:
         const StoredSession session = storedSession(folder.filePath(kEarly));
         QCOMPARE(session.name, QStringLiteral("Ward 3"));
         QCOMPARE(session.patient, QStringLiteral("Adult"));
-        QCOMPARE(session.anatomyHash, std::string{"builtin-adult-11"});
+        QCOMPARE(session.anatomyHash, std::string{"builtin-adult-12"});
         QCOMPARE(session.began, (QDateTime{{2026, 1, 2}, {10, 11, 12}, Qt::UTC}));
         QVERIFY(!session.hasEnded && session.fault.isEmpty() && session.people.isEmpty());
     }

@@ -37,7 +37,7 @@ private Q_SLOTS:
         const auto made = cachedPatient(parametersOf(BuiltinPatient::TwelveYears), folder);
         QVERIFY(made.has_value());
         const AnatomyCache cache{folder};
-        const std::filesystem::path file = cache.setFile("builtin-twelve-years-11");
+        const std::filesystem::path file = cache.setFile("builtin-twelve-years-12");
         QVERIFY(std::filesystem::exists(file));
         const auto kept = cachedPatient(parametersOf(BuiltinPatient::TwelveYears), folder);
         QVERIFY(kept.has_value());
@@ -48,7 +48,7 @@ private Q_SLOTS:
         const auto again = cachedPatient(parametersOf(BuiltinPatient::TwelveYears), folder);
         QVERIFY(again.has_value());
         QVERIFY(same(*made, *again));
-        QVERIFY(cache.load("builtin-twelve-years-11").has_value());
+        QVERIFY(cache.load("builtin-twelve-years-12").has_value());
     }
 
     void takesWhatIsInTheCache()
@@ -57,7 +57,7 @@ private Q_SLOTS:
         const std::filesystem::path folder = temporary.path().toStdString();
         ImportedSet marked;
         marked.anatomy.attributions = {"marked"};
-        marked.anatomy.contentHash = "builtin-adult-11";
+        marked.anatomy.contentHash = "builtin-adult-12";
         QVERIFY(AnatomyCache{folder}.store(marked).has_value());
         const auto taken = cachedPatient(parametersOf(BuiltinPatient::Adult), folder);
         QCOMPARE(taken->attributions, std::vector<std::string>{"marked"});
@@ -71,7 +71,7 @@ private Q_SLOTS:
         std::ofstream{folder} << "a file where a folder is wanted";
         const auto made = cachedPatient(parametersOf(BuiltinPatient::TwelveYears), folder);
         QVERIFY(made.has_value());
-        QCOMPARE(made->contentHash, std::string{"builtin-twelve-years-11"});
+        QCOMPARE(made->contentHash, std::string{"builtin-twelve-years-12"});
     }
 };
 

@@ -98,7 +98,7 @@ private Q_SLOTS:
     {
         QVERIFY(CarriedSets{m_host}.prepare(std::string(64, 'b')).error().code
                 == Errc::FileNotFound);
-        QVERIFY(CarriedSets{m_host}.prepare("builtin-adult-11").error().code == Errc::FileNotFound);
+        QVERIFY(CarriedSets{m_host}.prepare("builtin-adult-12").error().code == Errc::FileNotFound);
         QVERIFY(CarriedSets{m_here}.load(m_set.digest, test::kSetHash).error().code
                 == Errc::FileNotFound);
     }

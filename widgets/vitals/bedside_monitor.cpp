@@ -2,6 +2,7 @@
 
 #include <QAccessible>
 #include <QFontMetrics>
+#include <QPaintEvent>
 #include <QPainter>
 #include <QStyle>
 #include <QStyleOptionFocusRect>
@@ -14,6 +15,7 @@ namespace
 {
 
 constexpr double kMonitorMargin = 4.0; ///< pixels
+constexpr double kPen = 2.0;           ///< width of a curve, pixels
 constexpr double kLeastECG_mV = -0.5;
 constexpr double kMostECG_mV = 1.5;
 constexpr double kPulseRoom = 0.1; ///< of the oximeter's curve, above and below it
@@ -32,6 +34,17 @@ constexpr std::array kAllRows{BedsideMonitor::Row::Electrocardiogram, BedsideMon
 QString orDash(std::optional<int> number)
 {
     return number ? QString::number(*number) : QStringLiteral("–");
+}
+
+/// Of a line from left to right what passes between two places, with a neighbour at either end.
+QPolygonF between(const QPolygonF& line, double from, double to)
+{
+    const auto isBefore = [](const QPointF& p, double x) { return p.x() < x; };
+    auto first = std::lower_bound(line.begin(), line.end(), from, isBefore);
+    auto last = std::lower_bound(first, line.end(), to, isBefore);
+    first -= first == line.begin() ? 0 : 1;
+    last += last == line.end() ? 0 : 1;
+    return QPolygonF{QList<QPointF>{first, last}};
 }
 
 /// As many marks as the alarm is urgent.
@@ -80,13 +93,30 @@ QColor BedsideMonitor::colourOf(Urgency urgency)
 
 void BedsideMonitor::add(const Sample& sample)
 {
-    m_curves[std::size_t(Row::Electrocardiogram)].add(sample.time_s, sample.electrocardiogram_mV);
-    m_curves[std::size_t(Row::Pulse)].add(sample.time_s, sample.pulse);
+    write(Row::Electrocardiogram, sample.time_s, sample.electrocardiogram_mV);
+    write(Row::Pulse, sample.time_s, sample.pulse);
     SweepCurve& capnogram = m_curves[std::size_t(Row::Capnogram)];
-    if (sample.exhaledCO2_mmHg.value_or(0.0) > capnogram.top())
+    if (sample.exhaledCO2_mmHg.value_or(0.0) > capnogram.top()) {
         capnogram.setTop(kMostCO2_mmHg);
-    capnogram.add(sample.time_s, sample.exhaledCO2_mmHg);
-    update();
+        update();
+    }
+    write(Row::Capnogram, sample.time_s, sample.exhaledCO2_mmHg);
+}
+
+/// What is written does not move, so only what the bar passes is painted anew.
+void BedsideMonitor::write(Row row, double time_s, std::optional<double> value)
+{
+    SweepCurve& curve = m_curves[std::size_t(row)];
+    const QRectF& frame = m_frames[std::size_t(row)];
+    const auto before = curve.bar(frame);
+    curve.add(time_s, value);
+    const auto bar = curve.bar(frame);
+    QRectF passed = frame;
+    if (before && bar && *before <= *bar) {
+        passed.setLeft(*before);
+        passed.setRight(*bar + SweepCurve::kGapShare * frame.width());
+    }
+    update(passed.adjusted(-kPen, -kPen, kPen, kPen).toAlignedRect());
 }
 
 void BedsideMonitor::clear()
@@ -344,11 +374,9 @@ void BedsideMonitor::drawAlarm(QPainter& painter, const Drawing& drawn) const
     write(second, othersText());
 }
 
-void BedsideMonitor::drawStrip(QPainter& painter, Row row, const Drawing& drawn) const
+void BedsideMonitor::drawNumber(QPainter& painter, Row row, const Drawing& drawn) const
 {
     const Drawing::Strip& strip = drawn.strips[std::size_t(row)];
-    painter.setPen(palette().color(QPalette::Mid));
-    painter.drawLine(strip.frame.bottomLeft(), strip.frame.bottomRight());
     painter.setFont(sized(drawn.labelPixels));
     QRectF name = strip.label;
     name.setBottom(name.center().y());
@@ -361,22 +389,24 @@ void BedsideMonitor::drawStrip(QPainter& painter, Row row, const Drawing& drawn)
         painter.drawText(drawn.pulseMark, Qt::AlignRight | Qt::AlignTop, QStringLiteral("♥"));
     painter.setFont(sized(drawn.numberPixels));
     painter.drawText(strip.number, Qt::AlignRight | Qt::AlignVCenter, orDash(numberOf(row)));
-    drawCurve(painter, row, drawn);
 }
 
 /// With the top of the capnogram's scale, which others do not have.
-void BedsideMonitor::drawCurve(QPainter& painter, Row row, const Drawing& drawn) const
+void BedsideMonitor::drawCurve(QPainter& painter, Row row, const Drawing& drawn,
+                               const QRectF& wanted) const
 {
     const Drawing::Strip& strip = drawn.strips[std::size_t(row)];
+    painter.setPen(palette().color(QPalette::Mid));
+    painter.drawLine(strip.frame.bottomLeft(), strip.frame.bottomRight());
     painter.setFont(sized(drawn.labelPixels));
     painter.setPen(palette().color(QPalette::PlaceholderText));
     if (row == Row::Capnogram)
         painter.drawText(
             strip.frame, Qt::AlignLeft | Qt::AlignTop,
             tr("%1\u00a0mmHg", "top of a scale").arg(m_curves[std::size_t(row)].top()));
-    painter.setPen({colourOf(row), 2.0});
+    painter.setPen({colourOf(row), kPen});
     for (const QPolygonF& line : strip.lines)
-        painter.drawPolyline(line);
+        painter.drawPolyline(between(line, wanted.left() - kPen, wanted.right() + kPen));
     if (!strip.bar)
         return;
     painter.setPen(palette().color(QPalette::Text));
@@ -393,16 +423,29 @@ void BedsideMonitor::drawLower(QPainter& painter, const Drawing& drawn) const
     painter.drawText(drawn.pressure, Qt::AlignRight | Qt::AlignVCenter, pressureText());
 }
 
-void BedsideMonitor::paintEvent(QPaintEvent*)
+void BedsideMonitor::paintEvent(QPaintEvent* event)
 {
     QPainter painter{this};
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(rect(), palette().color(QPalette::Base));
     const Drawing drawn = drawing();
-    drawAlarm(painter, drawn);
-    for (const Row row : kAllRows)
-        drawStrip(painter, row, drawn);
-    drawLower(painter, drawn);
+    const QRegion& wanted = event->region();
+    const auto isWanted = [&wanted](const QRectF& place) {
+        return wanted.intersects(place.toAlignedRect());
+    };
+    if (isWanted(drawn.alarm))
+        drawAlarm(painter, drawn);
+    for (const Row row : kAllRows) {
+        const Drawing::Strip& strip = drawn.strips[std::size_t(row)];
+        m_frames[std::size_t(row)] = strip.frame;
+        const QRectF around = strip.frame.adjusted(-kPen, -kPen, kPen, kPen);
+        if (isWanted(around))
+            drawCurve(painter, row, drawn, (wanted & around.toAlignedRect()).boundingRect());
+        if (isWanted(strip.label | strip.number))
+            drawNumber(painter, row, drawn);
+    }
+    if (isWanted(drawn.respiratoryRate | drawn.pressure))
+        drawLower(painter, drawn);
     if (hasFocus()) {
         QStyleOptionFocusRect focus;
         focus.initFrom(this);

@@ -119,12 +119,15 @@ private:
     void placeLower(const QRectF& room, Drawing& drawn) const;
     void placeStrips(const QRectF& room, Drawing& drawn) const;
     void drawAlarm(QPainter& painter, const Drawing& drawn) const;
-    void drawStrip(QPainter& painter, Row row, const Drawing& drawn) const;
-    void drawCurve(QPainter& painter, Row row, const Drawing& drawn) const;
+    void write(Row row, double time_s, std::optional<double> value);
+    void drawNumber(QPainter& painter, Row row, const Drawing& drawn) const;
+    /// What of it lies within that.
+    void drawCurve(QPainter& painter, Row row, const Drawing& drawn, const QRectF& wanted) const;
     void drawLower(QPainter& painter, const Drawing& drawn) const;
     void tellChange();
 
     std::array<SweepCurve, kRows> m_curves;
+    std::array<QRectF, kRows> m_frames; ///< as they were painted
     Numbers m_numbers;
     std::vector<Alarm> m_alarms;
     QString m_soundNote;

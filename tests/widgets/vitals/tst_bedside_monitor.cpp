@@ -3,7 +3,9 @@
 
 #include <QFontMetrics>
 #include <QImage>
+#include <QScreen>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -17,6 +19,7 @@ using Urgency = BedsideMonitor::Urgency;
 
 /// How near a pixel's colour comes to what it is painted in, with smooth edges: of 255.
 constexpr int kSameColour = 40;
+constexpr int kRounding = 24;      ///< of 255: of a line that is painted in pieces
 constexpr int kLeastReadable = 14; ///< pixels: 10 points at 96 dots per inch
 
 std::unique_ptr<BedsideMonitor> monitor(QSize size)
@@ -52,6 +55,21 @@ int pixelsOf(const QImage& image, const QRectF& part, QColor colour)
         for (int x = within.left(); x <= within.right(); ++x)
             count += isLike(image.pixelColor(x, y), colour) ? 1 : 0;
     return count;
+}
+
+/// The most by which a channel of a pixel differs, of 255. @pre both have the same size
+int mostApart(const QImage& a, const QImage& b)
+{
+    int most = 0;
+    for (int y = 0; y < a.height(); ++y)
+        for (int x = 0; x < a.width(); ++x) {
+            const QColor one = a.pixelColor(x, y);
+            const QColor other = b.pixelColor(x, y);
+            most = std::max({most, std::abs(one.red() - other.red()),
+                             std::abs(one.green() - other.green()),
+                             std::abs(one.blue() - other.blue())});
+        }
+    return most;
 }
 
 /// Whether a bright line goes down a frame at x, which may lie between two columns of pixels.
@@ -105,6 +123,30 @@ private Q_SLOTS:
             }
         }
         QVERIFY(drawn.alarm.contains(drawn.soundNote));
+    }
+
+    /// Piece by piece beside the bar, through two sweeps, and all at once.
+    void paintsWhatTheBarPassesAsItPaintsTheWhole()
+    {
+        constexpr double kEach_s = 0.05;
+        constexpr int kSamples = 300;
+        constexpr int kLookEach = 37;
+        const auto shown = monitor({430, 360});
+        shown->show();
+        QVERIFY(QTest::qWaitForWindowExposed(shown.get()));
+        for (int i = 0; i < kSamples; ++i) {
+            const double t = kEach_s * i;
+            const double wave = 0.5 + 0.5 * std::sin(3.0 * t);
+            const auto breath = i % 80 < 50 ? std::optional{38.0 * wave} : std::nullopt;
+            shown->add({t, wave, wave, breath});
+            QCoreApplication::processEvents();
+            if (i % kLookEach != 0)
+                continue;
+            const QImage pieces = shown->screen()->grabWindow(shown->winId()).toImage();
+            const QImage whole = shown->grab().toImage();
+            QCOMPARE(pieces.size(), whole.size());
+            QVERIFY(mostApart(pieces, whole) <= kRounding);
+        }
     }
 
     void isReadable_data() { nameSizes(); }

@@ -109,13 +109,15 @@ OrganEffects::OrganEffects(Qt3DCore::QNode* parent)
       m_error{errorUniforms(parent)},
       m_spot{uniform("spot", QVector4D{}, parent)}
 {
-    for (std::size_t place = 0; place < kDrawLayers; ++place) {
+    for (std::size_t index = 0; index < m_layers.size(); ++index) {
+        const std::size_t place = index % kDrawLayers;
         const bool many = static_cast<DrawLayer>(place) == DrawLayer::Blended; // SurfaceKey
-        Layer& layer = m_layers[place];
+        Layer& layer = m_layers[index];
         layer = {new Qt3DRender::QEffect(parent),
                  {pass(kSurfacePass, place), pass(kComingPass, place)},
                  {pass(kIdPass, place), pass(kComingPass, place)},
-                 many};
+                 many,
+                 index >= kDrawLayers};
         Qt3DRender::QTechnique* technique = openGlTechnique();
         for (Qt3DRender::QRenderPass* each :
              {layer.surface.drawn, layer.surface.coming, layer.id.drawn, layer.id.coming})
@@ -137,9 +139,11 @@ std::vector<Qt3DRender::QParameter*> OrganEffects::parameters() const
     return all;
 }
 
-Qt3DRender::QEffect* OrganEffects::of(DrawLayer layer) const
+Qt3DRender::QEffect* OrganEffects::of(DrawLayer layer, std::optional<ChestRegion> region) const
 {
-    return m_layers[static_cast<std::size_t>(layer)].effect;
+    const bool isInThroat = !region || airwayTissueOf(*region);
+    const auto place = static_cast<std::size_t>(layer);
+    return m_layers[isInThroat ? kDrawLayers + place : place].effect;
 }
 
 /// Programs are made when they are first asked for, since Qt 3D passes over those that no pass has
@@ -166,6 +170,8 @@ void OrganEffects::askForPrograms()
         OrganShader needs = m_needs;
         needs.hasManyRegions = layer.hasManyRegions;
         needs.isMoist = needs.isMoist && needs.isSpotlit;
+        if (!layer.isInThroat && !needs.isSpotlit) // a blade shades whatever is near
+            needs.movesJaw = needs.pushesTissue = needs.changesAirway = false;
         layer.surface.coming->setShaderProgram(programOf(layer, needs, surfaceShader()));
         needs.isSpotlit = false; // ids have no light
         needs.isMoist = false;

@@ -60,14 +60,15 @@ struct Spotlight {
     Length trueColorAt = millimetres(40.0); ///< what is so far away is as bright as its colour
 };
 
-/// One effect per draw layer, each with a surface pass and an id pass, and the parameters common to
-/// all. The parent owns the nodes.
+/// Two effects per draw layer, for surfaces that go with the throat and for those that do not, each
+/// with a surface pass and an id pass, and the parameters common to all. The parent owns the nodes.
 class OrganEffects
 {
 public:
     explicit OrganEffects(Qt3DCore::QNode* parent);
 
-    [[nodiscard]] Qt3DRender::QEffect* of(DrawLayer layer) const;
+    /// @param region of the whole surface; std::nullopt if it varies by vertex (SurfaceKey)
+    [[nodiscard]] Qt3DRender::QEffect* of(DrawLayer layer, std::optional<ChestRegion> region) const;
     [[nodiscard]] const SectionUniforms& cut() const { return m_cut; }
 
     /// Colours all surfaces by their error; std::nullopt ends this.
@@ -101,6 +102,7 @@ private:
         Pass surface;
         Pass id;
         bool hasManyRegions = false; ///< see OrganShader
+        bool isInThroat = false;     ///< jaw, events or a blade move it
         /// The programs that were ever requested, by their shaders.
         std::map<std::pair<OrganShader, std::string>, Qt3DRender::QShaderProgram*> programs{};
     };
@@ -111,7 +113,7 @@ private:
                                           const char* fragmentShader);
     void usePrograms();
 
-    std::array<Layer, kDrawLayers> m_layers;
+    std::array<Layer, 2 * kDrawLayers> m_layers; ///< those in the throat second
     SectionUniforms m_cut{};
     ErrorUniforms m_error{};
     Qt3DRender::QParameter* m_spot;

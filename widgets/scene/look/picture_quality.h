@@ -63,6 +63,9 @@ public:
 
     [[nodiscard]] PictureQuality quality() const { return m_fixed.value_or(m_quality); }
 
+    /// From now on. @pre above 0
+    void setBudget(Duration perFrame) { m_budget = perFrame; }
+
     /// Records the drawing time of a frame in this quality.
     /// @param interval at least, from one frame to the next
     /// @param isDetailFinest surfaces cannot be drawn finer than they are (DetailChoice)

@@ -135,7 +135,7 @@ SceneRenderer::Surfaces SceneRenderer::surfacesOf(std::span<const ScenePart> par
 {
     Surfaces surfaces;
     for (MergedSurface& surface : mergedSurfaces(parts)) {
-        Qt3DRender::QEffect* effect = m_effects.of(surface.key.layer);
+        Qt3DRender::QEffect* effect = m_effects.of(surface.key.layer, surface.key.region);
         surfaces.push_back(std::make_unique<SurfaceEntity>(std::move(surface), effect, m_root));
         surfaces.back()->setCut(m_isCut);
     }

@@ -10,7 +10,7 @@ namespace carina::draw_order_test
 namespace
 {
 
-/// Three vertices each, at depths of their own along z.
+/// Triangles with edges of a millimetre, at depths of their own along z.
 struct Stack {
     std::vector<Triangle> triangles;
     std::vector<Vec3f> positions;
@@ -20,7 +20,7 @@ struct Stack {
         for (const float z : depths) {
             const auto first = static_cast<std::uint32_t>(positions.size());
             triangles.push_back({first, first + 1, first + 2});
-            positions.insert(positions.end(), {{0, 0, z}, {1, 0, z}, {0, 1, z}});
+            positions.insert(positions.end(), {{0, 0, z}, {1e-3F, 0, z}, {0, 1e-3F, z}});
         }
     }
 
@@ -49,6 +49,7 @@ private Q_SLOTS:
     void leavesNeighboursTogether();
     void ordersASceneOfAnyDepth();
     void goesByTheMiddleOfATriangle();
+    void takesStepsAsLongAsTheMeanEdge();
     void losesNoTriangle();
     void agreesWithASortOfTheDepths();
     void ordersNothing();
@@ -92,6 +93,23 @@ void TestDrawOrder::goesByTheMiddleOfATriangle()
     QCOMPARE(order.backToFront(Vec3f::UnitZ()).front()[0], 3U);
 }
 
+void TestDrawOrder::takesStepsAsLongAsTheMeanEdge()
+{
+    const auto stepOf = [](std::vector<float> edges) {
+        std::vector<Triangle> triangles;
+        std::vector<Vec3f> positions;
+        for (const float edge : edges) {
+            const auto first = static_cast<std::uint32_t>(positions.size());
+            triangles.push_back({first, first + 1, first + 2});
+            positions.insert(positions.end(), {{0, 0, 0}, {edge, 0, 0}, {0, edge, 0}});
+        }
+        return DrawOrder{triangles, positions}.step();
+    };
+    QCOMPARE(stepOf({2e-3F, 6e-3F}), 4e-3F);
+    QCOMPARE(stepOf({1e-4F}), DrawOrder::kLeastStep);
+    QCOMPARE(stepOf({1.0F}), DrawOrder::kMostStep);
+}
+
 void TestDrawOrder::losesNoTriangle()
 {
     const Stack stack{{5.0F, 1.0F, 4.0F, 1.0F, 3.0F}};
@@ -111,7 +129,7 @@ void TestDrawOrder::agreesWithASortOfTheDepths()
     const Places places = Stack(depths).order(Vec3f::UnitZ());
     QCOMPARE(places.size(), kMany);
     for (std::size_t i = 1; i < kMany; ++i)
-        QVERIFY(depths[places[i]] <= depths[places[i - 1]] + 1.01F * DrawOrder::kStep);
+        QVERIFY(depths[places[i]] <= depths[places[i - 1]] + 1.01F * DrawOrder::kLeastStep);
 }
 
 void TestDrawOrder::ordersNothing()

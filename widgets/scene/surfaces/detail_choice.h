@@ -61,6 +61,9 @@ public:
         return isFixed() || (!m_isFirst && m_tolerance_px <= kFinestTolerance_px);
     }
 
+    /// From now on. @pre above 0
+    void setBudget(Duration perFrame) { m_budget = perFrame; }
+
     /// Records the drawing time of a frame with the levels chosen last.
     void frameTook(Duration drawing);
 

@@ -3,6 +3,7 @@
 #include "widgets/scene/view/same_picture.h"
 #include "widgets/scene/view/scene_renderer.h"
 #include "widgets/scene/view/scene_window.h"
+#include "widgets/scene/view/shared_time.h"
 #include "widgets/scene/view/spoken_scene.h"
 
 #include "engine/core/expects.h"
@@ -24,6 +25,13 @@ namespace
 
 constexpr Duration kDrawingBudget = std::chrono::milliseconds{25}; ///< of one frame
 constexpr QColor kNight{18, 25, 31};
+
+/// Of all views of this program.
+SharedTime& sharedTime()
+{
+    static SharedTime times;
+    return times;
+}
 
 /// What presets show whole; everything, where no part asks for it.
 Box boundsToFrame(std::span<const ScenePart> parts)
@@ -108,7 +116,7 @@ SceneView::SceneView(QWidget* parent)
     m_tick.start(m_interval);
 }
 
-SceneView::~SceneView() = default;
+SceneView::~SceneView() { sharedTime().forget(this); }
 
 void SceneView::setParts(std::span<const ScenePart> parts, const Box& alsoFramed)
 {
@@ -349,8 +357,9 @@ void SceneView::drawFrame()
         drawExposed(began);
     else
         m_rest.stir();
-    const auto left =
-        m_interval - std::chrono::ceil<std::chrono::milliseconds>(monotonicNow() - began);
+    const LocalTime ended = monotonicNow();
+    sharedTime().took(this, ended, ended - began, m_interval);
+    const auto left = m_interval - std::chrono::ceil<std::chrono::milliseconds>(ended - began);
     m_tick.start(std::max(left, std::chrono::milliseconds{0}));
 }
 
@@ -414,6 +423,10 @@ void SceneView::drawScene(const SceneFrame& frame, const std::vector<SceneCamera
 void SceneView::takeTime(Duration took)
 {
     m_timeOfLight.frameTook(took);
+    const Duration budget =
+        fromSeconds(toSeconds(kDrawingBudget) * sharedTime().leftFor(m_interval));
+    m_quality.setBudget(budget);
+    m_detail.setBudget(budget);
     m_quality.frameTook(took, m_interval, m_detail.isFinest());
     if (m_quality.isFixed() || m_drawnQuality == PictureQuality::Quick)
         m_detail.frameTook(took);

@@ -2,6 +2,9 @@
 
 #include "engine/core/expects.h"
 #include "models/airway/head_positions.h"
+#include "models/patient/session_patient.h"
+
+#include <utility>
 
 namespace carina
 {
@@ -33,6 +36,39 @@ void HeadPositionModel::setPosition(const HeadPosition& position)
     request(position);
 }
 
-QString HeadPositionModel::inForceText() const { return headFiguresText(present()); }
+void HeadPositionModel::setPatient(const SessionPatient& patient)
+{
+    m_patient = &patient;
+    refresh();
+}
+
+HeadPosition HeadPositionModel::present() const
+{
+    const HeadPosition position = presentValue();
+    return m_lying ? m_lying->neck(position).position() : position;
+}
+
+QString HeadPositionModel::inForceText() const
+{
+    const QString figures = headFiguresText(present());
+    const QString limit = limitText();
+    return limit.isEmpty()
+               ? figures
+               : tr("%1 (%2)", "position of the head; what stops it").arg(figures, limit);
+}
+
+QString HeadPositionModel::limitText() const
+{
+    return present().flexion < presentValue().flexion ? tr("this patient's neck flexes no farther")
+                                                      : QString{};
+}
+
+bool HeadPositionModel::refreshMore()
+{
+    SharedPatientModel lying = m_patient ? m_patient->patient() : nullptr;
+    if (lying && !liesAt(*session().node().state(), stations().shown, *lying))
+        lying.reset();
+    return std::exchange(m_lying, lying) != lying;
+}
 
 } // namespace carina

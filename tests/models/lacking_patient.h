@@ -1,7 +1,12 @@
 #pragma once
 
 #include "engine/anatomy/patient/builtin_patient.h"
+#include "engine/anatomy/patient/patient_name.h"
 #include "models/patient/patient_source.h"
+
+#include <string>
+#include <string_view>
+#include <utility>
 
 namespace carina::test
 {
@@ -13,6 +18,17 @@ inline SharedPatientModel childWithout(PartRole role)
     std::erase_if(anatomy.parts, [role](const AnatomyPart& part) { return part.role == role; });
     anatomy.contentHash = "without " + std::to_string(static_cast<int>(role));
     return patientOf(std::move(anatomy)).value();
+}
+
+/// A patient of whom only the landmarks of the airway are known, by which the neck bends.
+inline SharedPatientModel landmarksOf(std::string_view words)
+{
+    const PatientDimensions dimensions = dimensionsFor(patientFromWords(words).value()).value();
+    Anatomy anatomy;
+    anatomy.landmarks = bodyPlanOf(dimensions, Posture::Laryngoscopy).landmarks;
+    anatomy.contentHash = "landmarks of a " + std::string{words};
+    return std::make_shared<const PatientModel>(
+        PatientModel::of(std::move(anatomy), dimensions.tubeInnerDiameter).value());
 }
 
 } // namespace carina::test

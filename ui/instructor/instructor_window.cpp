@@ -98,6 +98,7 @@ void InstructorWindow::fillPanels(const ProgramTracker& tracker)
     m_ui->condition->setModel(m_models.respiration);
     m_ui->gas->setModel(m_models.gas);
     m_models.airway.setPatient(m_models.patient);
+    m_models.head.setPatient(m_models.patient);
     m_ui->airway->setModels(m_models.airway, m_models.head);
     m_ui->airway->showGroup(m_kept.airwayGroup());
     connect(m_ui->airway, &AirwayPanel::groupChosen, this,

@@ -1,10 +1,14 @@
+#include "engine/io/anatomy_set/anatomy_cache.h"
 #include "models/airway/head_position_model.h"
+#include "models/patient/session_patient.h"
 #include "tests/models/fake_session_node.h"
+#include "tests/models/lacking_patient.h"
 #include "tests/support/test_class.h"
 
 #include <QSignalSpy>
 
 #include <cmath>
+#include <optional>
 
 namespace carina::head_position_model_test
 {
@@ -20,6 +24,8 @@ private Q_SLOTS:
     void setsAPositionThatTravels();
     void tellsHowTheHeadLiesWhileThatChanges();
     void tellsWhatAStiffNeckLeaves();
+    void tellsWhatAnInfantsNeckLeaves();
+    void tellsALimitOnlyOfThePatientThatLiesThere();
     void undoesAChangeInItsMidstAtOnce();
     void undoesThroughTheHistory();
     void changesAllStationsAndUndoesEach();
@@ -33,13 +39,20 @@ namespace
 
 constexpr std::chrono::milliseconds kLead{100};
 constexpr double kRounding_deg = 1e-6;
+constexpr const char* kNewborn = "newborn, 50 cm, girl";
 
 struct Console {
     FakeSessionNode node;
     SessionModel session{node};
     HeadPositionModel model{session, FakeSessionNode::kStation};
+    std::optional<SessionPatient> patient;
 
     explicit Console(ParticipantId self = FakeSessionNode::kInstructor) : node{self} {}
+    void lay(const SharedPatientModel& lying)
+    {
+        patient.emplace(node, FakeSessionNode::kStation, lying, AnatomyCache::defaultFolder());
+        model.setPatient(*patient);
+    }
     void settle(Duration time = kLead)
     {
         node.advance(time);
@@ -111,6 +124,53 @@ void TestHeadPositionModel::tellsWhatAStiffNeckLeaves()
     console.settle();
     QVERIFY(console.model.position() == kSniffing);
     QVERIFY(console.model.isNeutral());
+}
+
+/// 35 degrees where incisors and glottis are 79 mm apart, and less in proportion where they are
+/// less; the head is extended as it was laid.
+void TestHeadPositionModel::tellsWhatAnInfantsNeckLeaves()
+{
+    Console console;
+    const SharedPatientModel newborn = test::landmarksOf(kNewborn);
+    const AirwayLandmarks& at = newborn->landmarks();
+    const double way_mm = 1e3 * (at.p_A_glottis - at.p_A_incisors).norm();
+    console.lay(newborn);
+    console.model.setPosition(kSniffing);
+    console.settle();
+    QVERIFY(console.model.position() == kSniffing);
+    QVERIFY(console.showsNow(35.0 * way_mm / 79.0, 24.2));
+    QCOMPARE(console.model.limitText(), QStringLiteral("this patient's neck flexes no farther"));
+    QCOMPARE(console.model.inForceText(),
+             QStringLiteral("neck 22° flexed, head 24° extended (this patient's neck flexes no "
+                            "farther)"));
+    // A stiff neck leaves 14 degrees, which are within the infant's 22.
+    console.node.decide(fact::AirwayEventsSet{{{AirwayEventKind::StiffNeck, 0.6}}, {}});
+    console.settle();
+    QVERIFY(console.showsNow(14.0, 12.0));
+    QVERIFY(console.model.limitText().isEmpty());
+    console.node.decide(fact::AirwayEventsSet{});
+    console.model.setPosition(kHeadExtended);
+    console.settle();
+    QVERIFY(console.model.present() == kHeadExtended);
+    QVERIFY(console.model.limitText().isEmpty());
+}
+
+/// While another one is chosen there and not here yet, nothing is known of it.
+void TestHeadPositionModel::tellsALimitOnlyOfThePatientThatLiesThere()
+{
+    Console console;
+    console.model.setPosition(kSniffing);
+    console.settle();
+    const QSignalSpy changed{&console.model, &HeadPositionModel::changed};
+    console.lay(test::landmarksOf(kNewborn));
+    QVERIFY(!changed.isEmpty());
+    QVERIFY(!console.model.limitText().isEmpty());
+    console.node.decide(fact::AnatomyChosen{"another", "Another"});
+    console.settle();
+    QVERIFY(console.model.present() == kSniffing);
+    QVERIFY(console.model.limitText().isEmpty());
+    console.lay(test::landmarksOf("adult")); // which is not chosen either
+    QVERIFY(console.model.limitText().isEmpty());
 }
 
 void TestHeadPositionModel::undoesAChangeInItsMidstAtOnce()

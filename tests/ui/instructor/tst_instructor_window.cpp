@@ -1285,6 +1285,23 @@ private Q_SLOTS:
         QVERIFY(isTold(90));
     }
 
+    /// 35 degrees where incisors and glottis are 79 mm apart, so 22 where it is 50.
+    void tellsHowTheHeadOfAnInfantIsDrawn()
+    {
+        Anatomy anatomy = builtinPatient(BuiltinPatient::TwelveYears).value();
+        AirwayLandmarks& at = anatomy.landmarks;
+        at.p_A_incisors = at.p_A_glottis + 0.05 * (at.p_A_incisors - at.p_A_glottis).normalized();
+        anatomy.contentHash = "an infant's way";
+        const test::ScratchFolder kept;
+        Shown shown{kept, {1280, 800}, patientOf(std::move(anatomy)).value()};
+        shown.head.setPosition(kSniffing);
+        shown.takeEffect();
+        const auto& status = shown.find<QLabel>("status");
+        const QString told = QStringLiteral("● Head position: neck 22° flexed, head 24° extended "
+                                            "(this patient's neck flexes no farther)");
+        QVERIFY(soon([&] { return status.accessibleName().contains(told); }));
+    }
+
     void saysThatMotionIsShownLarger()
     {
         const test::ScratchFolder kept;

@@ -5,7 +5,7 @@
 #include "widgets/plain_label.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QSignalBlocker>
 
 namespace carina
@@ -23,7 +23,10 @@ QString textOfAngles(const HeadPosition& position)
 } // namespace
 
 HeadPositionRow::HeadPositionRow(QWidget* parent)
-    : QWidget{parent}, m_positions{new QComboBox}, m_present{new PlainLabel}
+    : QWidget{parent},
+      m_positions{new QComboBox},
+      m_present{new PlainLabel},
+      m_limit{new PlainLabel}
 {
     offerPositions();
     m_present->setObjectName(QStringLiteral("headPositionNow"));
@@ -32,13 +35,18 @@ HeadPositionRow::HeadPositionRow(QWidget* parent)
     m_present->setMinimumSize(
         metrics.horizontalAdvance(neckText({kLeastFlexion, {}})), // the longest
         2 * metrics.lineSpacing());
+    m_limit->setObjectName(QStringLiteral("headPositionLimit"));
+    m_limit->setWordWrap(true);
     auto* label = new PlainLabel{tr("Head")};
     label->setBuddy(m_positions);
-    auto* row = new QHBoxLayout{this};
+    auto* row = new QGridLayout{this};
     row->setContentsMargins({});
-    row->addWidget(label);
-    row->addWidget(m_positions);
-    row->addWidget(m_present, 1);
+    row->setVerticalSpacing(0);
+    row->addWidget(label, 0, 0);
+    row->addWidget(m_positions, 0, 1);
+    row->addWidget(m_present, 0, 2);
+    row->addWidget(m_limit, 1, 0, 1, -1);
+    row->setColumnStretch(2, 1);
     setFocusProxy(m_positions);
 }
 
@@ -47,8 +55,9 @@ void HeadPositionRow::offerPositions()
     m_positions->setObjectName(QStringLiteral("headPosition"));
     m_positions->setAccessibleName(tr("Position of head and neck"));
     m_positions->setToolTip(
-        tr("How head and neck of the patient lie, over the time of a change; a stiff neck limits "
-           "what is drawn. The manikin's head has to be laid so by hand, as nothing measures it"));
+        tr("How head and neck of the patient lie, over the time of a change; a stiff neck, and the "
+           "short one of an infant, limit what is drawn. The manikin's head has to be laid so by "
+           "hand, as nothing measures it"));
     m_positions->setPlaceholderText(tr("Other"));
     m_positions->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_positions->setMinimumContentsLength(kPositionLetters);
@@ -85,6 +94,10 @@ void HeadPositionRow::refresh()
     m_positions->setCurrentIndex(usual ? int(usual - usualHeadPositions().data()) : -1);
     m_positions->setAccessibleDescription(headPositionText(set));
     m_present->setText(textOfAngles(m_model->present()));
+    const QString limit = m_model->limitText();
+    m_limit->setText(limit);
+    m_limit->setVisible(!limit.isEmpty());
+    m_present->setAccessibleDescription(limit);
 }
 
 } // namespace carina

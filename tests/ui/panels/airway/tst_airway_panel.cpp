@@ -58,6 +58,7 @@ private Q_SLOTS:
     void tellsWhatAPresetSets();
     void laysTheHeadByKeyboardOverTheTimeOfAChange();
     void tellsHowTheHeadLies();
+    void saysThatAnInfantsNeckFlexesNoFarther();
     void saysOtherWhereTheHeadLiesInNoUsualWay();
     void leadsFromTheTimeOverTheHeadToTheEventsByTab();
     void tellsWhatTravels();
@@ -105,6 +106,7 @@ struct Desk {
     {
         patient.emplace(node, FakeSessionNode::kStation, lying, AnatomyCache::defaultFolder());
         model.setPatient(*patient);
+        head.setPatient(*patient);
     }
     /// The control that gets the keyboard with the panel.
     [[nodiscard]] QString first()
@@ -539,6 +541,26 @@ void TestAirwayPanel::tellsHowTheHeadLies()
     desk.find<QPushButton>("clearAirway").click();
     desk.settle();
     QCOMPARE(desk.text("headPositionNow"), QStringLiteral("neck 35° flexed\nhead 24° extended"));
+}
+
+/// By 22 degrees (TestNeckField).
+void TestAirwayPanel::saysThatAnInfantsNeckFlexesNoFarther()
+{
+    Desk desk;
+    desk.lay(test::landmarksOf("newborn, 50 cm, girl"));
+    const auto& limit = desk.find<QLabel>("headPositionLimit");
+    QVERIFY(!limit.isVisible());
+    desk.head.setPosition(kSniffing);
+    desk.settle();
+    QCOMPARE(desk.find<QComboBox>("headPosition").currentText(), QStringLiteral("Sniffing"));
+    QCOMPARE(desk.text("headPositionNow"), QStringLiteral("neck 22° flexed\nhead 24° extended"));
+    QVERIFY(limit.isVisible());
+    QCOMPARE(limit.text(), desk.head.limitText());
+    const int least = desk.panel.minimumSizeHint().width();
+    QVERIFY2(least <= kColumn - 20, qPrintable(QString::number(least)));
+    desk.head.setPosition(kHeadExtended);
+    desk.settle();
+    QVERIFY(!limit.isVisible());
 }
 
 void TestAirwayPanel::saysOtherWhereTheHeadLiesInNoUsualWay()

@@ -1,6 +1,7 @@
 #include "models/airway/airway_event_model.h"
 
 #include "engine/anatomy/events/airway_contents.h"
+#include "engine/anatomy/events/throat_room.h"
 #include "engine/core/expects.h"
 #include "models/airway/airway_words.h"
 #include "models/patient/session_patient.h"
@@ -73,6 +74,12 @@ double AirwayEventModel::severity(AirwayEventKind kind) const { return severityO
 double AirwayEventModel::present(AirwayEventKind kind) const
 {
     return severityOf(presentValue(), kind);
+}
+
+double AirwayEventModel::drawn(AirwayEventKind kind) const
+{
+    const auto shows = [this](AirwayEventKind each) { return m_limits.canShow(each); };
+    return severityOf(asDrawn(presentValue(), shows), kind);
 }
 
 bool AirwayEventModel::canBeSet(AirwayEventKind kind) const

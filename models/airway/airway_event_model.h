@@ -37,6 +37,9 @@ public:
     [[nodiscard]] double severity(AirwayEventKind kind) const;
     /// The severity that is to be seen now, while it changes.
     [[nodiscard]] double present(AirwayEventKind kind) const;
+    /// The severity with which it is drawn now in the patient of the station: less than that where
+    /// it shares the room of the throat (asDrawn); 0 where it is not shown.
+    [[nodiscard]] double drawn(AirwayEventKind kind) const;
     /// All that was set likewise, without those of severity 0.
     [[nodiscard]] AirwayEvents events() const { return decided(); }
     /// Whether any is to be seen now, also one that was ended and goes slowly.

@@ -5,85 +5,53 @@
 #include "engine/anatomy/events/larynx_changes.h"
 #include "engine/anatomy/events/mouth_changes.h"
 #include "engine/anatomy/events/neck_changes.h"
+#include "engine/anatomy/events/throat_room.h"
 #include "engine/core/expects.h"
 
 #include <algorithm>
-#include <initializer_list>
-#include <numeric>
 
 namespace carina
 {
-namespace
-{
-
-/// What a burn swells, as a share of the event that does nothing else.
-constexpr double kTongueByBurn = 0.3;
-constexpr double kPharynxByBurn = 0.7;
-constexpr double kEpiglottisByBurn = 0.4;
-constexpr double kEntranceByBurn = 0.7;
-
-/// Swollen tongue, pharynx and epiglottis, and one that has fallen back, take the same room, the
-/// throat's: two of them at their worst fill it, and of more each has less. Of ours.
-constexpr double kMostInThroat = 2.0;
-
-double shareOfThroat(std::initializer_list<double> severities)
-{
-    const double together = std::accumulate(severities.begin(), severities.end(), 0.0);
-    return together > kMostInThroat ? kMostInThroat / together : 1.0;
-}
-
-} // namespace
 
 AirwayField airwayChanges(const UpperAirway& airway, const AirwayEvents& events, double inspiration)
 {
     using namespace airway_change;
     CARINA_EXPECTS(areProper(events) && inspiration >= 0.0 && inspiration <= 1.0);
-    const auto severityOf = [&](AirwayEventKind kind) {
-        const auto found = std::ranges::find(events, kind, &AirwayEvent::kind);
-        return found == events.end() || !canShow(airway, kind) ? 0.0 : found->severity;
-    };
+    const ShowsEvent shows = [&airway](AirwayEventKind kind) { return canShow(airway, kind); };
+    const AirwayEvents drawn = asDrawn(events, shows);
+    const auto drawnSeverity = [&drawn](AirwayEventKind kind) { return severityOf(drawn, kind); };
     AirwayField field;
-    const double closing = cordsClosing(severityOf(AirwayEventKind::Laryngospasm), inspiration);
-    if (closing != 0.0 && canShow(airway, AirwayEventKind::Laryngospasm))
+    const double closing = cordsClosing(drawnSeverity(AirwayEventKind::Laryngospasm), inspiration);
+    if (closing != 0.0 && shows(AirwayEventKind::Laryngospasm))
         moveCords(field, airway, closing);
     const auto change = [&](double severity, auto how) {
         if (severity > 0.0)
             how(field, airway, severity);
     };
-    change(severityOf(AirwayEventKind::LaryngealWeb), joinCords);
-    const double burn = severityOf(AirwayEventKind::Burn);
-    const auto swollen = [&](AirwayEventKind kind, double ofBurn) {
-        return canShow(airway, kind) ? std::max(severityOf(kind), ofBurn * burn) : 0.0;
+    change(drawnSeverity(AirwayEventKind::LaryngealWeb), joinCords);
+    change(drawnSeverity(AirwayEventKind::TongueOedema), swellTongue);
+    change(drawnSeverity(AirwayEventKind::AngioOedema), swellMouth);
+    const auto changeByBoth = [&](AirwayEventKind one, AirwayEventKind other, auto how) {
+        if (drawnSeverity(one) > 0.0 || drawnSeverity(other) > 0.0)
+            how(field, airway, drawnSeverity(one), drawnSeverity(other));
     };
-    const double tongue = swollen(AirwayEventKind::TongueOedema, kTongueByBurn);
-    const double pharynx = swollen(AirwayEventKind::PharyngealSwelling, kPharynxByBurn);
-    const double epiglottis = swollen(AirwayEventKind::Epiglottitis, kEpiglottisByBurn);
-    const double floppy = severityOf(AirwayEventKind::FloppyEpiglottis);
-    const double share = shareOfThroat({tongue, pharynx, epiglottis, floppy});
-    change(share * tongue, swellTongue);
-    change(severityOf(AirwayEventKind::AngioOedema), swellMouth);
-    const auto changeByBoth = [&](double one, double other, auto how) {
-        if (one > 0.0 || other > 0.0)
-            how(field, airway, one, other);
-    };
-    changeByBoth(share * pharynx, severityOf(AirwayEventKind::NeckObesity), narrowPharynx);
-    changeByBoth(severityOf(AirwayEventKind::TrachealStenosis), severityOf(AirwayEventKind::Goitre),
-                 narrowTrachea);
-    change(share * epiglottis, swellEpiglottis);
-    change(std::max(swollen(AirwayEventKind::LaryngealOedema, kEntranceByBurn),
-                    severityOf(AirwayEventKind::AngioOedema)),
+    changeByBoth(AirwayEventKind::PharyngealSwelling, AirwayEventKind::NeckObesity, narrowPharynx);
+    changeByBoth(AirwayEventKind::TrachealStenosis, AirwayEventKind::Goitre, narrowTrachea);
+    change(drawnSeverity(AirwayEventKind::Epiglottitis), swellEpiglottis);
+    change(std::max(drawnSeverity(AirwayEventKind::LaryngealOedema),
+                    drawnSeverity(AirwayEventKind::AngioOedema)),
            swellEntrance);
-    change(share * floppy, letEpiglottisFall);
-    change(severityOf(AirwayEventKind::AnteriorLarynx), moveLarynxForward);
-    change(severityOf(AirwayEventKind::ExternalPressure), pressLarynx);
-    changeByBoth(severityOf(AirwayEventKind::TrachealDeviation),
-                 severityOf(AirwayEventKind::Goitre), moveTrachea);
-    change(severityOf(AirwayEventKind::Goitre), bulgeNeck);
-    change(severityOf(AirwayEventKind::NeckObesity), thickenNeck);
-    change(severityOf(AirwayEventKind::ProminentIncisors), protrudeIncisors);
-    change(severityOf(AirwayEventKind::AngioOedema), makePale);
-    change(severityOf(AirwayEventKind::Epiglottitis), reddenEpiglottis);
-    change(burn, scorch);
+    change(drawnSeverity(AirwayEventKind::FloppyEpiglottis), letEpiglottisFall);
+    change(drawnSeverity(AirwayEventKind::AnteriorLarynx), moveLarynxForward);
+    change(drawnSeverity(AirwayEventKind::ExternalPressure), pressLarynx);
+    changeByBoth(AirwayEventKind::TrachealDeviation, AirwayEventKind::Goitre, moveTrachea);
+    change(drawnSeverity(AirwayEventKind::Goitre), bulgeNeck);
+    change(drawnSeverity(AirwayEventKind::NeckObesity), thickenNeck);
+    change(drawnSeverity(AirwayEventKind::ProminentIncisors), protrudeIncisors);
+    change(drawnSeverity(AirwayEventKind::AngioOedema), makePale);
+    if (shows(AirwayEventKind::Epiglottitis)) // as red as it was set
+        change(severityOf(events, AirwayEventKind::Epiglottitis), reddenEpiglottis);
+    change(drawnSeverity(AirwayEventKind::Burn), scorch);
     return field;
 }
 

@@ -17,7 +17,7 @@ inline constexpr double kInspirationAsMade = 0.75;
 /// What events, and breathing, change of the tissue of an upper airway as it is in the surfaces.
 /// Lengths are in proportion to the patient; docs/laryngoscopy.md has them, and their sources. Of
 /// TongueOedema, PharyngealSwelling, Epiglottitis and FloppyEpiglottis each does less where their
-/// severities are more than 2 together: they share the room of the throat.
+/// severities are more than 2 together: they share the room of the throat (asDrawn).
 ///
 /// - TongueOedema: the tongue grows to all sides and most upward, and its base to the back;
 /// - PharyngealSwelling: the side walls come together about the level of the uvula, and the back

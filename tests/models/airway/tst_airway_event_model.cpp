@@ -25,6 +25,7 @@ private Q_SLOTS:
     void setsOneEventAndLeavesTheOthers();
     void setsAllEventsAsOneChange();
     void tellsTheSeverityToBeSeenWhileItChanges();
+    void tellsWhatIsDrawnInAFullThroat();
     void clearsAllOverTheTime();
     void knowsWhatThereIsToEnd();
     void takesFluidsAwayBySuction();
@@ -185,6 +186,24 @@ void TestAirwayEventModel::tellsTheSeverityToBeSeenWhileItChanges()
     console.settle(std::chrono::seconds{10});
     QVERIFY(console.showsNow(TongueOedema, 0.0));
     QVERIFY(console.model.events().empty());
+}
+
+/// Of three at their worst two thirds each; a patient without a tongue has room for the others.
+void TestAirwayEventModel::tellsWhatIsDrawnInAFullThroat()
+{
+    const AirwayEvents three{{TongueOedema, 1.0}, {Epiglottitis, 1.0}, {FloppyEpiglottis, 1.0}};
+    Console console;
+    console.model.setEvents(three);
+    QCOMPARE(console.model.drawn(Epiglottitis), 0.0); // not in force yet
+    console.settle();
+    QCOMPARE(console.model.present(Epiglottitis), 1.0);
+    QVERIFY(std::abs(console.model.drawn(Epiglottitis) - 2.0 / 3.0) < kRounding);
+    QCOMPARE(console.model.drawn(Laryngospasm), 0.0);
+    Console mute{tongueless()};
+    mute.model.setEvents(three);
+    mute.settle();
+    QCOMPARE(mute.model.drawn(Epiglottitis), 1.0);
+    QCOMPARE(mute.model.drawn(TongueOedema), 0.0);
 }
 
 void TestAirwayEventModel::clearsAllOverTheTime()

@@ -50,6 +50,8 @@ QString labelOf(AirwayEventKind kind)
 
 QString textOfPresent(int percent) { return AirwayPanel::tr("now %1\u00a0%").arg(percent); }
 
+QString textOfDrawn(int percent) { return AirwayPanel::tr("drawn %1\u00a0%").arg(percent); }
+
 int percentOf(double severity) { return qRound(100.0 * severity); }
 
 /// Shows a severity without telling it back to the model; not while a person is typing into it.
@@ -245,7 +247,7 @@ AirwayPanel::Row AirwayPanel::addRow(QGridLayout& rows, AirwayEventKind kind)
     row.present->setAccessibleName(tr("%1, present severity").arg(eventText(kind)));
     row.present->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     row.present->setMinimumWidth(
-        row.present->fontMetrics().horizontalAdvance(textOfPresent(kMostPercent)));
+        row.present->fontMetrics().horizontalAdvance(textOfDrawn(kMostPercent - 1)));
     row.notShown->setObjectName(name + QStringLiteral("NotShown"));
     row.notShown->setWordWrap(true);
     row.label->setBuddy(row.severity);
@@ -347,17 +349,31 @@ void AirwayPanel::refreshRow(AirwayEventKind kind)
 {
     const Row& row = m_rows[placeOf(kind)];
     const int set = percentOf(m_model->severity(kind));
-    const int present = percentOf(m_model->present(kind));
     const QString& notShown = m_model->limits().said(kind);
     showSeverity(*row.severity, set);
     showSeverity(*row.slider, set);
-    row.present->setText(present == set ? QString{} : textOfPresent(present));
+    refreshPresent(kind);
     for (QWidget* control :
          {static_cast<QWidget*>(row.severity), static_cast<QWidget*>(row.slider)}) {
         control->setEnabled(m_model->canBeSet(kind));
         control->setAccessibleDescription(notShown);
     }
     row.notShown->setText(notShown);
+}
+
+/// What is drawn, where that is less than the severity of now; else this, where it changes.
+void AirwayPanel::refreshPresent(AirwayEventKind kind)
+{
+    QLabel& label = *m_rows[placeOf(kind)].present;
+    const int present = percentOf(m_model->present(kind));
+    const int drawn = percentOf(m_model->drawn(kind));
+    const bool isLess = m_model->limits().canShow(kind) && drawn < present;
+    const bool changes = present != percentOf(m_model->severity(kind));
+    label.setText(isLess ? textOfDrawn(drawn) : changes ? textOfPresent(present) : QString{});
+    label.setToolTip(isLess ? tr("Events that fill the throat share its room: together they are "
+                                 "drawn as two of them at 100\u00a0%, and each less in proportion")
+                            : QString{});
+    label.setAccessibleDescription(label.toolTip());
 }
 
 /// Presets where any event can be set. The keyboard comes to the first event in sight that can be,

@@ -29,7 +29,8 @@ class RefusalLine;
 /// and a button that ends the events. In sight are the events of one group, or all
 /// (AirwayGroupBar), below the headings of the groups, which stay where they are. A control shows
 /// the value that is set or, while a change is pending, the requested one; beside it stands the
-/// severity that is to be seen, as long as that is another. An event that the patient does not show
+/// severity of now, as long as that is another, or the one that is drawn, where that is less, as
+/// several fill the throat. An event that the patient does not show
 /// says why, and cannot be set unless it is to be ended, or is for other patients too; one that it
 /// shows in part says that. For a person without permission the panel states the reason.
 class AirwayPanel : public QWidget
@@ -53,7 +54,7 @@ Q_SIGNALS:
 private:
     struct Row {
         QLabel* label;
-        QLabel* present; ///< "now 35 %"
+        QLabel* present; ///< "now 35 %", "drawn 67 %"
         CheckedSpinBox* severity;
         QSlider* slider;
         QLabel* notShown; ///< why the patient does not show it, or not all of it
@@ -71,6 +72,7 @@ private:
     void refresh();
     void refreshPreset();
     void refreshRow(AirwayEventKind kind);
+    void refreshPresent(AirwayEventKind kind);
     void offerWhatCanBeSet();
 
     AirwayEventModel* m_model = nullptr;

@@ -50,6 +50,7 @@ private Q_SLOTS:
     void leadsFromEachEventToTheNextByTab();
     void setsSeverityBySliderAndBox();
     void tellsTheSeverityOfNowWhileItChanges();
+    void tellsWhatIsDrawnOfEventsThatFillTheThroat();
     void clearsTheAirwayByItsButton();
     void endsAtOnceWhatGoesSlowly();
     void takesFluidsAwayByTheButtonOfTheirGroup();
@@ -389,6 +390,32 @@ void TestAirwayPanel::tellsTheSeverityOfNowWhileItChanges()
     QVERIFY(desk.text("tongue_oedemaNow").isEmpty());
     desk.settle(std::chrono::seconds{15});
     QVERIFY(desk.text("laryngeal_oedemaNow").isEmpty());
+}
+
+/// Of three at 100 % each is drawn at two thirds.
+void TestAirwayPanel::tellsWhatIsDrawnOfEventsThatFillTheThroat()
+{
+    Desk desk;
+    desk.node.decide(fact::AirwayEventsSet{
+        {{TongueOedema, 1.0}, {PharyngealSwelling, 1.0}, {LaryngealOedema, 1.0}}, {}});
+    desk.settle();
+    const auto& tongue = desk.find<QLabel>("tongue_oedemaNow");
+    QVERIFY(tongue.text().isEmpty() && tongue.toolTip().isEmpty());
+    desk.enter("epiglottitis", QStringLiteral("100"));
+    desk.settle();
+    for (const char* name : {"tongue_oedemaNow", "pharyngeal_swellingNow", "epiglottitisNow"})
+        QCOMPARE(desk.text(name), QStringLiteral("drawn 67\u00a0%"));
+    QVERIFY(tongue.toolTip().contains(QStringLiteral("share its room")));
+    QVERIFY(desk.text("laryngeal_oedemaNow").isEmpty());
+    QCOMPARE(desk.box("tongue_oedema").value(), 100);
+    desk.enter("airwayOver", QStringLiteral("10"));
+    desk.enter("pharyngeal_swelling", QStringLiteral("0"));
+    desk.settle();
+    desk.settle(std::chrono::seconds{5}); // at 50 % of 2.5 together
+    QCOMPARE(desk.text("pharyngeal_swellingNow"), QStringLiteral("drawn 40\u00a0%"));
+    QCOMPARE(desk.text("tongue_oedemaNow"), QStringLiteral("drawn 80\u00a0%"));
+    desk.settle(std::chrono::seconds{5});
+    QVERIFY(tongue.text().isEmpty() && tongue.toolTip().isEmpty());
 }
 
 void TestAirwayPanel::clearsTheAirwayByItsButton()

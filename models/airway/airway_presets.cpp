@@ -1,5 +1,7 @@
 #include "models/airway/airway_presets.h"
 
+#include "models/airway/head_positions.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -155,6 +157,17 @@ const AirwayPreset* presetOf(const AirwayEvents& events)
 QString presetText(const AirwayPreset& preset)
 {
     return QCoreApplication::translate("Airway", preset.text);
+}
+
+QString conditionText(const AirwayPreset& preset)
+{
+    if (preset.grade == 0)
+        return {};
+    const UsualHeadPosition* usual = usualOf(preset.look.head);
+    return QCoreApplication::translate(
+               "Airway", "Grade %1 is promised only with the head in the position %2.")
+        .arg(preset.grade)
+        .arg(usual ? usualText(*usual) : headFiguresText(preset.look.head));
 }
 
 AirwayEvents drawnFrom(const AirwayPreset& preset, std::mt19937& random)

@@ -50,6 +50,10 @@ struct AirwayPreset {
 /// Its name as shown: "Anaphylaxis".
 [[nodiscard]] QString presetText(const AirwayPreset& preset);
 
+/// In which position of the head it has the grade that it is named for: "Grade 4 is promised only
+/// with the head in the position Sniffing."; empty of one that is named for none.
+[[nodiscard]] QString conditionText(const AirwayPreset& preset);
+
 /// Another patient of the kind that a preset stands for: each severity is drawn evenly from its
 /// range. Of a preset without ranges these are always its events.
 [[nodiscard]] AirwayEvents drawnFrom(const AirwayPreset& preset, std::mt19937& random);

@@ -99,6 +99,7 @@ AirwayPanel::AirwayPanel(QWidget* parent)
       m_notShown{new PlainLabel},
       m_controls{new QWidget},
       m_presets{new QComboBox},
+      m_condition{new PlainLabel},
       m_over{new CheckedSpinBox},
       m_head{new HeadPositionRow},
       m_groups{new AirwayGroupBar},
@@ -159,7 +160,9 @@ void AirwayPanel::addPresets(QBoxLayout& column)
     for (const AirwayPreset& preset : airwayPresets()) {
         m_presets->addItem(presetText(preset),
                            QByteArray{preset.name.data(), qsizetype(preset.name.size())});
-        m_presets->setItemData(m_presets->count() - 1, shownAsIs(eventsText(preset.events)),
+        QStringList told{eventsText(preset.events), conditionText(preset)};
+        told.removeAll(QString{});
+        m_presets->setItemData(m_presets->count() - 1, shownAsIs(told.join(QLatin1Char{'\n'})),
                                Qt::ToolTipRole);
     }
     auto* label = new PlainLabel{tr("Se&veral by preset")};
@@ -168,6 +171,9 @@ void AirwayPanel::addPresets(QBoxLayout& column)
     row->addWidget(label);
     row->addWidget(m_presets, 1);
     column.addLayout(row);
+    m_condition->setObjectName(QStringLiteral("airwayPresetCondition"));
+    m_condition->setWordWrap(true);
+    column.addWidget(m_condition);
 }
 
 void AirwayPanel::addTimeAndClear(QBoxLayout& column)
@@ -342,7 +348,10 @@ void AirwayPanel::refreshPreset()
     const AirwayEvents set = m_model->events();
     const AirwayPreset* preset = presetOf(set);
     m_presets->setCurrentIndex(preset ? int(preset - airwayPresets().data()) : -1);
-    m_presets->setAccessibleDescription(eventsText(set));
+    const bool isLaidOtherwise = preset && m_headModel->position() != preset->look.head;
+    sayOrHide(*m_condition, isLaidOtherwise ? conditionText(*preset) : QString{});
+    m_presets->setAccessibleDescription(
+        QStringList{eventsText(set), m_condition->text()}.join(QLatin1Char{' '}).trimmed());
 }
 
 void AirwayPanel::refreshRow(AirwayEventKind kind)

@@ -81,6 +81,7 @@ private:
     QLabel* m_notShown;   ///< why the patient shows no event at all
     QWidget* m_controls;  ///< above the groups
     QComboBox* m_presets; ///< each with its name as data
+    QLabel* m_condition;  ///< how the head has to lie for the preset's grade, where it does not
     CheckedSpinBox* m_over;
     HeadPositionRow* m_head;
     AirwayGroupBar* m_groups;

@@ -49,7 +49,6 @@ RigidTransform windpipeInAnatomy()
 
 AirwaySolid::AirwaySolid(const PatientDimensions& dimensions)
     : m_dimensions(dimensions),
-      m_upper(upperTracheaOf(dimensions)),
       m_X_AW(windpipeInAnatomy()),
       m_X_WA(m_X_AW.inverse()),
       m_scale(dimensions.tracheaLength / dimensionsOf(BuiltinPatient::Adult).tracheaLength),
@@ -71,7 +70,7 @@ AirwaySolid::Branches AirwaySolid::branchesOf(Side side) const
     b.direction_W = downAndAside(main.fromTrachea, sign, {});
     // From the place on the trachea's axis from which the inner wall runs through the carina.
     // Wider ones than the trachea's upper end would have are so in front, as the trachea.
-    const double narrower = (m_upper.sagittal + m_upper.coronal)
+    const double narrower = (m_dimensions.upperTrachea.sagittal + m_dimensions.upperTrachea.coronal)
                             / (m_dimensions.tracheaSagittal + m_dimensions.tracheaCoronal);
     const double forward = (1.0 - narrower) * radius;
     const Vec3 start{0.0, -forward, radius / std::sin(main.fromTrachea.si)};
@@ -107,20 +106,21 @@ double AirwaySolid::belowUpperEnd(double z) const
 double AirwaySolid::deeperAt(double z) const
 {
     const double aboveCarina = 0.6 + 0.4 * easedStep(0.0, 25.0 * kMillimetre * m_scale, z);
-    return aboveCarina * belowUpperEnd(z) * (m_dimensions.tracheaSagittal - m_upper.sagittal).si;
+    return aboveCarina * belowUpperEnd(z)
+           * (m_dimensions.tracheaSagittal - m_dimensions.upperTrachea.sagittal).si;
 }
 
 double AirwaySolid::tracheaDistance(const Vec3& p_WQ) const
 {
     const double blend = 2.0 * kMillimetre * m_scale;
     const PatientDimensions& d = m_dimensions;
-    const double wider = belowUpperEnd(p_WQ.z()) * (d.tracheaCoronal - m_upper.coronal).si;
-    const double side = 0.5 * (m_upper.coronal.si + wider);
+    const double wider = belowUpperEnd(p_WQ.z()) * (d.tracheaCoronal - d.upperTrachea.coronal).si;
+    const double side = 0.5 * (d.upperTrachea.coronal.si + wider);
     // An ellipse cut flat at the back, at three quarters of its half depth; the axis runs midway
     // between front and back of the upper end. Behind lie oesophagus and spine, so it is deeper to
     // the front.
     const double deeper = deeperAt(p_WQ.z());
-    const double halfDepth = (m_upper.sagittal.si + deeper) / 1.75;
+    const double halfDepth = (d.upperTrachea.sagittal.si + deeper) / 1.75;
     const double back = 0.875 * halfDepth;
     const double y = p_WQ.y() + 0.5 * deeper;
     const double spacing = d.tracheaLength.si / d.tracheaRings;

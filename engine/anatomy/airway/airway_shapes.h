@@ -34,7 +34,7 @@ public:
 
     /// The trachea in A, with protruding C-shaped cartilages and a flat posterior wall: a tube with
     /// an open upper end, so that its rings are seen from the larynx. Below the cricoid it widens
-    /// (upperTracheaOf).
+    /// (UpperTrachea).
     [[nodiscard]] ImplicitShape trachea() const;
     /// A main bronchus with its lobar branches, in A.
     [[nodiscard]] ImplicitShape bronchus(Side side) const;
@@ -72,7 +72,6 @@ private:
     [[nodiscard]] Box boundsInA(const Box& bounds_W) const;
 
     PatientDimensions m_dimensions;
-    UpperTrachea m_upper;
     RigidTransform m_X_AW;
     RigidTransform m_X_WA;
     double m_scale; ///< this trachea's length over the adult's: scales sizes without an own figure

@@ -76,7 +76,7 @@ PartPlan oesophagus(const BodyPlan& plan)
         if (p[2] >= 0.0) { // behind the trachea, from the level of the cricoid down
             const double height = top * p[2] / kOesophagus.front()[2];
             const double behind =
-                0.5 * upperTracheaOf(plan.dimensions).sagittal.si + (kThin + 1.0) * plan.airway;
+                0.5 * plan.dimensions.upperTrachea.sagittal.si + (kThin + 1.0) * plan.airway;
             const Vec3 p_W{p_A.x(), behind, height};
             const Vec3 there = X_WA.inverse() * p_W;
             p_A = {there.x(), std::max(there.y(), p_A.y()), there.z()};

@@ -218,7 +218,7 @@ std::vector<PartPlan> laryngealMucosa(const BodyPlan& plan_, const LarynxFrame& 
                                       const Epiglottis& epiglottis)
 {
     const PatientDimensions& d = plan_.dimensions;
-    const UpperTrachea upper = upperTracheaOf(d);
+    const UpperTrachea& upper = d.upperTrachea;
     const Vec2 trachea =
         0.5 * Vec2{upper.coronal.si, upper.sagittal.si} / frame.unit() - Vec2::Constant(1.6);
     const Mucosa mucosa{LaryngealCavity{trachea}, epiglottis};

@@ -88,7 +88,7 @@ std::vector<PartPlan> larynx(const BodyPlan& plan)
     const PatientDimensions& d = plan.dimensions;
     const LarynxFrame frame{d};
     const Epiglottis leaf{plan};
-    const UpperTrachea upper = upperTracheaOf(d);
+    const UpperTrachea& upper = d.upperTrachea;
     const Vec2 radii = 0.5 * Vec2{upper.coronal.si, upper.sagittal.si} / frame.unit();
     std::vector<PartPlan> parts{
         planOf("Thyroid cartilage", PartRole::Larynx, "FMA55099", frame,

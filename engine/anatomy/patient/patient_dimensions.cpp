@@ -309,6 +309,7 @@ Result<PatientDimensions> dimensionsFor(const PatientParameters& p)
     d.tracheaLength = windpipe.tracheaLength;
     d.tracheaSagittal = windpipe.sagittal;
     d.tracheaCoronal = windpipe.coronal;
+    d.upperTrachea = windpipe.upper;
     d.tracheaRings = 18; // 16 to 20 in textbooks of anatomy
     // 26.9 (7.0) and 46.2 (8.0) degrees; 2.5 and 5 cm long in adults (AccessAnesthesiology). The
     // right one is the wider; diameters by the ratio of a usual drawing to the mean of the trachea.
@@ -330,11 +331,6 @@ Result<LengthRange> teethToCarinaRange(PatientParameters parameters)
     return dimensionsFor(parameters).map([](const PatientDimensions& usual) {
         return rangeAbout(usual.teethToCarina);
     });
-}
-
-UpperTrachea upperTracheaOf(const PatientDimensions& d)
-{
-    return windpipeOf({.ageInYears = d.ageInYears, .height = d.height, .sex = d.sex}).upper;
 }
 
 PatientDimensions dimensionsOf(BuiltinPatient patient)

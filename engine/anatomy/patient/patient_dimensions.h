@@ -61,6 +61,14 @@ struct LobeShares {
     double leftLower = 0.0;
 };
 
+/// Outer diameters of the trachea's upper end, where it is as narrow as the ring of the cricoid: in
+/// children as wide as the rest of it, in grown people narrower, for the opening of their cricoid
+/// is smaller than their trachea's.
+struct UpperTrachea {
+    Length sagittal; ///< front to back
+    Length coronal;  ///< side to side
+};
+
 /// The dimensions of a patient.
 struct PatientDimensions {
     Length height;
@@ -74,6 +82,7 @@ struct PatientDimensions {
     Length tracheaLength;   ///< lower border of the cricoid to the carina
     Length tracheaSagittal; ///< front to back, mean of rings and gaps
     Length tracheaCoronal;  ///< side to side
+    UpperTrachea upperTrachea;
     int tracheaRings = 0;
     MainBronchusDimensions rightBronchus;
     MainBronchusDimensions leftBronchus;
@@ -119,16 +128,6 @@ struct LengthRange {
 /// @returns OutOfRange for an age or height outside the range of the formulas, and for a
 ///          teethToCarina outside teethToCarinaRange.
 [[nodiscard]] Result<PatientDimensions> dimensionsFor(const PatientParameters& parameters);
-
-/// Outer diameters of the trachea's upper end, where it is as narrow as the ring of the cricoid.
-struct UpperTrachea {
-    Length sagittal; ///< front to back
-    Length coronal;  ///< side to side
-};
-
-/// The upper end of a trachea with these dimensions: in children as wide as the rest of it, in
-/// grown people narrower, for the opening of their cricoid is smaller than their trachea's.
-[[nodiscard]] UpperTrachea upperTracheaOf(const PatientDimensions& dimensions);
 
 /// The dimensions of a built-in patient.
 [[nodiscard]] PatientDimensions dimensionsOf(BuiltinPatient patient);

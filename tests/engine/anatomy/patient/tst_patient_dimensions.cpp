@@ -143,8 +143,8 @@ void TestPatientDimensions::windpipeOfAnAdultIsAsPublished()
     QVERIFY(std::abs(coronal - (female ? 15.3 : 17.7)) < (female ? 1.2 : 1.9));
     QVERIFY(std::abs(coronal - (female ? 15.5 : 19.0)) < (female ? 1.8 : 2.0));
     // Within the cricoid it is narrower.
-    QVERIFY(upperTracheaOf(d).sagittal < d.tracheaSagittal);
-    QVERIFY(upperTracheaOf(d).coronal < d.tracheaCoronal);
+    QVERIFY(d.upperTrachea.sagittal < d.tracheaSagittal);
+    QVERIFY(d.upperTrachea.coronal < d.tracheaCoronal);
 }
 
 void TestPatientDimensions::lungsFollowTheUsualWeight()
@@ -177,8 +177,8 @@ void TestPatientDimensions::airwaysOfAChildGrowWithHeight()
     const Length coronal = child.tracheaCoronal - walls;
     QVERIFY(sagittal > millimetres(11.6) && sagittal < millimetres(13.0));
     QVERIFY(coronal > millimetres(11.8) && coronal < millimetres(13.3));
-    QCOMPARE(upperTracheaOf(child).sagittal, child.tracheaSagittal);
-    QCOMPARE(upperTracheaOf(child).coronal, child.tracheaCoronal);
+    QCOMPARE(child.upperTrachea.sagittal, child.tracheaSagittal);
+    QCOMPARE(child.upperTrachea.coronal, child.tracheaCoronal);
 }
 
 void TestPatientDimensions::boysAndGirlsAreAlikeUntilGirlsStop()

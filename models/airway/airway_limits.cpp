@@ -1,5 +1,6 @@
 #include "models/airway/airway_limits.h"
 
+#include "engine/anatomy/chest/chest_region.h"
 #include "engine/anatomy/laryngoscopy/upper_airway.h"
 #include "models/patient/laryngoscopy.h"
 
@@ -65,6 +66,11 @@ public:
             if (!has(patient, PartRole::Mandible))
                 return tr("Shown in part: this patient has no lower jaw of its own.");
             break;
+        case AirwayEventKind::FragileTeeth:
+            if (!hasLooseTooth(patient))
+                return tr("Shown in part: this patient has no right upper central incisor of its "
+                          "own.");
+            break;
         default:
             break;
         }
@@ -76,6 +82,12 @@ private:
     {
         return std::ranges::any_of(patient.surfaces(), [](const PatientSurface& surface) {
             return isLip(surface.description);
+        });
+    }
+    static bool hasLooseTooth(const PatientModel& patient)
+    {
+        return std::ranges::any_of(patient.surfaces(), [](const PatientSurface& surface) {
+            return regionOf(surface.description) == ChestRegion::LooseTooth;
         });
     }
     static bool has(const PatientModel& patient, PartRole role)

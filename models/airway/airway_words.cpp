@@ -147,8 +147,9 @@ QString eventEffect(AirwayEventKind kind)
             "Airway", "A solid of 15 mm lies beside the larynx, at 100 % over the glottis"));
     case AirwayEventKind::FragileTeeth:
         return airwayWords(QT_TRANSLATE_NOOP(
-            "Airway", "Nothing is drawn: beneath the laryngoscope's picture the teeth are called "
-                      "loose, and a blade near them is warned of, at 100 % from 3 mm on"));
+            "Airway", "An upper incisor leans out of the row, at 100 % by 1.5 mm; beneath the "
+                      "laryngoscope's picture the teeth are called loose, and a blade near them is "
+                      "warned of, at 100 % from 3 mm on"));
     }
     return {};
 }

@@ -26,7 +26,7 @@ uniform mat4 chest;  // columns: origin and frontShare; perMetre; right hilum; l
 struct Region {
     mat4 motion;
 };
-uniform Region regions[14];
+uniform Region regions[15];
 mat4 motion; // of this vertex's region
 #else
 uniform mat4 motion;
@@ -48,7 +48,7 @@ uniform mat4 windpipeDepth;
 struct Swelling {
     mat4 form;
 };
-uniform Swelling swellings[16];
+uniform Swelling swellings[17];
 // Columns: centre and perAcross2; axis and perAlong2; light and share; tissues.
 struct Tint {
     mat4 place;
@@ -113,11 +113,11 @@ const float kShoulder = 0.6; // of light, from which on it is compressed
 const float kTool = 2.0; // MaterialGroup
 const float kAirway = 3.0;
 
-const float kTeeth = 8.0; // ChestRegion: events move it and those after it
-const float kMediastinum = 10.0; // it and those after it follow the jaw
-const float kThroat = 11.0;
-const float kPharynx = 12.0;
-const float kLarynx = 13.0;
+const float kLooseTooth = 8.0; // ChestRegion: events move it and those after it
+const float kMediastinum = 11.0; // it and those after it follow the jaw
+const float kThroat = 12.0;
+const float kPharynx = 13.0;
+const float kLarynx = 14.0;
 
 const vec3 kStiffness = vec3(16.0, 6.25, 16.0);
 const float kBeyond = 0.2;
@@ -383,7 +383,7 @@ void swell(mat4 swelling, inout vec3 position, inout vec3 normal)
 
 void changeAirway(inout vec3 position, inout vec3 normal)
 {
-    if (vertexPart.y < kTeeth)
+    if (vertexPart.y < kLooseTooth)
         return;
     if (vertexPart.y == kLarynx) {
         narrow(cords, position, normal);
@@ -397,8 +397,8 @@ void changeAirway(inout vec3 position, inout vec3 normal)
         narrow(windpipeSides, position, normal);
         narrow(windpipeDepth, position, normal);
     }
-    int tissue = 1 << int(vertexPart.y - kTeeth);
-    for (int i = 0; i < 16; ++i)
+    int tissue = 1 << int(vertexPart.y - kLooseTooth);
+    for (int i = 0; i < 17; ++i)
         if ((int(swellings[i].form[3].z) & tissue) != 0)
             swell(swellings[i].form, position, normal);
 }
@@ -406,9 +406,9 @@ void changeAirway(inout vec3 position, inout vec3 normal)
 // By the place in the surfaces.
 void tintAirway(vec3 position)
 {
-    if (vertexPart.y < kTeeth)
+    if (vertexPart.y < kLooseTooth)
         return;
-    int tissue = 1 << int(vertexPart.y - kTeeth);
+    int tissue = 1 << int(vertexPart.y - kLooseTooth);
     for (int i = 0; i < 8; ++i) {
         mat4 place = tints[i].place;
         if ((int(place[3].x) & tissue) == 0)

@@ -11,13 +11,23 @@
 namespace carina::test
 {
 
-/// The built-in child without the parts of a role, as an imported set may be.
+/// The built-in child without some parts, as an imported set may be.
+/// @param hash of its contents
+template <class IsMissing>
+SharedPatientModel childWithout(const IsMissing& isMissing, std::string hash)
+{
+    static const Anatomy whole = builtinPatient(BuiltinPatient::TwelveYears).value();
+    Anatomy anatomy = whole;
+    std::erase_if(anatomy.parts, isMissing);
+    anatomy.contentHash = std::move(hash);
+    return patientOf(std::move(anatomy)).value();
+}
+
+/// The same without the parts of a role.
 inline SharedPatientModel childWithout(PartRole role)
 {
-    Anatomy anatomy = builtinPatient(BuiltinPatient::TwelveYears).value();
-    std::erase_if(anatomy.parts, [role](const AnatomyPart& part) { return part.role == role; });
-    anatomy.contentHash = "without " + std::to_string(static_cast<int>(role));
-    return patientOf(std::move(anatomy)).value();
+    return childWithout([role](const AnatomyPart& part) { return part.role == role; },
+                        "without " + std::to_string(static_cast<int>(role)));
 }
 
 /// A patient of whom only the landmarks of the airway are known, by which the neck bends.

@@ -120,7 +120,7 @@ TissueMotion tissueMotion(const AirwayField& changes, const FollowingThroat& thr
     return [&](const Vec3& p_A_made, AirwayTissue tissue) {
         Vec3 p_A = p_A_made + airwayPull<double>(changes.frame(), tissue, p_A_made).d;
         p_A = throat.neck.placed(p_A);
-        if (tissue != AirwayTissue::Teeth && tissue != AirwayTissue::Skin)
+        if (((kUpperTeethTissues | only(AirwayTissue::Skin)) & only(tissue)) == 0)
             p_A += throatPull(throat,
                               tissue == AirwayTissue::Pharynx ? ThroatTissue::Pharynx
                                                               : ThroatTissue::Airway,

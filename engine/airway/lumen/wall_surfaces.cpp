@@ -60,9 +60,10 @@ bool isAirwayWall(PartRole role)
 WallSurfaces::WallSurfaces(std::span<const AnatomyPart> parts, std::span<const Vec3> line,
                            Length reach)
 {
-    constexpr std::array kTissues{AirwayTissue::Teeth,    AirwayTissue::Skin,
-                                  AirwayTissue::Windpipe, AirwayTissue::Throat,
-                                  AirwayTissue::Pharynx,  AirwayTissue::Larynx};
+    constexpr std::array kTissues{AirwayTissue::LooseTooth, AirwayTissue::Teeth,
+                                  AirwayTissue::Skin,       AirwayTissue::Windpipe,
+                                  AirwayTissue::Throat,     AirwayTissue::Pharynx,
+                                  AirwayTissue::Larynx};
     for (const AirwayTissue tissue : kTissues) {
         TriangleMesh whole;
         for (const AnatomyPart& part : parts)

@@ -75,6 +75,8 @@ ChestRegion regionOf(const AnatomyPart& part)
         return ChestRegion::Pharynx;
     if (part.role == PartRole::Mucosa && isNamed(part, {"upper jaw", "upper lip"}))
         return ChestRegion::Skin;
+    if (part.role == PartRole::Tooth && isNamed(part, {"right upper central"}))
+        return ChestRegion::LooseTooth;
     return regionOf(part.role);
 }
 
@@ -105,6 +107,8 @@ std::optional<ThroatTissue> tissueOf(ChestRegion region)
 std::optional<AirwayTissue> airwayTissueOf(ChestRegion region)
 {
     switch (region) {
+    case ChestRegion::LooseTooth:
+        return AirwayTissue::LooseTooth;
     case ChestRegion::Teeth:
         return AirwayTissue::Teeth;
     case ChestRegion::Skin:

@@ -17,6 +17,7 @@ enum class ChestRegion : std::uint8_t {
     Bronchi,     ///< main bronchi and the bronchial tree
     Diaphragm,   ///< moves with the base of the lungs
     Wall,        ///< ribs and sternum, on which the lungs slide
+    LooseTooth,  ///< the right upper central incisor, which an event loosens; else as Teeth
     Teeth,       ///< do not breathe; events move those of the upper jaw
     Skin,        ///< breathes with the wall; events move it where it covers neck and lips
     Mediastinum, ///< trachea, oesophagus, heart, vessels; upper parts follow the jaw and events
@@ -24,15 +25,15 @@ enum class ChestRegion : std::uint8_t {
     Pharynx,     ///< follows jaw and blade, except its posterior wall and the palate's front
     Larynx,      ///< and epiglottis: as Throat, but tilted by a blade
 };
-inline constexpr std::size_t kChestRegions = 14;
+inline constexpr std::size_t kChestRegions = 15;
 
 /// The region of a role.
 [[nodiscard]] ChestRegion regionOf(PartRole role);
 
 /// The region of a part: that of its role. But mucosa that hangs from the skull is neither taken
 /// along by the jaw nor pushed by a blade's face: arches of the palate and tonsils move as the
-/// palate does, gum and lip of the upper jaw as the skin before them. Names tell, as sets have
-/// them.
+/// palate does, gum and lip of the upper jaw as the skin before them; and one incisor is of its
+/// own. Names tell, as sets have them.
 [[nodiscard]] ChestRegion regionOf(const AnatomyPart& part);
 
 /// Whether a part is fixed to the mandible and goes with it alone, as a rigid body: this itself,

@@ -48,6 +48,7 @@ AirwayField airwayChanges(const UpperAirway& airway, const AirwayEvents& events,
     change(drawnSeverity(AirwayEventKind::Goitre), bulgeNeck);
     change(drawnSeverity(AirwayEventKind::NeckObesity), thickenNeck);
     change(drawnSeverity(AirwayEventKind::ProminentIncisors), protrudeIncisors);
+    change(drawnSeverity(AirwayEventKind::FragileTeeth), loosenIncisor);
     change(drawnSeverity(AirwayEventKind::AngioOedema), makePale);
     if (shows(AirwayEventKind::Epiglottitis)) // as red as it was set
         change(severityOf(events, AirwayEventKind::Epiglottitis), reddenEpiglottis);

@@ -49,7 +49,7 @@ inline constexpr double kInspirationAsMade = 0.75;
 ///   red, and black with soot in places;
 /// - Secretions, Blood, Vomit and ForeignBody: nothing of this; they lie in the throat
 ///   (airway_contents.h);
-/// - FragileTeeth: nothing of this; who presses them is warned earlier.
+/// - FragileTeeth: one upper incisor leans out of the row; and who presses them is warned earlier.
 ///
 /// Three also change colours: AngioOedema makes pale what it swells, Epiglottitis reddens, and so
 /// does Burn.

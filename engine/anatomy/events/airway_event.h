@@ -32,7 +32,7 @@ enum class AirwayEventKind : std::uint8_t {
     Blood,              ///< the same, blood
     Vomit,              ///< the same, what came up from the stomach
     ForeignBody,        ///< a solid lies beside or over the glottis
-    FragileTeeth,       ///< the upper incisors are loose: a warning comes earlier
+    FragileTeeth,       ///< the upper incisors are loose, one leans: a warning comes earlier
 };
 inline constexpr int kAirwayEventKinds = 23;
 

@@ -95,7 +95,17 @@ void protrudeIncisors(AirwayField& field, const UpperAirway& airway, double seve
                  .across = size * millimetres(15.0),
                  .along = size * millimetres(26.0),
                  .shift_A = -severity * size * 1e-3 * (7.0 * Vec3::UnitY() + 2.5 * Vec3::UnitZ()),
-                 .tissues = AirwayTissues(only(AirwayTissue::Teeth) | kLipsTissues)});
+                 .tissues = AirwayTissues(kUpperTeethTissues | kLipsTissues)});
+}
+
+void loosenIncisor(AirwayField& field, const UpperAirway& airway, double severity)
+{
+    const double size = airway.size();
+    field.swell({.p_A_centre = airway.p_A_incisors,
+                 .across = size * millimetres(40.0),
+                 .along = size * millimetres(13.0),
+                 .shift_A = -severity * size * 1e-3 * (1.4 * Vec3::UnitY() + 0.5 * Vec3::UnitZ()),
+                 .tissues = only(AirwayTissue::LooseTooth)});
 }
 
 } // namespace carina::airway_change

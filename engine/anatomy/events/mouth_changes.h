@@ -19,4 +19,9 @@ void narrowPharynx(AirwayField& field, const UpperAirway& airway, double swellin
 /// To the front and down as the face has it. Roots and jaw stay.
 void protrudeIncisors(AirwayField& field, const UpperAirway& airway, double severity);
 
+/// The crown of one of them leans to the front and stands lower, by 1.5 mm at its edge in a man;
+/// its root, the other teeth and the gum stay. A tooth that can be moved by more than 1 mm has the
+/// worst of the grades of mobility (Miller, Textbook of Periodontia, 3rd ed. 1950).
+void loosenIncisor(AirwayField& field, const UpperAirway& airway, double severity);
+
 } // namespace carina::airway_change

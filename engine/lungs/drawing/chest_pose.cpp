@@ -123,6 +123,7 @@ ChestMotion motionOf(ChestRegion region, const ChestPose& pose, const ChestField
         return both(c);
     }
     case ChestRegion::Still:
+    case ChestRegion::LooseTooth:
     case ChestRegion::Teeth:
     case ChestRegion::Throat:
     case ChestRegion::Pharynx:

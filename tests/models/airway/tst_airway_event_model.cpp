@@ -546,6 +546,14 @@ void TestAirwayEventModel::saysWhatIsShownInPart()
     const Console jawless{test::childWithout(PartRole::Mandible)};
     QCOMPARE(jawless.model.limits().said(Trismus),
              QStringLiteral("Shown in part: this patient has no lower jaw of its own."));
+    const auto isFirst = [](const AnatomyPart& part) {
+        return part.name == "Right upper central secondary incisor tooth";
+    };
+    const Console gapped{test::childWithout(isFirst, "gapped")};
+    QCOMPARE(gapped.model.limits().said(FragileTeeth),
+             QStringLiteral("Shown in part: this patient has no right upper central incisor of its "
+                            "own."));
+    QVERIFY(skinless.model.limits().said(FragileTeeth).isEmpty());
 }
 
 void TestAirwayEventModel::saysWhatALarynxLacks()

@@ -186,10 +186,7 @@ void TestEventPairs::changesThePicture()
           changed);
     const bool isSame =
         picture(pair[QStringLiteral("before")]) == picture(pair[QStringLiteral("after")]);
-    if (event == QStringLiteral("fragile_teeth")) {
-        QCOMPARE(changed, 0.0);
-        QVERIFY(isSame);
-    } else if (std::ranges::find(kBelowTheCords, event.toStdString()) == kBelowTheCords.end()) {
+    if (std::ranges::find(kBelowTheCords, event.toStdString()) == kBelowTheCords.end()) {
         QVERIFY(changed > 0.0);
         QVERIFY(!isSame);
     }
@@ -254,6 +251,7 @@ void TestEventPairs::bringsAStiffNeckBack()
 void TestEventPairs::callsTeethLoose()
 {
     const QJsonValue pair = pairOf(QStringLiteral("fragile_teeth"));
+    QVERIFY(more(pair, "teeth") != 0); // one leans out of the row
     const auto teeth = [&pair](const char* side) {
         return pair[QLatin1StringView{side}][QStringLiteral("upper_teeth")].toString();
     };

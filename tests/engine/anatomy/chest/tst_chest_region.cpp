@@ -83,6 +83,10 @@ void TestChestRegion::movesSomePartsOtherwiseThanTheirRole_data()
     row("Suprahyoid branch of lingual artery", PartRole::Vessel, ChestRegion::Mediastinum);
     row("Mylohyoid nerve", PartRole::Other, ChestRegion::Still);
     row("Left vocal fold", PartRole::VocalFold, ChestRegion::Larynx);
+    row("Right upper central secondary incisor tooth", PartRole::Tooth, ChestRegion::LooseTooth);
+    row("Right upper central primary incisor tooth", PartRole::Tooth, ChestRegion::LooseTooth);
+    row("Left upper central secondary incisor tooth", PartRole::Tooth, ChestRegion::Teeth);
+    row("Right lower central secondary incisor tooth", PartRole::Tooth, ChestRegion::Teeth);
 }
 
 void TestChestRegion::movesSomePartsOtherwiseThanTheirRole()

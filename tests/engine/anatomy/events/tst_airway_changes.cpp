@@ -21,6 +21,7 @@ namespace
 constexpr double kMillimetre = 1e-3;
 const Vec3 kMucosa{0.6, 0.2, 0.2}; ///< linear light
 constexpr double kRounding = 1e-9;
+constexpr double kRounding_mm = 1e-3;    ///< of vertices in single precision
 constexpr double kNearly = 0.01;         ///< of light: not to be seen
 constexpr double kWidthTolerance = 0.03; ///< in shares; vertices are 0.65 mm apart
 
@@ -205,6 +206,8 @@ private Q_SLOTS:
     void narrowsAFatNeckInsideAndThickensIt();
     void bringsTheIncisorsForwardAndDown_data() { people(); }
     void bringsTheIncisorsForwardAndDown();
+    void leansOneLooseIncisorOutOfTheRow_data() { people(); }
+    void leansOneLooseIncisorOutOfTheRow();
     void reddensASwollenEpiglottisAndNotTheCords_data() { people(); }
     void reddensASwollenEpiglottisAndNotTheCords();
     void makesPaleWhatAnAngioOedemaSwells_data() { people(); }
@@ -669,6 +672,27 @@ void TestAirwayChanges::bringsTheIncisorsForwardAndDown()
     QVERIFY(mostOf(person, field, "Gingiva of upper jaw") > 1.0 * kMillimetre);
 }
 
+/// More than the 1 mm of Miller's worst grade in a man, in proportion to the severity; and not
+/// farther than the thickness of a tooth.
+void TestAirwayChanges::leansOneLooseIncisorOutOfTheRow()
+{
+    QFETCH(QString, name);
+    const Person person{name};
+    const UpperAirway& a = person.airway;
+    const char* const loose = "Right upper central secondary incisor tooth";
+    const AirwayField worst = person.field(AirwayEventKind::FragileTeeth, 1.0);
+    const double most_mm = 1e3 * mostOf(person, worst, loose) / a.size();
+    QVERIFY2(most_mm > 1.2 && most_mm < 2.0, qPrintable(QString::number(most_mm)));
+    const AirwayField half = person.field(AirwayEventKind::FragileTeeth, 0.5);
+    QVERIFY(std::abs(1e3 * mostOf(person, half, loose) / a.size() - 0.5 * most_mm) < kRounding_mm);
+    for (const char* part : {"Left upper central secondary incisor tooth",
+                             "Right upper lateral secondary incisor tooth", "Gingiva of upper jaw"})
+        QCOMPARE(mostOf(person, worst, part), 0.0);
+    QVERIFY(changed(a, worst).p_A_edge() == a.p_A_edge());
+    const AirwayField prominent = person.field(AirwayEventKind::ProminentIncisors, 1.0);
+    QVERIFY(mostOf(person, prominent, loose) > 5.0 * kMillimetre * a.size());
+}
+
 // Red is what has more of it beside green and blue than mucosa does.
 void TestAirwayChanges::reddensASwollenEpiglottisAndNotTheCords()
 {
@@ -764,7 +788,8 @@ void TestAirwayChanges::sharesTheRoomOfTheThroat()
 }
 
 // But trismus, which is of the jaw (tst_mouth_opening.cpp), a stiff neck (tst_neck_motion.cpp),
-// what lies in the throat (tst_airway_contents.cpp), and loose teeth (tst_laryngoscope_sight.cpp).
+// what lies in the throat (tst_airway_contents.cpp), and loose teeth, of
+// which one moves by less.
 void TestAirwayChanges::movesMoreWithTheSeverity_data()
 {
     QTest::addColumn<AirwayEventKind>("kind");

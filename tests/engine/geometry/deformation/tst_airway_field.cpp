@@ -23,8 +23,9 @@ constexpr double kPositionTolerance_m = 2e-7; ///< a few roundings in single pre
 constexpr double kLeastOfSwelling = 0.07;
 constexpr double kLeastOfOpening = 0.1;
 
-constexpr std::array kTissues{AirwayTissue::Teeth,  AirwayTissue::Skin,    AirwayTissue::Windpipe,
-                              AirwayTissue::Throat, AirwayTissue::Pharynx, AirwayTissue::Larynx};
+constexpr std::array kTissues{AirwayTissue::LooseTooth, AirwayTissue::Teeth,  AirwayTissue::Skin,
+                              AirwayTissue::Windpipe,   AirwayTissue::Throat, AirwayTissue::Pharynx,
+                              AirwayTissue::Larynx};
 
 std::vector<Vec3> places()
 {

@@ -107,8 +107,8 @@ void TestBladeField::leavesTeethSkinAndWindpipe()
 {
     const BladeField blade = plainBlade();
     for (const Vec3& p_A : places())
-        for (const AirwayTissue tissue :
-             {AirwayTissue::Teeth, AirwayTissue::Skin, AirwayTissue::Windpipe}) {
+        for (const AirwayTissue tissue : {AirwayTissue::LooseTooth, AirwayTissue::Teeth,
+                                          AirwayTissue::Skin, AirwayTissue::Windpipe}) {
             QCOMPARE(bladePull<double>(blade.frame(), tissue, p_A).d.norm(), 0.0);
             QCOMPARE(bladePull<double>(blade.frame(), tissue, p_A).gradient.norm(), 0.0);
         }

@@ -243,6 +243,7 @@ void TestDrawnVertices::drawsWhatABladePushesAsTheReference()
 void TestDrawnVertices::drawsWhatEventsChangeAsTheReference_data()
 {
     QTest::addColumn<ChestRegion>("region");
+    QTest::newRow("loose tooth") << ChestRegion::LooseTooth;
     QTest::newRow("teeth") << ChestRegion::Teeth;
     QTest::newRow("skin") << ChestRegion::Skin;
     QTest::newRow("trachea") << ChestRegion::Mediastinum;

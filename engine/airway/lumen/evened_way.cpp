@@ -106,54 +106,83 @@ void keepBefore(MovedSection& section, const MovedSection& neighbour)
     }
 }
 
-/// Without what lies beyond the line through a corner that goes inwards.
-/// @param isAcross the line stands across the way to the corner; else it goes along its neighbours
-void cutAt(std::size_t corner, bool isAcross, SectionCorners& corners)
+/// Distances from a centre in the directions: of corners, or of sides across them.
+using Reach = std::array<double, kLumenDirections>;
+
+/// Cosines between a direction and the next ones, as far as they are above 0.
+constexpr auto kAcute = std::size_t(kLumenDirections / 4);
+const std::array<double, kAcute>& cosinesBeside()
 {
-    const AcrossSection along = corners[(corner + 1) % kLumenDirections]
-                                - corners[(corner + kLumenDirections - 1) % kLumenDirections];
-    AcrossSection out = AcrossSection{along.y(), -along.x()}.normalized();
-    double distance = out.dot(corners[corner]);
-    if (isAcross || !(distance > kLeastCornerCosine * corners[corner].norm())) {
-        out = sectionDirections()[corner];
-        distance = corners[corner].norm();
-    }
-    for (AcrossSection& each : corners)
-        if (const double there = out.dot(each); there > distance)
-            each *= distance / there;
+    static const auto cosines = [] {
+        std::array<double, kAcute> made{};
+        for (std::size_t k = 0; k < kAcute; ++k)
+            made[k] = std::cos(2.0 * std::numbers::pi * double(k) / double(kLumenDirections));
+        return made;
+    }();
+    return cosines;
 }
 
-/// The distances of sides across kLumenDirections that enclose all corners.
-std::array<double, kLumenDirections> sidesOf(const SectionCorners& corners)
+/// Calls with each direction that is less than a right angle from another one, and the cosine.
+template <class Call> void forBeside(std::size_t k, Call&& call)
 {
-    std::array<double, kLumenDirections> sides{};
+    const std::array<double, kAcute>& cosines = cosinesBeside();
+    call(k, 1.0);
+    for (std::size_t i = 1; i < kAcute; ++i) {
+        call((k + i) % kLumenDirections, cosines[i]);
+        call((k + kLumenDirections - i) % kLumenDirections, cosines[i]);
+    }
+}
+
+/// Without what lies beyond the line through a corner that goes inwards.
+/// @param isAcross the line stands across the way to the corner; else it goes along its neighbours
+void cutAt(std::size_t corner, bool isAcross, Reach& corners)
+{
+    const std::size_t next = (corner + 1) % kLumenDirections;
+    const std::size_t before = (corner + kLumenDirections - 1) % kLumenDirections;
+    const AcrossSection along =
+        corners[next] * sectionDirections()[next] - corners[before] * sectionDirections()[before];
+    AcrossSection out = AcrossSection{along.y(), -along.x()}.normalized();
+    double cosine = out.dot(sectionDirections()[corner]);
+    if (isAcross || !(cosine > kLeastCornerCosine)) {
+        out = sectionDirections()[corner];
+        cosine = 1.0;
+    }
+    const double distance = cosine * corners[corner];
     for (std::size_t k = 0; k < kLumenDirections; ++k)
-        for (const AcrossSection& corner : corners)
-            sides[k] = std::max(sides[k], sectionDirections()[k].dot(corner));
+        if (const double there = out.dot(sectionDirections()[k]); there * corners[k] > distance)
+            corners[k] = distance / there;
+}
+
+/// The distances of sides that enclose all corners.
+Reach sidesOf(const Reach& corners)
+{
+    Reach sides{};
+    for (std::size_t k = 0; k < kLumenDirections; ++k)
+        forBeside(k, [&](std::size_t i, double cosine) {
+            sides[k] = std::max(sides[k], cosine * corners[i]);
+        });
     return sides;
 }
 
 /// How far these sides are from the centre in a direction.
-double reachOf(const std::array<double, kLumenDirections>& sides, const AcrossSection& direction)
+double reachOf(const Reach& sides, std::size_t k)
 {
     double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < kLumenDirections; ++k)
-        if (const double cosine = sectionDirections()[k].dot(direction); cosine > 1e-6)
-            nearest = std::min(nearest, sides[k] / cosine);
+    forBeside(
+        k, [&](std::size_t i, double cosine) { nearest = std::min(nearest, sides[i] / cosine); });
     return nearest;
 }
 
 /// The largest part without inward corners that is found by cutting one after the other.
-std::array<double, kLumenDirections> convexSides(SectionCorners corners)
+Reach convexSides(Reach corners)
 {
     std::array<bool, kLumenDirections> isCut{};
     for (std::size_t cuts = 0;; ++cuts) {
-        const auto sides = sidesOf(corners);
+        const Reach sides = sidesOf(corners);
         double most = kMostBeyond;
         std::size_t worst = kLumenDirections;
         for (std::size_t k = 0; k < kLumenDirections; ++k)
-            if (const double beyond = reachOf(sides, sectionDirections()[k]) - corners[k].norm();
-                beyond > most) {
+            if (const double beyond = reachOf(sides, k) - corners[k]; beyond > most) {
                 most = beyond;
                 worst = k;
             }
@@ -207,7 +236,7 @@ void evenOut(MovedWay& way)
         keepBefore(way.sections[i + 1], way.sections[i]);
     }
     for (MovedSection& section : way.sections) {
-        section.reach = convexSides(cornersOf(section));
+        section.reach = convexSides(section.reach);
         // What is too narrow yields to the tube, which need not be in its middle then.
         const double room = kLeastRoom + std::clamp(-section.spare, 0.0, kMostRoom);
         for (double& side : section.reach)

@@ -116,6 +116,23 @@ std::optional<TrueStep> stepOf(MotionAct act)
 
 } // namespace
 
+TubeSeat seatOf(TrueSeat truth)
+{
+    switch (truth) {
+    case TrueSeat::Outside:
+        break;
+    case TrueSeat::Trachea:
+        return TubeSeat::Trachea;
+    case TrueSeat::RightMain:
+        return TubeSeat::RightMain;
+    case TrueSeat::LeftMain:
+        return TubeSeat::LeftMain;
+    case TrueSeat::Oesophagus:
+        return TubeSeat::Oesophagus;
+    }
+    return TubeSeat::None;
+}
+
 MotionTruth truthOf(const IntubationMotion& motion)
 {
     MotionTruth truth;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/lungs/mechanics/tube_place.h"
 #include "evaluation/intubation/intubation_motion.h"
 
 #include <array>
@@ -20,6 +21,8 @@ enum class TrueSeat : std::uint8_t {
 };
 inline constexpr std::array kTrueSeats{TrueSeat::Outside, TrueSeat::Trachea, TrueSeat::RightMain,
                                        TrueSeat::LeftMain, TrueSeat::Oesophagus};
+/// The same as a patient's lungs know it.
+[[nodiscard]] TubeSeat seatOf(TrueSeat truth);
 
 enum class TrueStep : std::uint8_t {
     BladeIn, ///< its tip passes the plane through the upper incisors across the way there

@@ -37,23 +37,6 @@ Length movedBy(const RigidTransform& X_AprimeA, const Vec3& p_A)
 
 } // namespace
 
-TubeSeat seatOf(TrueSeat truth)
-{
-    switch (truth) {
-    case TrueSeat::Outside:
-        break;
-    case TrueSeat::Trachea:
-        return TubeSeat::Trachea;
-    case TrueSeat::RightMain:
-        return TubeSeat::RightMain;
-    case TrueSeat::LeftMain:
-        return TubeSeat::LeftMain;
-    case TrueSeat::Oesophagus:
-        return TubeSeat::Oesophagus;
-    }
-    return TubeSeat::None;
-}
-
 IntubationStep stepOf(TrueStep truth)
 {
     switch (truth) {

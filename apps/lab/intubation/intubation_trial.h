@@ -30,9 +30,7 @@ struct IntubationTrial : WatchedIntubation {
                                                std::uint32_t seed,
                                                const ObservationSettings& observation = {});
 
-/// The seat that the monitor is to tell.
-[[nodiscard]] TubeSeat seatOf(TrueSeat truth);
-/// The step that it is to note.
+/// The step that the monitor is to note.
 [[nodiscard]] IntubationStep stepOf(TrueStep truth);
 
 /// What the monitor noted compared with what happened, of the steps that it tells by poses.

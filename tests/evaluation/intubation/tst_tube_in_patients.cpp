@@ -127,23 +127,6 @@ private:
     std::vector<SurfaceTree> m_trees;
 };
 
-TubeSeat seatOf(TrueSeat seat)
-{
-    switch (seat) {
-    case TrueSeat::Trachea:
-        return TubeSeat::Trachea;
-    case TrueSeat::RightMain:
-        return TubeSeat::RightMain;
-    case TrueSeat::LeftMain:
-        return TubeSeat::LeftMain;
-    case TrueSeat::Oesophagus:
-        return TubeSeat::Oesophagus;
-    case TrueSeat::Outside:
-        break;
-    }
-    return TubeSeat::None;
-}
-
 /// What became of a tube in a motion.
 struct Ran {
     bool isRight = false;

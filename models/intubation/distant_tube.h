@@ -1,7 +1,7 @@
 #pragma once
 
-#include "models/intubation/elastic_tube.h"
 #include "models/intubation/sent_shape.h"
+#include "models/intubation/tube_in_airway.h"
 #include "models/patient/patient_lumen.h"
 
 #include <optional>

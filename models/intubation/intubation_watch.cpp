@@ -22,8 +22,6 @@ constexpr Duration kTooLate = kLongestNews - std::chrono::milliseconds{500};
 /// it catches up; of ours, with a margin.
 constexpr Duration kShownAfter = std::chrono::milliseconds{500};
 constexpr double kShutSpasm = 0.95; ///< severity from which no tube passes the cords; of ours
-/// A tip that cords hold up lies between them: of ours.
-constexpr Length kAtCords = millimetres(5.0);
 
 SessionTime wholeMultiple(SessionTime t)
 {
@@ -191,10 +189,7 @@ bool IntubationWatch::isShut(const StationMoment& moment) const
 {
     if (severityOf(moment.airwayEvents, AirwayEventKind::Laryngospasm) >= kShutSpasm)
         return true;
-    if (!m_tube || !m_tube->isLaid())
-        return false;
-    const TubeTip& tip = m_tube->tube().tip();
-    return tip.isStopped && tip.way == AirwayWay::Trunk && tip.pastGlottis <= kAtCords;
+    return m_tube && m_tube->isStoppedAtCords();
 }
 
 /// Beside a patient who is moved away it lies in no lumen.

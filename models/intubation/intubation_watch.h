@@ -6,7 +6,7 @@
 #include "engine/session/respiration/respiration_follower.h"
 #include "engine/session/respiration/tube_breath_watch.h"
 #include "models/intubation/drawn_ways.h"
-#include "models/intubation/elastic_tube.h"
+#include "models/intubation/tube_in_airway.h"
 #include "models/patient/patient_lumen.h"
 #include "models/station/laryngoscope_sight.h"
 #include "models/station/station_view.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "models/intubation/distant_tube.h"
-#include "models/intubation/elastic_tube.h"
+#include "models/intubation/tube_in_airway.h"
 #include "models/patient/patient_model.h"
 #include "models/station/head_by_mouse.h"
 #include "models/station/headset_view.h"

@@ -1,4 +1,4 @@
-#include "models/intubation/elastic_tube.h"
+#include "engine/airway/tube/elastic_tube.h"
 #include "tests/engine/airway/tube/bent_lumen.h"
 #include "tests/support/test_class.h"
 

@@ -3,7 +3,6 @@
 #include "engine/airway/tube/tube_in_lumen.h"
 #include "engine/anatomy/shapes/tube.h"
 #include "engine/core/session_time.h"
-#include "models/station/station_view.h"
 
 #include <functional>
 #include <memory>
@@ -52,6 +51,8 @@ public:
     [[nodiscard]] std::vector<Vec3> line() const;
     /// As it lies after the latest step. @pre isLaid()
     [[nodiscard]] const TubeInLumen& tube() const { return m_tube; }
+    /// Whether its tip is held up at the vocal cords, or above them: within kAtCords.
+    [[nodiscard]] bool isStoppedAtCords() const;
     /// The same where its connector has gone on to X_AE until t, evenly: a few steps on from the
     /// latest, which the fold does not keep. For a picture, which shows a later time than that of
     /// poses that are known for good.
@@ -59,6 +60,8 @@ public:
     [[nodiscard]] std::vector<Vec3> ahead(SessionTime t, const RigidTransform& X_AE,
                                           const TissueAround& tissue) const;
 
+    /// A tip that cords hold up lies between them: of ours.
+    static constexpr Length kAtCords = millimetres(5.0);
     static constexpr Duration kStep{std::chrono::nanoseconds{10'000'000}};
     static constexpr int kMostSteps = 50;
     static constexpr Duration kStepAhead = 2 * kStep; ///< of ours, as the most of these steps
@@ -72,14 +75,6 @@ private:
     std::optional<SessionTime> m_laid;    ///< the time of that
     std::optional<SessionTime> m_stepped; ///< the time of the latest step
 };
-
-/// How a tube lies in the airway that it is drawn in.
-struct TubeInAirway {
-    std::vector<Vec3> p_E; ///< centre line; empty: as at rest
-    TubeDrawing drawing = TubeDrawing::AsMeasured;
-};
-using TubeInAirwayAt =
-    std::function<TubeInAirway(const StationMoment& moment, const TissueAround& tissue)>;
 
 /// The size of a tube of which thickness and curve are known: its inner diameter is that of the
 /// size that is most nearly as thick. How stiff it is matters to the forces that it reports, and

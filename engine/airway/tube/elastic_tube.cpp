@@ -1,4 +1,4 @@
-#include "models/intubation/elastic_tube.h"
+#include "engine/airway/tube/elastic_tube.h"
 
 #include "engine/anatomy/airway/centreline.h"
 
@@ -78,6 +78,12 @@ void ElasticTube::letGo()
     m_tube = m_begun;
     m_laid.reset();
     m_stepped.reset();
+}
+
+bool ElasticTube::isStoppedAtCords() const
+{
+    const TubeTip& tip = m_tube.tip();
+    return isLaid() && tip.isStopped && tip.way == AirwayWay::Trunk && tip.pastGlottis <= kAtCords;
 }
 
 std::vector<Vec3> ElasticTube::line() const

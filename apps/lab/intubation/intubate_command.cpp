@@ -142,43 +142,44 @@ std::vector<Key> andTheCourse(std::vector<Key> keys)
 Use intubateOnce()
 {
     static const std::string motions = namesOfMotions();
-    return {
-        .lines = {"SCRIPT [--patient WHO] [--anatomy DIR] [--tube MM] [--seed N] [--save FILE]"},
-        .text = "Lets simulated hands intubate a patient, observes tube, laryngoscope and jaw "
-                "with the errors of a tracker and a registration, and prints what the monitor "
-                "of intubations makes of it beside what happened, what becomes of the patient, "
-                "and the score. The same words print the same.",
-        .notes = {{"SCRIPT", motions.c_str()}},
-        .options = {kPatient, kAnatomy, intubate_option::kTube, intubate_option::kSeed,
-                    intubate_option::kSave},
-        .schema = intubate_key::kSchema,
-        .keys = andTheCourse({intubate_key::kPatient,
-                              intubate_key::kTube,
-                              intubate_key::kScript,
-                              intubate_key::kSeed,
-                              intubate_key::kOutside,
-                              intubate_key::kOutcome,
-                              intubate_key::kConfidence,
-                              intubate_key::kIsRight,
-                              intubate_key::kAttempts,
-                              intubate_key::kDepth,
-                              intubate_key::kAboveCarina,
-                              intubate_key::kRegistration,
-                              intubate_key::kRegistrationAtTeeth,
-                              intubate_key::kTruth,
-                              intubate_key::kTrueOutcome,
-                              intubate_key::kTrueAttempts,
-                              intubate_key::kTrueDepth,
-                              intubate_key::kTrueAboveCarina,
-                              intubate_key::kTrueTimeline,
-                              intubate_key::kTrueStep,
-                              intubate_key::kTrueAt})};
+    return {.lines = {"SCRIPT [--patient WHO] [--anatomy DIR] [--tube MM] [--rigid]",
+                      "SCRIPT [--seed N] [--save FILE]"},
+            .text = "Lets simulated hands intubate a patient, observes tube, laryngoscope and jaw "
+                    "with the errors of a tracker and a registration, and prints what the monitor "
+                    "of intubations makes of it beside what happened, what becomes of the patient, "
+                    "and the score. The same words print the same.",
+            .notes = {{"SCRIPT", motions.c_str()}},
+            .options = {kPatient, kAnatomy, intubate_option::kTube, intubate_option::kRigid,
+                        intubate_option::kSeed, intubate_option::kSave},
+            .schema = intubate_key::kSchema,
+            .keys = andTheCourse({intubate_key::kPatient,
+                                  intubate_key::kTube,
+                                  intubate_key::kShape,
+                                  intubate_key::kScript,
+                                  intubate_key::kSeed,
+                                  intubate_key::kOutside,
+                                  intubate_key::kOutcome,
+                                  intubate_key::kConfidence,
+                                  intubate_key::kIsRight,
+                                  intubate_key::kAttempts,
+                                  intubate_key::kDepth,
+                                  intubate_key::kAboveCarina,
+                                  intubate_key::kRegistration,
+                                  intubate_key::kRegistrationAtTeeth,
+                                  intubate_key::kTruth,
+                                  intubate_key::kTrueOutcome,
+                                  intubate_key::kTrueAttempts,
+                                  intubate_key::kTrueDepth,
+                                  intubate_key::kTrueAboveCarina,
+                                  intubate_key::kTrueTimeline,
+                                  intubate_key::kTrueStep,
+                                  intubate_key::kTrueAt})};
 }
 
 Use intubateRecorded()
 {
     static const QByteArray told = toldWords().toLatin1();
-    return {.lines = {"RECORDING [--patient WHO] [--anatomy DIR] [--tube MM]",
+    return {.lines = {"RECORDING [--patient WHO] [--anatomy DIR] [--tube MM] [--rigid]",
                       "RECORDING [--site FILE] [--blade NAME] [--told STEP=S]"},
             .text =
                 "Takes the poses of tube, laryngoscope and jaw from the recording of a tracker, "
@@ -189,39 +190,59 @@ Use intubateRecorded()
                        "the file or by its name: Tube or ETT, Laryngoscope or Blade, Jaw or Chin"},
                       {"STEP", told.constData()}},
             .options = {kPatient, kAnatomy, intubate_option::kSite, intubate_option::kBlade,
-                        intubate_option::kTube, intubate_option::kTold},
+                        intubate_option::kTube, intubate_option::kRigid, intubate_option::kTold},
             .schema = intubate_recording_key::kSchema,
-            .keys = andTheCourse(
-                {intubate_recording_key::kRecording, intubate_key::kPatient, intubate_key::kTube,
-                 intubate_recording_key::kBlade, intubate_key::kOutcome, intubate_key::kConfidence,
-                 intubate_key::kAttempts, intubate_key::kDepth, intubate_key::kAboveCarina})};
+            .keys = andTheCourse({intubate_recording_key::kRecording, intubate_key::kPatient,
+                                  intubate_key::kTube, intubate_key::kShape,
+                                  intubate_recording_key::kBlade, intubate_key::kOutcome,
+                                  intubate_key::kConfidence, intubate_key::kAttempts,
+                                  intubate_key::kDepth, intubate_key::kAboveCarina})};
 }
 
 Use intubateOften()
 {
-    return {.lines = {"--all-scripts [--seeds N] [--patient WHO] [--anatomy DIR] [--tube MM]"},
+    return {.lines = {"--all-scripts [--seeds N] [--patient WHO] [--anatomy DIR]",
+                      "--all-scripts [--tube MM] [--rigid]"},
             .text = "Runs each motion with the seeds 1 to N, without the patient's vital signs, "
                     "and prints how often and how far the monitor was wrong.",
             .options = {intubate_option::kAll, intubate_option::kSeeds, kPatient, kAnatomy,
-                        intubate_option::kTube},
+                        intubate_option::kTube, intubate_option::kRigid},
             .schema = intubate_all_key::kSchema,
-            .keys = {intubate_all_key::kPatient,      intubate_all_key::kTube,
-                     intubate_all_key::kRuns,         intubate_all_key::kOutside,
-                     intubate_all_key::kWrong,        intubate_all_key::kUnsure,
-                     intubate_all_key::kSurelyRight,  intubate_all_key::kConfusion,
-                     intubate_all_key::kTruth,        intubate_all_key::kNone,
-                     intubate_all_key::kTrachea,      intubate_all_key::kRightMain,
-                     intubate_all_key::kLeftMain,     intubate_all_key::kOesophagus,
-                     intubate_all_key::kDepth,        intubate_all_key::kMedian,
-                     intubate_all_key::k95,           intubate_all_key::kGreatest,
-                     intubate_all_key::kWithin,       intubate_all_key::kCarina,
-                     intubate_all_key::kTimes,        intubate_all_key::kMedianTime,
-                     intubate_all_key::k95Time,       intubate_all_key::kGreatestTime,
-                     intubate_all_key::kWithinTime,   intubate_all_key::kMissed,
-                     intubate_all_key::kInvented,     intubate_all_key::kAttempts,
-                     intubate_all_key::kWrongRuns,    intubate_all_key::kWrongScript,
-                     intubate_all_key::kWrongSeed,    intubate_all_key::kWrongTruth,
-                     intubate_all_key::kWrongOutcome, intubate_all_key::kWrongConfidence,
+            .keys = {intubate_all_key::kPatient,
+                     intubate_all_key::kTube,
+                     intubate_all_key::kShape,
+                     intubate_all_key::kRuns,
+                     intubate_all_key::kOutside,
+                     intubate_all_key::kWrong,
+                     intubate_all_key::kUnsure,
+                     intubate_all_key::kSurelyRight,
+                     intubate_all_key::kConfusion,
+                     intubate_all_key::kTruth,
+                     intubate_all_key::kNone,
+                     intubate_all_key::kTrachea,
+                     intubate_all_key::kRightMain,
+                     intubate_all_key::kLeftMain,
+                     intubate_all_key::kOesophagus,
+                     intubate_all_key::kDepth,
+                     intubate_all_key::kMedian,
+                     intubate_all_key::k95,
+                     intubate_all_key::kGreatest,
+                     intubate_all_key::kWithin,
+                     intubate_all_key::kCarina,
+                     intubate_all_key::kTimes,
+                     intubate_all_key::kMedianTime,
+                     intubate_all_key::k95Time,
+                     intubate_all_key::kGreatestTime,
+                     intubate_all_key::kWithinTime,
+                     intubate_all_key::kMissed,
+                     intubate_all_key::kInvented,
+                     intubate_all_key::kAttempts,
+                     intubate_all_key::kWrongRuns,
+                     intubate_all_key::kWrongScript,
+                     intubate_all_key::kWrongSeed,
+                     intubate_all_key::kWrongTruth,
+                     intubate_all_key::kWrongOutcome,
+                     intubate_all_key::kWrongConfidence,
                      intubate_all_key::kWrongOutside}};
 }
 

@@ -11,6 +11,7 @@
 #include "engine/session/touched_blade.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace carina::lab
 {
@@ -83,11 +84,9 @@ Result<void> takeSite(const QString& file, const Anatomy& anatomy, RecordingSetu
         return tl::unexpected(registration.error());
     setup.registration = *registration;
     const SiteTool* tube = usableTool(*site, ToolRole::Tube);
-    if (tube != nullptr && tube->tube) {
-        subject.tube =
-            tubeAlong(subject.tube, centrelineOfTube(*tube->tube), tube->tube->outerDiameter);
-        subject.innerDiameter = subject.tube.innerDiameter;
-    }
+    if (tube != nullptr && tube->tube)
+        takeTube(subject, anatomy,
+                 tubeAlong(subject.tube, centrelineOfTube(*tube->tube), tube->tube->outerDiameter));
     const SiteTool* laryngoscope = usableTool(*site, ToolRole::Laryngoscope);
     if (laryngoscope != nullptr && laryngoscope->blade)
         blade = touchedBlade(*laryngoscope->blade);
@@ -102,12 +101,22 @@ Result<IntubationSubject> subjectOf(const Words& words, const Subject& subject)
         });
 }
 
+void takeRigid(const Words& words, IntubationSubject& subject)
+{
+    if (words.has(intubate_option::kRigid))
+        subject.lumen = nullptr;
+}
+
 } // namespace
 
 Result<IntubationSubject> intubationSubjectOption(const Words& words)
 {
-    return subjectOption(words).and_then(
-        [&](const Subject& subject) { return subjectOf(words, subject); });
+    return subjectOption(words)
+        .and_then([&](const Subject& subject) { return subjectOf(words, subject); })
+        .map([&](IntubationSubject&& subject) {
+            takeRigid(words, subject);
+            return std::move(subject);
+        });
 }
 
 Result<QJsonObject> watchFile(const Words& words)
@@ -136,6 +145,7 @@ Result<QJsonObject> watchFile(const Words& words)
                 takeSite(words.text(intubate_option::kSite), who->anatomy, setup, known, *subject);
             !taken)
             return tl::unexpected(taken.error());
+    takeRigid(words, *subject);
     setup.blade = named->value_or(known.value_or(setup.blade));
     return watchRecording(*subject, *recording, setup).map([&](const WatchedIntubation& watched) {
         QJsonObject report = watchedReport(*subject, watched);

@@ -1,8 +1,11 @@
 #include "apps/lab/intubation/intubation_subject.h"
 
+#include "engine/airway/lumen/measured_lumen.h"
 #include "engine/airway/tube/tube_size.h"
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "evaluation/intubation/intubation_motion.h"
+
+#include <utility>
 
 namespace carina::lab
 {
@@ -21,12 +24,23 @@ Result<IntubationSubject> intubationSubject(const Anatomy& anatomy, const Patien
     auto tube = motionTube(anatomy.landmarks, inner, size->length);
     if (!tube)
         return tl::unexpected(tube.error());
-    return IntubationSubject{.name = anatomy.name,
-                             .build = build,
-                             .motion = std::make_shared<const MotionPatient>(*motion),
-                             .ways = patientWays(anatomy.landmarks, motion->upper, anatomy.parts),
-                             .innerDiameter = inner,
-                             .tube = *std::move(tube)};
+    IntubationSubject subject{.name = anatomy.name,
+                              .build = build,
+                              .motion = std::make_shared<const MotionPatient>(*motion),
+                              .ways = patientWays(anatomy.landmarks, motion->upper, anatomy.parts),
+                              .innerDiameter = {},
+                              .tube = {},
+                              .lumen = {}};
+    takeTube(subject, anatomy, *std::move(tube));
+    return subject;
+}
+
+void takeTube(IntubationSubject& subject, const Anatomy& anatomy, TubeShape tube)
+{
+    auto lumen = measuredLumen(anatomy.parts, anatomy.landmarks, 0.5 * tube.outerDiameter);
+    subject.lumen = lumen ? std::make_shared<const AirwayLumen>(*std::move(lumen)) : nullptr;
+    subject.innerDiameter = tube.innerDiameter;
+    subject.tube = std::move(tube);
 }
 
 } // namespace carina::lab

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/airway/lumen/airway_lumen.h"
 #include "engine/airway/monitor/patient_ways.h"
 #include "engine/anatomy/patient/patient_build.h"
 #include "engine/anatomy/shapes/tube.h"
@@ -18,7 +19,13 @@ struct IntubationSubject {
     PatientWays ways;                            ///< and as the monitor does
     Length innerDiameter{};
     TubeShape tube;
+    /// For tubes as thick as that; null where it cannot be measured (measuredLumen).
+    std::shared_ptr<const AirwayLumen> lumen;
 };
+
+/// That another tube is used, in the lumen for it.
+/// @param anatomy of the subject
+void takeTube(IntubationSubject& subject, const Anatomy& anatomy, TubeShape tube);
 
 /// @param innerDiameter of the tube; 0: the usual one
 /// @returns the errors of motionPatient, tubeOfSize and motionTube

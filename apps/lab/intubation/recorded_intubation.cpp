@@ -27,6 +27,12 @@ SessionTime firstOf(const TrackerSequence& recording)
     return first;
 }
 
+std::optional<RigidTransform> seenAt(const std::optional<PoseSample>& sample)
+{
+    const bool isSeen = sample && sample->validity != Validity::Lost;
+    return isSeen ? std::optional{sample->X_FO} : std::nullopt;
+}
+
 PoseSample lostAt(SessionTime t, const RigidTransform& X_FO)
 {
     return {.time = t, .X_FO = X_FO, .validity = Validity::Lost};
@@ -50,7 +56,10 @@ Result<WatchedIntubation> watchRecording(const IntubationSubject& subject,
     const auto tracker = std::make_shared<RecordedTracker>(recording, ReadSessionClock{});
     const StationTracking station{tracker, setup.registration};
     tracker->advance(kTrialStart + (first - begins)); // when its first sample is due
-    IntubationWatcher watcher{subject, setup.blade, watched};
+    const auto connectorAt = [&station](SessionTime t) {
+        return seenAt(station.at(ToolRole::Tube, t));
+    };
+    IntubationWatcher watcher{subject, setup.blade, connectorAt, watched};
     for (const PoseSample& sample : tube->samples) {
         const Duration since = sample.time - begins;
         const SessionTime t = kTrialStart + since;

@@ -148,12 +148,18 @@ QJsonValue outsideWord(const MotionParameters& parameters)
     return QString::fromLatin1(name.data(), qsizetype(name.size()));
 }
 
+QString shapeWord(const IntubationSubject& subject)
+{
+    return subject.lumen ? QStringLiteral("rod") : QStringLiteral("rigid");
+}
+
 QJsonObject watchedReport(const IntubationSubject& subject, const WatchedIntubation& watched)
 {
     const std::vector<VitalsReading> readings =
         patientOf(subject, watched, watched.end() + kAfterwards);
     QJsonObject report{{key::kPatient, QString::fromStdString(subject.name)},
                        {key::kTube, inMillimetres(subject.innerDiameter)},
+                       {key::kShape, shapeWord(subject)},
                        {key::kOutcome, seatWord(watched.course.seat)},
                        {key::kConfidence, watched.course.confidence},
                        {key::kAttempts, watched.course.attempts},

@@ -16,6 +16,9 @@ namespace carina::lab
 [[nodiscard]] QJsonObject trialReport(const IntubationSubject& subject,
                                       const IntubationTrial& trial);
 
+/// "rod" or "rigid": in which shape the monitor was shown the tube.
+[[nodiscard]] QString shapeWord(const IntubationSubject& subject);
+
 /// The parameter that is not within its usual range; null where none is.
 [[nodiscard]] QJsonValue outsideWord(const MotionParameters& parameters);
 

@@ -116,6 +116,7 @@ QJsonObject TrialStatistics::report(const IntubationSubject& subject) const
     return {{all_key::kSchema, QLatin1StringView{all_key::kSchema.help}},
             {all_key::kPatient, QString::fromStdString(subject.name)},
             {all_key::kTube, inMillimetres(subject.innerDiameter)},
+            {all_key::kShape, shapeWord(subject)},
             {all_key::kRuns, m_runs},
             {all_key::kOutside, m_outside},
             {all_key::kWrong, m_wrong},

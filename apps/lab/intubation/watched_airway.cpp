@@ -2,6 +2,8 @@
 
 #include "engine/anatomy/airway/centreline.h"
 
+#include <utility>
+
 namespace carina::lab
 {
 namespace
@@ -23,40 +25,71 @@ std::vector<Vec3> withLength(std::vector<Vec3> line, double length)
 
 } // namespace
 
-AirwayMoment WatchedAirway::take(const SeenTools& tools)
+WatchedAirway::WatchedAirway(const IntubationSubject& subject, const Blade& blade,
+                             ElasticTube::ConnectorAt connectorAt)
+    : m_subject{subject}, m_blade{blade}, m_connectorAt{std::move(connectorAt)}
 {
-    const MotionPatient& patient = *m_subject.motion;
-    const NeckField neck{patient.airway.p_A_glottis, patient.airway.p_A_incisors, tools.head};
-    const PatientWays ways = waysAt(tools, neck);
-    std::vector<Vec3> p_A_shown;
-    for (const Vec3& p_E :
-         withLength(bent(m_subject.tube, neck).p_E_centre, lengthOf(m_subject.tube.p_E_centre).si))
-        p_A_shown.push_back(tools.tube.X_FO * p_E);
-    return airwayMoment(
-        tools.tube.time, ways,
-        {.validity = tools.tube.validity, .p_A_shown = p_A_shown, .p_A_measured = {}},
-        bladeAt(tools, neck));
+    if (subject.lumen)
+        m_tube.emplace(subject.tube, subject.lumen);
 }
 
-PatientWays WatchedAirway::waysAt(const SeenTools& tools, const NeckField& neck) const
+AirwayMoment WatchedAirway::take(const SeenTools& tools)
+{
+    const FollowingThroat throat = throatOf(tools);
+    followTube(tools, throat);
+    const std::vector<Vec3> p_A_measured = measuredTube(tools, throat.neck);
+    TubeCurves tube{
+        .validity = tools.tube.validity, .p_A_shown = p_A_measured, .p_A_measured = p_A_measured};
+    if (m_tube && m_tube->isLaid())
+        tube.p_A_shown = m_tube->tube().constrained();
+    return airwayMoment(tools.tube.time, waysAt(throat), tube, bladeAt(tools, throat),
+                        m_tube && m_tube->isStoppedAtCords());
+}
+
+FollowingThroat WatchedAirway::throatOf(const SeenTools& tools) const
 {
     const MotionPatient& patient = *m_subject.motion;
-    const FollowingThroat throat{patient.throat, tools.jaw.X_FO * patient.held.inverse(), neck};
+    return {patient.throat, tools.jaw.X_FO * patient.held.inverse(),
+            NeckField{patient.airway.p_A_glottis, patient.airway.p_A_incisors, tools.head}};
+}
+
+PatientWays WatchedAirway::waysAt(const FollowingThroat& throat) const
+{
     return moved(m_subject.ways, [&](const Vec3& p) {
-        const Vec3 p_A = neck.placed(p);
+        const Vec3 p_A = throat.neck.placed(p);
         const double share = shareOfJaw(m_subject.ways, p);
         return Vec3{p_A + share * throatPull(throat, ThroatTissue::Airway, p_A).d};
     });
 }
 
-BladeSeen WatchedAirway::bladeAt(const SeenTools& tools, const NeckField& neck)
+std::vector<Vec3> WatchedAirway::measuredTube(const SeenTools& tools, const NeckField& neck) const
+{
+    const TubeShape& tube = m_subject.tube;
+    std::vector<Vec3> line = withLength(bent(tube, neck).p_E_centre, lengthOf(tube.p_E_centre).si);
+    for (Vec3& p : line)
+        p = tools.tube.X_FO * p;
+    return line;
+}
+
+void WatchedAirway::followTube(const SeenTools& tools, const FollowingThroat& throat)
+{
+    if (!m_tube)
+        return;
+    BladeField blade;
+    if (tools.laryngoscope.validity != Validity::Lost)
+        blade = bladeInTissue(followed(m_subject.motion->upper, throat), m_blade,
+                              tools.laryngoscope.X_FO);
+    const AirwayField changes; // there are no events
+    m_tube->follow(tools.tube.time, m_connectorAt, tissueAround(changes, throat, blade));
+}
+
+BladeSeen WatchedAirway::bladeAt(const SeenTools& tools, const FollowingThroat& throat)
 {
     const PoseSample& seen = tools.laryngoscope;
     if (seen.validity == Validity::Lost)
         return {};
-    const MotionPatient& patient = *m_subject.motion;
-    const FollowingThroat throat{patient.throat, tools.jaw.X_FO * patient.held.inverse(), neck};
-    m_effort = m_levering.take(followed(patient.upper, throat), m_blade, seen.X_FO, neck.X_AU());
+    m_effort = m_levering.take(followed(m_subject.motion->upper, throat), m_blade, seen.X_FO,
+                               throat.neck.X_AU());
     return {.validity = seen.validity,
             .p_A_tip = seen.X_FO * middleOfBlade(m_blade.form, 1.0),
             .isOnTeeth = m_effort.isOnTeeth};

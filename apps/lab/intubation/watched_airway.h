@@ -2,8 +2,12 @@
 
 #include "apps/lab/intubation/intubation_subject.h"
 #include "engine/airway/monitor/airway_moment.h"
+#include "engine/airway/tube/elastic_tube.h"
 #include "engine/anatomy/laryngoscopy/blade_levering.h"
 #include "engine/anatomy/laryngoscopy/laryngoscopy_path.h"
+
+#include <optional>
+#include <vector>
 
 namespace carina::lab
 {
@@ -17,19 +21,20 @@ struct SeenTools {
 };
 
 /// Makes of poses what the monitor of an intubation takes: the ways of the patient as jaw and neck
-/// have taken them, the tube's curve, and the blade's tip.
+/// have taken them, the tube in both shapes, and the blade's tip.
 ///
-/// The tube is the patient's own, which has the form of the airway, so that it has one shape only.
-/// It bends with the neck and keeps its length, as one that is fixed at the teeth. The glottis that
-/// is seen is not measured: nothing is drawn here.
+/// As measured the tube is its curve at rest at the pose of its connector. The patient's own has
+/// the form of the airway: it bends with the neck and keeps its length, as one that is fixed at the
+/// teeth. As shown it is an elastic rod in the lumen of the moment (ElasticTube), stepped with its
+/// curve at rest in neutral position, until it is laid and in a subject without a lumen as
+/// measured. The glottis that is seen is not measured: nothing is drawn here.
 class WatchedAirway
 {
 public:
-    /// @pre the subject outlives this
-    WatchedAirway(const IntubationSubject& subject, const Blade& blade)
-        : m_subject{subject}, m_blade{blade}
-    {
-    }
+    /// @param connectorAt the tube's poses at all times up to those that are taken
+    /// @pre the subject, and what connectorAt reads, outlive this
+    WatchedAirway(const IntubationSubject& subject, const Blade& blade,
+                  ElasticTube::ConnectorAt connectorAt);
 
     /// @param tools in ascending time
     [[nodiscard]] AirwayMoment take(const SeenTools& tools);
@@ -38,11 +43,17 @@ public:
     [[nodiscard]] const BladeEffort& effort() const { return m_effort; }
 
 private:
-    [[nodiscard]] PatientWays waysAt(const SeenTools& tools, const NeckField& neck) const;
-    [[nodiscard]] BladeSeen bladeAt(const SeenTools& tools, const NeckField& neck);
+    [[nodiscard]] FollowingThroat throatOf(const SeenTools& tools) const;
+    [[nodiscard]] PatientWays waysAt(const FollowingThroat& throat) const;
+    [[nodiscard]] std::vector<Vec3> measuredTube(const SeenTools& tools,
+                                                 const NeckField& neck) const;
+    void followTube(const SeenTools& tools, const FollowingThroat& throat);
+    [[nodiscard]] BladeSeen bladeAt(const SeenTools& tools, const FollowingThroat& throat);
 
     const IntubationSubject& m_subject;
     Blade m_blade;
+    ElasticTube::ConnectorAt m_connectorAt;
+    std::optional<ElasticTube> m_tube; ///< where there is a lumen
     LeveringWatch m_levering;
     BladeEffort m_effort;
 };

@@ -8,6 +8,7 @@
 #include "evaluation/intubation/intubation_motion.h"
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace carina::lab
@@ -32,10 +33,12 @@ struct WatchedIntubation {
 class IntubationWatcher
 {
 public:
+    /// @param connectorAt as of WatchedAirway
     /// @param into its commands are what people do beside it
-    /// @pre both outlive this
-    IntubationWatcher(const IntubationSubject& subject, const Blade& blade, WatchedIntubation& into)
-        : m_watched{into}, m_airway{subject, blade}
+    /// @pre the subject, what connectorAt reads, and `into` outlive this
+    IntubationWatcher(const IntubationSubject& subject, const Blade& blade,
+                      ElasticTube::ConnectorAt connectorAt, WatchedIntubation& into)
+        : m_watched{into}, m_airway{subject, blade, std::move(connectorAt)}
     {
     }
 

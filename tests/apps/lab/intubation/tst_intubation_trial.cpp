@@ -14,11 +14,15 @@ namespace
 constexpr double kDepthTolerance_mm = 3.0;
 constexpr Duration kTimeTolerance = std::chrono::milliseconds{100};
 
+/// With the tube as it is measured: what the hands move is rigid.
 const IntubationSubject& subject()
 {
     static const IntubationSubject boy = [] {
         const PatientDimensions dimensions = dimensionsOf(BuiltinPatient::TwelveYears);
-        return intubationSubject(test::tubePatient(dimensions), buildOf(dimensions), {}).value();
+        IntubationSubject it =
+            intubationSubject(test::tubePatient(dimensions), buildOf(dimensions), {}).value();
+        it.lumen = nullptr;
+        return it;
     }();
     return boy;
 }

@@ -24,11 +24,15 @@ constexpr double kNearest_mm = 0.5;
 /// A recording begins with its first exposure, and the motion a little before it: by the jitter.
 constexpr Duration kFirstExposure = std::chrono::milliseconds{4};
 
+/// With the tube as it is measured: what the hands move is rigid.
 const IntubationSubject& subject()
 {
     static const IntubationSubject boy = [] {
         const PatientDimensions dimensions = dimensionsOf(BuiltinPatient::TwelveYears);
-        return intubationSubject(test::tubePatient(dimensions), buildOf(dimensions), {}).value();
+        IntubationSubject it =
+            intubationSubject(test::tubePatient(dimensions), buildOf(dimensions), {}).value();
+        it.lumen = nullptr;
+        return it;
     }();
     return boy;
 }

@@ -16,11 +16,15 @@ namespace carina::lab::trial_report_test
 namespace
 {
 
+/// With the tube as it is measured: what the hands move is rigid.
 const IntubationSubject& subject()
 {
     static const IntubationSubject boy = [] {
         const PatientDimensions dimensions = dimensionsOf(BuiltinPatient::TwelveYears);
-        return intubationSubject(test::tubePatient(dimensions), buildOf(dimensions), {}).value();
+        IntubationSubject it =
+            intubationSubject(test::tubePatient(dimensions), buildOf(dimensions), {}).value();
+        it.lumen = nullptr;
+        return it;
     }();
     return boy;
 }
@@ -119,6 +123,18 @@ private Q_SLOTS:
         QCOMPARE(wrong.size(), 2);
         QCOMPARE(wrong[0][QStringLiteral("confidence")].toDouble(), 0.55);
         QVERIFY(wrong[0][QStringLiteral("outside")].isNull());
+    }
+
+    void saysInWhichShapeTheTubeWasShown()
+    {
+        IntubationSubject bending = subject();
+        bending.lumen = std::make_shared<const AirwayLumen>();
+        const IntubationTrial trial = told(TrueSeat::Trachea, TubeSeat::Trachea, 0.95);
+        for (const auto& [of, shape] : {std::pair{bending, QStringLiteral("rod")},
+                                        std::pair{subject(), QStringLiteral("rigid")}}) {
+            QCOMPARE(watchedReport(of, trial)[QStringLiteral("tube")].toString(), shape);
+            QCOMPARE(TrialStatistics{}.report(of)[QStringLiteral("tube")].toString(), shape);
+        }
     }
 
     void refusesBadArguments_data()

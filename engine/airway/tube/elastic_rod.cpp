@@ -18,6 +18,7 @@ constexpr double kNearEnough = 1e-5;  ///< metres
 constexpr double kMostWay = 0.01;     ///< metres of a node in one step
 constexpr double kLost = 0.1;         ///< metres: a way that only a rod that is lost would go
 constexpr double kMostBack = 0.5;     ///< of a segment, along the guide
+constexpr double kMostAhead = 3.0;    ///< likewise, as at the inner side of a bend
 constexpr double kSameLength = 1e-9;  ///< metres
 constexpr double kLeastCosine = 0.25; ///< between a rod and its guide
 constexpr int kMostSlides = 6;
@@ -293,6 +294,9 @@ void ElasticRod::draw(const RodHold& hold)
                 break;
             const double cosine = segment.dot(hold.guide->slope(m_segments[i], drawn)) / length;
             drawn.along += (m_length - length) / std::max(cosine, kLeastCosine);
+            // Where it doubles back, that would lead ever farther away.
+            drawn.along = std::clamp(drawn.along, m_drawn[i - 1].along - kMostBack * m_length,
+                                     m_drawn[i - 1].along + kMostAhead * m_length);
             if (slide + 1 == kMostSlides) // as where it doubles back: its length counts
                 m_nodes[i] = m_nodes[i - 1] + m_length / length * segment;
         }

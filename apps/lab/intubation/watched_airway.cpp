@@ -42,8 +42,12 @@ AirwayMoment WatchedAirway::take(const SeenTools& tools)
         .validity = tools.tube.validity, .p_A_shown = p_A_measured, .p_A_measured = p_A_measured};
     if (m_tube && m_tube->isLaid())
         tube.p_A_shown = m_tube->tube().constrained();
-    return airwayMoment(tools.tube.time, waysAt(throat), tube, bladeAt(tools, throat),
-                        m_tube && m_tube->isStoppedAtCords());
+    const AirwayMoment moment =
+        airwayMoment(tools.tube.time, waysAt(throat), tube, bladeAt(tools, throat),
+                     m_tube && m_tube->isStoppedAtCords());
+    if (moment.tube != Validity::Lost)
+        m_isNear = moment.pastTeeth > Length{} - kInFront;
+    return moment;
 }
 
 FollowingThroat WatchedAirway::throatOf(const SeenTools& tools) const
@@ -75,6 +79,10 @@ void WatchedAirway::followTube(const SeenTools& tools, const FollowingThroat& th
 {
     if (!m_tube)
         return;
+    if (!m_isNear) {
+        m_tube->letGo();
+        return;
+    }
     BladeField blade;
     if (tools.laryngoscope.validity != Validity::Lost)
         blade = bladeInTissue(followed(m_subject.motion->upper, throat), m_blade,

@@ -26,8 +26,9 @@ struct SeenTools {
 /// As measured the tube is its curve at rest at the pose of its connector. The patient's own has
 /// the form of the airway: it bends with the neck and keeps its length, as one that is fixed at the
 /// teeth. As shown it is an elastic rod in the lumen of the moment (ElasticTube), stepped with its
-/// curve at rest in neutral position, until it is laid and in a subject without a lumen as
-/// measured. The glottis that is seen is not measured: nothing is drawn here.
+/// curve at rest in neutral position; and as measured until it is laid, farther than kInFront from
+/// the teeth, and in a subject without a lumen. The glottis that is seen is not measured: nothing
+/// is drawn here.
 class WatchedAirway
 {
 public:
@@ -35,6 +36,9 @@ public:
     /// @pre the subject, and what connectorAt reads, outlive this
     WatchedAirway(const IntubationSubject& subject, const Blade& blade,
                   ElasticTube::ConnectorAt connectorAt);
+
+    /// A tip farther in front of the teeth is in no lumen, which is not moved then: of ours.
+    static constexpr Length kInFront = millimetres(30.0);
 
     /// @param tools in ascending time
     [[nodiscard]] AirwayMoment take(const SeenTools& tools);
@@ -54,6 +58,7 @@ private:
     Blade m_blade;
     ElasticTube::ConnectorAt m_connectorAt;
     std::optional<ElasticTube> m_tube; ///< where there is a lumen
+    bool m_isNear = true;              ///< its tip was in the body, or just in front of it
     LeveringWatch m_levering;
     BladeEffort m_effort;
 };

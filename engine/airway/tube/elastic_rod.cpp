@@ -58,15 +58,23 @@ ElasticRod::ElasticRod(double stiffness, std::span<const Vec3> p_E_rest)
     for (std::size_t i = 0; i + 1 < m_rest.size(); ++i)
         whole += (m_rest[i + 1] - m_rest[i]).norm();
     m_length = whole / double(m_rest.size() - 1);
+    // Where it leaves what holds it half a segment bends.
+    m_turns[kHeld - 1].stiffness = 2.0;
+    setRest(p_E_rest);
+    lay({});
+}
+
+void ElasticRod::setRest(std::span<const Vec3> p_E_rest)
+{
+    CARINA_EXPECTS(p_E_rest.size() == m_rest.size());
+    std::ranges::copy(p_E_rest, m_rest.begin());
     m_across_E = (m_rest[1] - m_rest[0]).unitOrthogonal();
     carryAxes(m_rest, m_across_E, m_axes);
     for (std::size_t i = 1; i + 1 < m_rest.size(); ++i) {
         const Vec3 bent = m_rest[i - 1] - 2.0 * m_rest[i] + m_rest[i + 1];
-        m_turns[i] = {m_axes[i].first.dot(bent), m_axes[i].second.dot(bent)};
+        m_turns[i].byFirst = m_axes[i].first.dot(bent);
+        m_turns[i].bySecond = m_axes[i].second.dot(bent);
     }
-    // Where it leaves what holds it half a segment bends.
-    m_turns[kHeld - 1].stiffness = 2.0;
-    lay({});
 }
 
 double ElasticRod::perUnit() const { return m_stiffness / std::pow(m_length, 3); }

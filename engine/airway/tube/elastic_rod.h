@@ -51,6 +51,8 @@ public:
     /// @pre at least four points, no two neighbours equal; stiffness above 0
     ElasticRod(double stiffness, std::span<const Vec3> p_E_rest);
 
+    /// Has another rest curve from now on. @pre as many points, and as long
+    void setRest(std::span<const Vec3> p_E_rest);
     /// Lays it in its rest curve, held at this pose: without a guide.
     void lay(const RigidTransform& X_AE);
     /// Lays it as at rest up to a node, which is `entered` along the guide, and from there on in

@@ -97,10 +97,13 @@ TubeInLumen::TubeInLumen(const TubeSize& size, std::span<const Vec3> p_E_rest)
 {
 }
 
-void TubeInLumen::step(const RigidTransform& X_AE, const MovedLumen& lumen)
+void TubeInLumen::step(const RigidTransform& X_AE, const MovedLumen& lumen,
+                       std::span<const Vec3> p_E_rest)
 {
     const MovedWay& trunk = lumen.way(AirwayWay::Trunk);
     CARINA_EXPECTS(trunk.isThere());
+    if (!p_E_rest.empty())
+        m_rod.setRest(inPieces(p_E_rest, kPieces));
     const std::vector<Vec3> measured = m_rod.nodesAtRest(X_AE);
     const bool wasInside = m_isInside;
     m_isInside = isFoundInside(measured, lumen);

@@ -54,7 +54,9 @@ public:
     /// @pre the line has at least two points, and no two neighbours are equal
     TubeInLumen(const TubeSize& size, std::span<const Vec3> p_E_rest);
 
-    void step(const RigidTransform& X_AE, const MovedLumen& lumen);
+    /// @param p_E_rest its curve at rest from now on, as long as before; empty: as it was
+    void step(const RigidTransform& X_AE, const MovedLumen& lumen,
+              std::span<const Vec3> p_E_rest = {});
 
     [[nodiscard]] const TubeSize& size() const { return m_size; }
     /// Centre line in A, from the connector to the tip.

@@ -1,5 +1,6 @@
 #include "engine/anatomy/shapes/tube.h"
 
+#include "engine/anatomy/airway/centreline.h"
 #include "engine/anatomy/shapes/swept_surface.h"
 
 #include <algorithm>
@@ -111,6 +112,21 @@ TriangleMesh takenTo(TriangleMesh mesh, const RigidTransform& X)
     return mesh;
 }
 
+/// The line cut where it is so long, or straight on until it is.
+std::vector<Vec3> withLength(std::vector<Vec3> line, double length)
+{
+    double missing = length - lengthOf(line).si;
+    while (missing < 0.0 && line.size() > 2) {
+        const double last = (line.back() - line[line.size() - 2]).norm();
+        if (last > -missing)
+            break;
+        missing += last;
+        line.pop_back();
+    }
+    line.back() += missing * (line.back() - line[line.size() - 2]).normalized();
+    return line;
+}
+
 } // namespace
 
 Length outerDiameterOf(Length innerDiameter)
@@ -211,6 +227,17 @@ TubeShape bent(TubeShape tube, const NeckField& neck)
             takenTo(deformed(takenTo(std::move(piece.mesh), X_AE), neck), outOfNeck(neck, X_AE));
     tube.X_AE = neck.X_AU() * X_AE;
     return tube;
+}
+
+std::vector<Vec3> centreIn(const NeckField& neck, const TubeShape& tube)
+{
+    if (!tube.fitsAirway || !neck.isBent())
+        return tube.p_E_centre;
+    std::vector<Vec3> p_E_bent;
+    p_E_bent.reserve(tube.p_E_centre.size());
+    for (const Vec3& p_E : tube.p_E_centre)
+        p_E_bent.push_back(bentInBody(neck, tube.X_AE, p_E));
+    return withLength(std::move(p_E_bent), lengthOf(tube.p_E_centre).si);
 }
 
 Length tipFromPlace(const TubeShape& tube, const NeckField& neck, const RigidTransform& X_AE)

@@ -74,6 +74,9 @@ struct TubeShape {
 /// rigid, and stays as it is.
 [[nodiscard]] TubeShape bent(TubeShape tube, const NeckField& neck);
 
+/// The centreline of bent(tube, neck), as long as that of the tube: at its tip cut, or straight on.
+[[nodiscard]] std::vector<Vec3> centreIn(const NeckField& neck, const TubeShape& tube);
+
 /// How far the tip of bent(tube, neck), with its connector at X_AE, is from where it is at the
 /// final depth of the airway as the neck has taken that. Also for a tube that was touched, whose
 /// tip lies at the same place there.

@@ -1,4 +1,5 @@
 #include "engine/airway/tube/tube_in_lumen.h"
+#include "engine/geometry/rotation.h"
 #include "tests/engine/airway/tube/bent_lumen.h"
 #include "tests/support/test_class.h"
 
@@ -80,6 +81,7 @@ private Q_SLOTS:
     void isStoppedByARing();
     void isAsMeasuredOutside();
     void isApartFromWhatIsMeasured();
+    void hasTheCurveAtRestOfTheMoment();
     void isLaidAnewWhereItWasLost();
     void takesTheWayToWhichItsTipIsNearest();
     void doesNotGoOverDeepInAWay();
@@ -174,6 +176,30 @@ void TestTubeInLumen::isApartFromWhatIsMeasured()
     QVERIFY(tube.farthestApart() >= tube.apart());
     QVERIFY(tube.apart() > millimetres(5.0));
     QVERIFY(!tube.contacts().empty());
+}
+
+/// As a tube that was made with that curve.
+void TestTubeInLumen::hasTheCurveAtRestOfTheMoment()
+{
+    constexpr double kSame_m = 1e-6;
+    const BentLumen airway;
+    const MovedLumen lumen = unmoved(airway.lumenFor(sizeOf(7.0).outerRadius()));
+    const TubeSize size = sizeOf(7.0);
+    std::vector<Vec3> aside = restCurve(size, 200);
+    const Quat turn = rotationFromVector(Vec3{0.0, 0.0, 0.4});
+    for (Vec3& p_E : aside)
+        p_E = turn * p_E;
+    TubeInLumen made{size, aside};
+    TubeInLumen told = tubeOf(size);
+    for (double inside = -0.02; inside < 0.2; inside += kFeed) {
+        made.step(fed(size, inside), lumen);
+        told.step(fed(size, inside), lumen, aside);
+    }
+    QVERIFY((told.measured().back() - made.measured().back()).norm() < kSame_m);
+    QVERIFY((told.constrained().back() - made.constrained().back()).norm() < kSame_m);
+    TubeInLumen other = tubeOf(size);
+    feed(other, lumen, 0.2);
+    QVERIFY((told.measured().back() - other.measured().back()).norm() > 0.01);
 }
 
 void TestTubeInLumen::isLaidAnewWhereItWasLost()

@@ -1,3 +1,4 @@
+#include "engine/anatomy/airway/centreline.h"
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "engine/anatomy/shapes/tube.h"
 #include "engine/geometry/rotation.h"
@@ -31,6 +32,7 @@ private Q_SLOTS:
     void tubeAndCuffStayInsideTheTrachea_data();
     void tubeAndCuffStayInsideTheTrachea();
     void liesInPlaceWhereTheNeckTakesTheAirway();
+    void keepsItsLengthInABentNeck();
     void liesInPlaceAsItWasTouched();
     void refusesWhatCannotLieInAnAirway_data();
     void refusesWhatCannotLieInAnAirway();
@@ -41,6 +43,8 @@ namespace
 
 constexpr double kMillimetre = 1e-3;
 constexpr double kSame_m = 1e-9;
+constexpr double kStretched_m = 0.5e-3; ///< by which a bent neck changes a way, at least
+constexpr double kStraight_m = 0.1e-3;  ///< by which a tip that goes straight on may be aside
 const Vec3 kIncisors{0.0, -0.14, 0.22};
 
 /// Straight in to the incisors, a quarter circle of 8 cm, straight down to the origin.
@@ -285,6 +289,29 @@ void TestTube::liesInPlaceWhereTheNeckTakesTheAirway()
     const TubeShape drawn = bent(tube, neck);
     QVERIFY((drawn.X_AE.matrix() - X_AE.matrix()).norm() < kSame_m);
     QVERIFY((drawn.X_AE * drawn.p_E_tip - tube.X_AE * tube.p_E_tip).norm() < kSame_m);
+}
+
+/// Its tip goes so much deeper as the way from the teeth becomes shorter, and stays on that.
+void TestTube::keepsItsLengthInABentNeck()
+{
+    const TubeShape tube = bentTube();
+    QVERIFY(centreIn({}, tube) == tube.p_E_centre);
+    for (const HeadPosition& position : {kNeckFlexed, kHeadExtended}) {
+        const NeckField neck{{0.0, -0.05, 0.16}, kIncisors, position};
+        const std::vector<Vec3> line = centreIn(neck, tube);
+        const TubeShape drawn = bent(tube, neck);
+        const double shorter = (lengthOf(tube.p_E_centre) - lengthOf(drawn.p_E_centre)).si;
+        QVERIFY(std::abs(shorter) > kStretched_m);
+        QVERIFY(std::abs((lengthOf(line) - lengthOf(tube.p_E_centre)).si) < kSame_m);
+        QVERIFY((line.front() - drawn.p_E_centre.front()).norm() < kSame_m);
+        const std::size_t beforeTip = std::min(line.size(), drawn.p_E_centre.size()) - 4;
+        QVERIFY((line[beforeTip] - drawn.p_E_centre[beforeTip]).norm() < kSame_m);
+        const Vec3 deeper = line.back() - drawn.p_E_tip;
+        QVERIFY(std::abs(deeper.norm() - std::abs(shorter)) < kStraight_m);
+    }
+    const std::array straight{Vec3{0.0, 0.0, 0.0}, Vec3{0.0, 0.0, -0.3}};
+    const TubeShape touched = tubeAlong(tube, straight, millimetres(9.6));
+    QVERIFY(centreIn(bentNeck(), touched) == touched.p_E_centre);
 }
 
 /// A tube that was touched stays rigid in a bent neck, with its tip at the same place.

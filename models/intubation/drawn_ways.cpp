@@ -27,6 +27,16 @@ std::vector<AnatomyPart> partsOfWays(const PatientModel& patient)
     return parts;
 }
 
+/// As the larynx, which a blade tilts; what is above it less and less, as the pharynx, and the
+/// palate and the teeth not at all.
+Vec3 tilted(const BladeFrame<double>& blade, const Vec3& p_A)
+{
+    const double height = blade.up.dot(p_A) + blade.upFrom;
+    const double lean = formula::leaning(height).value;
+    const double share = lean > 0.0 ? formula::leaningOfPharynx(height).value / lean : 0.0;
+    return p_A + share * larynxTilt<double>(blade, p_A).d;
+}
+
 } // namespace
 
 PatientWays waysOf(const PatientModel& patient)
@@ -50,7 +60,7 @@ PatientWays drawnWays(const PatientWays& ways, const AirwayField& changes,
                    .d;
         p_A = throat.neck.placed(p_A);
         p_A += shareOfJaw(ways, place) * throatPull(throat, ThroatTissue::Airway, p_A).d;
-        return Vec3{p_A + larynxTilt<double>(tissue.frame(), p_A).d};
+        return tilted(tissue.frame(), p_A);
     });
 }
 

@@ -123,7 +123,7 @@ StreamShape readShape(ByteReader& in, SessionTime ofSample)
     shape.time = ofSample - in.number<std::uint8_t>() * kShapeAgeStep;
     const auto thickness = in.number<std::uint8_t>();
     const auto length = in.number<std::uint16_t>();
-    in.require(thickness > 0 && length > 0, "size of a form");
+    in.require((thickness > 0) == (length > 0), "size of a form");
     shape.thickness = thickness * kThicknessStep;
     shape.length = length * kShapeLengthStep;
     const auto read = [&in](std::span<double> numbers) {
@@ -134,6 +134,7 @@ StreamShape readShape(ByteReader& in, SessionTime ofSample)
         }
     };
     read(shape.atRest);
+    in.require(length > 0 || shape.isOfPatientsTube(), "form at rest");
     read(shape.perMetre);
     return shape;
 }
@@ -169,10 +170,11 @@ bool isInRange(const StreamShape& shape, SessionTime ofSample)
     const auto canBeSent = [](double perMetre) {
         return std::abs(perMetre) <= kLargestInt16 * kCurvatureStep;
     };
+    const bool hasSize =
+        shape.thickness >= kThicknessStep && shape.thickness <= kLargestUint8 * kThicknessStep
+        && shape.length >= kShapeLengthStep && shape.length <= kLargestUint16 * kShapeLengthStep;
     return age >= Duration{} && age <= kLargestUint8 * kShapeAgeStep
-           && shape.thickness >= kThicknessStep && shape.thickness <= kLargestUint8 * kThicknessStep
-           && shape.length >= kShapeLengthStep && shape.length <= kLargestUint16 * kShapeLengthStep
-           && std::ranges::all_of(shape.atRest, canBeSent)
+           && (hasSize || shape.isOfPatientsTube()) && std::ranges::all_of(shape.atRest, canBeSent)
            && std::ranges::all_of(shape.perMetre, canBeSent);
 }
 

@@ -22,18 +22,24 @@ struct StreamMotion {
 };
 
 /// The form of an object that bends, as its owner draws it: of a tube what it is at rest
-/// (TubeRest), and by how much it bends from that in eight numbers (TubeShapeCode).
+/// (TubeRest), and by how much it bends from that in eight numbers (TubeShapeCode). The tube that
+/// the patient has, which every program knows, has length, thickness and curvature 0.
 ///
 /// On the wire it is quantised: its time to 1 ms, up to 255 ms before that of the sample, the
 /// length to 10 um up to 655 mm, the thickness to 0.1 mm up to 25.5 mm, and each number per metre
-/// to 0.002 within +-65.5. A form with a value outside its range is not sent.
+/// to 0.002 within +-65.5. A form with a value outside its range is not sent, nor one that has
+/// a length or a thickness alone.
 struct StreamShape {
     SessionTime time{};             ///< of the sample or before
-    double length = 0.0;            ///< metres, above 0
-    double thickness = 0.0;         ///< metres, above 0
+    double length = 0.0;            ///< metres
+    double thickness = 0.0;         ///< metres
     std::array<double, 2> atRest{}; ///< curvature of its halves, per metre
     std::array<double, 8> perMetre{};
 
+    [[nodiscard]] bool isOfPatientsTube() const
+    {
+        return length == 0.0 && thickness == 0.0 && atRest == std::array<double, 2>{};
+    }
     [[nodiscard]] bool isOfSameObject(const StreamShape& other) const
     {
         return length == other.length && thickness == other.thickness && atRest == other.atRest;

@@ -272,6 +272,7 @@ private Q_SLOTS:
         QTest::newRow("too old") << qint64{256'000} << 0.3 << 0.01 << 1.0;
         QTest::newRow("of later than its sample") << qint64{-1} << 0.3 << 0.01 << 1.0;
         QTest::newRow("without length") << qint64{0} << 0.0 << 0.01 << 1.0;
+        QTest::newRow("curved at rest without both") << qint64{0} << 0.0 << 0.0 << 1.0;
         QTest::newRow("too long") << qint64{0} << 0.66 << 0.01 << 1.0;
         QTest::newRow("without thickness") << qint64{0} << 0.3 << 0.0 << 1.0;
         QTest::newRow("too thick") << qint64{0} << 0.3 << 0.0256 << 1.0;

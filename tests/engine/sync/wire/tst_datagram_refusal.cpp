@@ -27,9 +27,10 @@ bool isSoundNumber(double perMetre) { return std::abs(perMetre) < 66.0; }
 
 bool isSound(const StreamShape& shape, SessionTime ofSample)
 {
+    const bool hasSize = shape.length > 0.0 && shape.thickness > 0.0;
     return shape.time <= ofSample && ofSample - shape.time < std::chrono::seconds{1}
-           && shape.length > 0.0 && shape.length < 1.0 && shape.thickness > 0.0
-           && shape.thickness < 0.03 && std::ranges::all_of(shape.atRest, isSoundNumber)
+           && (hasSize || shape.isOfPatientsTube()) && shape.length < 1.0 && shape.thickness < 0.03
+           && std::ranges::all_of(shape.atRest, isSoundNumber)
            && std::ranges::all_of(shape.perMetre, isSoundNumber);
 }
 
@@ -177,6 +178,9 @@ private Q_SLOTS:
         row("form without a thickness", 19, 50, "00", "size of a form");
         row("form without a length", 19, 51, "00 00", "size of a form");
         row("lowest code of a form at rest", 19, 53, "00 80", "form");
+        row("patient's tube with a thickness", 20, 50, "01", "size of a form");
+        row("patient's tube with a length", 20, 51, "01 00", "size of a form");
+        row("patient's tube curved at rest", 20, 55, "01 00", "form at rest");
         row("form's lowest code", 19, 57, "00 80", "form");
         row("form's last code the lowest", 19, 71, "00 80", "form");
         row("action kind", 1, 9, "03", "action kind");

@@ -20,10 +20,24 @@ constexpr double kMostAtRest = 20.0; ///< per metre
 
 bool isTube(const StreamShape& shape)
 {
+    if (shape.isOfPatientsTube())
+        return true;
     return shape.length >= kShortest.si && shape.length <= kLongest.si
            && shape.thickness >= kThinnest.si && shape.thickness <= kThickest.si
            && std::ranges::all_of(
                shape.atRest, [](double perMetre) { return std::abs(perMetre) <= kMostAtRest; });
+}
+
+TubeShape tubeOf(const StreamShape& shape, const TubeShape& own)
+{
+    if (shape.isOfPatientsTube())
+        return own;
+    const TubeRest rest = restOf(shape);
+    TubeShape tube;
+    tube.p_E_centre = centrelineOfTube(rest);
+    tube.outerDiameter = rest.outerDiameter;
+    tube.fitsAirway = false;
+    return tube;
 }
 
 } // namespace
@@ -32,7 +46,6 @@ void DistantTube::lieIn(const PatientModel& patient)
 {
     m_patient = &patient;
     m_of.reset();
-    m_own.reset();
     m_tube.reset();
 }
 
@@ -45,16 +58,14 @@ bool DistantTube::isOf(const StreamShape& shape, SessionTime now)
     if (!m_of || !m_of->isOfSameObject(shape)) {
         if (m_of && now - m_since < kSameTube)
             return false;
-        const TubeRest rest = restOf(shape);
-        m_own = m_patient->withTube(centrelineOfTube(rest), rest.outerDiameter);
         m_of = shape;
         m_since = now;
         m_tube.reset();
         m_agreed.reset();
-        m_lumen.want(*m_own);
+        m_lumen.want(*m_patient, tubeOf(shape, m_patient->ownTube()).outerDiameter);
     }
     if (!m_tube && m_lumen.lumen())
-        m_tube.emplace(m_own->tube(), m_lumen.lumen());
+        m_tube.emplace(tubeOf(shape, m_patient->ownTube()), m_lumen.lumen());
     return m_tube.has_value();
 }
 
@@ -78,8 +89,9 @@ std::optional<std::vector<Vec3>> DistantTube::difference(const RemoteObject& pos
     const auto sent = poses.shapeAt(t);
     if (!sent)
         return std::nullopt;
-    std::vector<Vec3> difference = lineOf(*sent);
-    const std::vector<Vec3> own = lineOf(toStream(restOf(*m_of), m_tube->line(), t));
+    const TubeShape& patients = m_patient->ownTube();
+    std::vector<Vec3> difference = lineOf(*sent, patients);
+    const std::vector<Vec3> own = lineOf(toStream(*m_of, patients, m_tube->line(), t), patients);
     double most = 0.0;
     for (std::size_t i = 0; i < own.size(); ++i) {
         difference[i] -= own[i];
@@ -113,7 +125,7 @@ TubeInAirway DistantTube::at(const StationMoment& moment, const TissueAround& ti
             off = difference(*moment.tubePoses);
     }
     if (!off)
-        return {lineOf(*moment.tubeShape), drawing};
+        return {lineOf(*moment.tubeShape, m_patient->ownTube()), drawing};
     std::vector<Vec3> p_E = m_tube->ahead(moment.time, moment.tube->X_FO, tissue);
     for (std::size_t i = 0; i < p_E.size(); ++i)
         p_E[i] += (*off)[i];

@@ -13,13 +13,13 @@ namespace carina
 /// The tube of another who is at work, as its owner has it.
 ///
 /// Eight numbers do not tell each bend of a rod in an airway. But here are the same patient, the
-/// poses of the connector as they arrive, and by the form that is sent the tube at rest: so the
-/// same rod is stepped in the same lumen (ElasticTube), and only the difference of its form from
-/// the one that was sent is taken from there. Where both tubes lie differently, as where one is
-/// held up at the cords and the other is not, by more than kTooFar, the form that was sent is drawn
-/// as it is, and the rod here is laid anew after kLaidAnew. So it is while there is no lumen, and
-/// of what is no tube that is sold, or is another one within kSameTube: a lumen takes seconds to
-/// measure, and who sends decides what is sent.
+/// poses of the connector as they arrive, and the tube at rest: the patient's own, or as the form
+/// that is sent tells it. So the same rod is stepped in the same lumen (ElasticTube), and only the
+/// difference of its form from the one that was sent is taken from there. Where both tubes lie
+/// differently, as where one is held up at the cords and the other is not, by more than kTooFar,
+/// the form that was sent is drawn as it is, and the rod here is laid anew after kLaidAnew. So it
+/// is while there is no lumen, and of what is no tube that is sold, or is another one within
+/// kSameTube: a lumen takes seconds to measure, and who sends decides what is sent.
 class DistantTube
 {
 public:
@@ -45,9 +45,8 @@ private:
     [[nodiscard]] std::optional<std::vector<Vec3>> difference(const RemoteObject& poses);
 
     const PatientModel* m_patient = nullptr;
-    std::optional<StreamShape> m_of;   ///< whose tube at rest it is
-    SessionTime m_since{};             ///< since when
-    std::optional<PatientModel> m_own; ///< the patient with that tube
+    std::optional<StreamShape> m_of; ///< whose tube at rest it is
+    SessionTime m_since{};           ///< since when
     PatientLumen m_lumen;
     std::optional<ElasticTube> m_tube;   ///< once its lumen is there
     std::optional<SessionTime> m_agreed; ///< when both lay alike last

@@ -64,14 +64,12 @@ PatientWays drawnWays(const PatientWays& ways, const AirwayField& changes,
     });
 }
 
-std::vector<Vec3> drawnTube(const PatientModel& patient, const NeckField& neck,
-                            const RigidTransform& X_AE)
+std::vector<Vec3> measuredTube(const PatientModel& patient, const NeckField& neck,
+                               const RigidTransform& X_AE)
 {
-    const TubeShape& tube = patient.tube();
-    std::vector<Vec3> line;
-    line.reserve(tube.p_E_centre.size());
-    for (const Vec3& p_E : tube.p_E_centre)
-        line.push_back(X_AE * (tube.fitsAirway ? bentInBody(neck, tube.X_AE, p_E) : p_E));
+    std::vector<Vec3> line = centreIn(neck, patient.tube());
+    for (Vec3& p : line)
+        p = X_AE * p;
     return line;
 }
 

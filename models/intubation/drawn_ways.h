@@ -20,9 +20,10 @@ namespace carina
 [[nodiscard]] PatientWays drawnWays(const PatientWays& ways, const AirwayField& changes,
                                     const FollowingThroat& throat, const BladeField& tissue);
 
-/// The centre line of the patient's tube in A, from connector to tip, as it is drawn with its
-/// connector at X_AE: rigid, and bent as the neck is where it was made to fit the airway.
-[[nodiscard]] std::vector<Vec3> drawnTube(const PatientModel& patient, const NeckField& neck,
-                                          const RigidTransform& X_AE);
+/// The centre line of the patient's tube in A, from connector to tip, as it is measured with its
+/// connector at X_AE: rigid, and bent as the neck is where it was made to fit the airway
+/// (centreIn).
+[[nodiscard]] std::vector<Vec3> measuredTube(const PatientModel& patient, const NeckField& neck,
+                                             const RigidTransform& X_AE);
 
 } // namespace carina

@@ -102,11 +102,9 @@ void IntubationWatch::look()
     propose(*now);
 }
 
-/// A tube that was not touched has no curve at rest that is known: it is drawn as it fits the
-/// airway in which it ends, and has no other shape to be bent from.
 void IntubationWatch::findLumen()
 {
-    if (m_tube || m_patient->tube().fitsAirway)
+    if (m_tube)
         return;
     m_lumen.want(*m_patient);
     if (m_lumen.lumen())
@@ -177,7 +175,7 @@ AirwayMoment IntubationWatch::airwayAt(SessionTime t)
     std::vector<Vec3> measured;
     if (moment.tube && !isAway(moment)) {
         tube.validity = moment.tube->validity;
-        measured = drawnTube(*m_patient, throat.neck, moment.tube->X_FO);
+        measured = measuredTube(*m_patient, throat.neck, moment.tube->X_FO);
         tube.p_A_measured = measured;
         tube.p_A_shown = m_tube && m_tube->isLaid() ? m_tube->tube().constrained() : measured;
     }
@@ -213,7 +211,7 @@ TubeInAirway IntubationWatch::tubeAt(const StationMoment& moment, const TissueAr
 {
     const bool isSeen = moment.tube && moment.tube->validity != Validity::Lost;
     const bool isOwn = isAtWork() && moment.worker == m_node.self();
-    if (!isSeen || !isOwn || isAway(moment) || m_patient->tube().fitsAirway)
+    if (!isSeen || !isOwn || isAway(moment))
         return {};
     if (!m_tube)
         return {{}, m_lumen.isImpossible() ? TubeDrawing::NoLumen : TubeDrawing::Awaited};
@@ -241,7 +239,8 @@ std::shared_ptr<const StreamShape> IntubationWatch::shapeAt(SessionTime t)
     if (!tube || tube->validity == Validity::Lost || isAway(around.moment))
         return nullptr;
     return std::make_shared<const StreamShape>(
-        toStream(restOf(m_patient->tube()), m_tube->ahead(t, tube->X_FO, around.tissue()), t));
+        toStream(atRest(m_patient->tube()), m_patient->ownTube(),
+                 m_tube->ahead(t, tube->X_FO, around.tissue()), t));
 }
 
 BladeSeen IntubationWatch::bladeIn(const StationMoment& moment, const LaryngoscopeSight& sight)

@@ -33,10 +33,10 @@ namespace carina
 /// Moments are kEach apart, at whole multiples of it in session time, and kReadBehind in the past.
 /// Patient, neck, jaw and tissue are as they are drawn then.
 ///
-/// A tube whose curve at rest was touched is followed, also while the session does not run, as an
-/// elastic rod in the patient's lumen (ElasticTube), from when that was measured: from the first
-/// moment at which somebody is at work. Before it, and where it was not touched, it is as its pose
-/// has it. How it bends is sent with its poses (SessionNode::publishShape).
+/// The tube is followed, also while the session does not run, as an elastic rod in the patient's
+/// lumen (ElasticTube), from when that was measured: from the first moment at which somebody is at
+/// work. Before it, it is as its pose has it. How it bends is sent with its poses
+/// (SessionNode::publishShape).
 ///
 /// What no sensor feels follows from what people set, cuff and stylet, and from the mechanics: the
 /// first breath that bag or ventilator deliver with the tip past the cords, in the trachea or the
@@ -83,7 +83,7 @@ public:
     [[nodiscard]] const IntubationCourse& course() const { return m_monitor.course(); }
 
     /// How the tube of this program's participant is drawn in the airway at a moment; AsMeasured
-    /// where it is not theirs, is not seen, or does not bend.
+    /// where it is not theirs, or is not seen.
     /// @param tissue as it is drawn then
     [[nodiscard]] TubeInAirway tubeAt(const StationMoment& moment,
                                       const TissueAround& tissue) const;

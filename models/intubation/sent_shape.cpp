@@ -37,31 +37,40 @@ TubeRest restOf(const StreamShape& shape)
     return {metres(shape.length), shape.atRest, metres(shape.thickness)};
 }
 
-std::vector<Vec3> lineAtRest(const TubeRest& rest)
+StreamShape atRest(const TubeShape& tube)
 {
-    return inPieces(centrelineOfTube(rest), kPieces);
+    if (tube.fitsAirway)
+        return {};
+    const TubeRest rest = restOf(tube);
+    return {{}, rest.length.si, rest.outerDiameter.si, rest.bends, {}};
 }
 
-StreamShape toStream(const TubeRest& rest, std::span<const Vec3> p_E, SessionTime t)
+std::vector<Vec3> lineAtRest(const StreamShape& shape, const TubeShape& own)
 {
-    StreamShape shape{t, rest.length.si, rest.outerDiameter.si, rest.bends, {}};
-    const TubeShapeCode code = encoded(p_E, RigidTransform{}, lineAtRest(rest)).code;
-    std::ranges::copy(code.perMetre, shape.perMetre.begin());
-    return shape;
+    return inPieces(shape.isOfPatientsTube() ? own.p_E_centre : centrelineOfTube(restOf(shape)),
+                    kPieces);
 }
 
-std::vector<Vec3> lineOf(const StreamShape& shape)
+StreamShape toStream(StreamShape of, const TubeShape& own, std::span<const Vec3> p_E, SessionTime t)
+{
+    of.time = t;
+    const TubeShapeCode code = encoded(p_E, RigidTransform{}, lineAtRest(of, own)).code;
+    std::ranges::copy(code.perMetre, of.perMetre.begin());
+    return of;
+}
+
+std::vector<Vec3> lineOf(const StreamShape& shape, const TubeShape& own)
 {
     TubeShapeCode code;
     std::ranges::transform(shape.perMetre, code.perMetre.begin(),
                            [](double perMetre) { return float(perMetre); });
-    return decoded(code, lineAtRest(restOf(shape)));
+    return decoded(code, lineAtRest(shape, own));
 }
 
-std::vector<Vec3> lineOf(const ShapeBetween& shape)
+std::vector<Vec3> lineOf(const ShapeBetween& shape, const TubeShape& own)
 {
-    const std::vector<Vec3> from = lineOf(shape.from);
-    std::vector<Vec3> line = lineOf(shape.to);
+    const std::vector<Vec3> from = lineOf(shape.from, own);
+    std::vector<Vec3> line = lineOf(shape.to, own);
     for (std::size_t i = 0; i < line.size(); ++i)
         line[i] = from[i] + shape.times * (line[i] - from[i]);
     return line;

@@ -14,18 +14,27 @@ namespace carina
 
 /// What a tube that was touched is at rest: of its curve the two arcs that fit it.
 [[nodiscard]] TubeRest restOf(const TubeShape& shape);
-/// That of the tube whose form arrives.
+/// That of the tube whose form arrives. @pre it is not the patient's own
 [[nodiscard]] TubeRest restOf(const StreamShape& shape);
 
-/// The centre line of such a tube in as many pieces as its rod, in the frame E of its connector.
-[[nodiscard]] std::vector<Vec3> lineAtRest(const TubeRest& rest);
+/// What is sent of a tube at rest: of one that was touched its size and the two arcs, of the
+/// patient's own that it is that one.
+[[nodiscard]] StreamShape atRest(const TubeShape& tube);
+
+/// In all that follows `own` is the patient's own tube (PatientModel::ownTube). Lines are in the
+/// frame E of the connector, at the nodes of the rod.
+
+/// The centre line at rest of the tube whose form arrives.
+[[nodiscard]] std::vector<Vec3> lineAtRest(const StreamShape& shape, const TubeShape& own);
 
 /// A form as it is sent with the poses of the tube.
-/// @param p_E the nodes of its rod
-[[nodiscard]] StreamShape toStream(const TubeRest& rest, std::span<const Vec3> p_E, SessionTime t);
+/// @param of  of this tube at rest; its form is not read
+/// @param p_E the line of its rod
+[[nodiscard]] StreamShape toStream(StreamShape of, const TubeShape& own, std::span<const Vec3> p_E,
+                                   SessionTime t);
 
-/// The centre line that a form tells, at the nodes of the rod, in E.
-[[nodiscard]] std::vector<Vec3> lineOf(const StreamShape& shape);
-[[nodiscard]] std::vector<Vec3> lineOf(const ShapeBetween& shape);
+/// The centre line that a form tells.
+[[nodiscard]] std::vector<Vec3> lineOf(const StreamShape& shape, const TubeShape& own);
+[[nodiscard]] std::vector<Vec3> lineOf(const ShapeBetween& shape, const TubeShape& own);
 
 } // namespace carina

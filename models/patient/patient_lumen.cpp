@@ -19,9 +19,9 @@ struct Measurable {
     Length tubeRadius;
 };
 
-Measurable measurable(const PatientModel& patient)
+Measurable measurable(const PatientModel& patient, Length outerDiameter)
 {
-    Measurable it{{}, {}, patient.landmarks(), 0.5 * patient.tube().outerDiameter};
+    Measurable it{{}, {}, patient.landmarks(), 0.5 * outerDiameter};
     for (const PatientSurface& surface : patient.surfaces()) {
         const AnatomyPart& part = surface.description;
         if (surface.body == SurfaceBody::Tube || !tellsLumen(part.role))
@@ -56,16 +56,16 @@ PatientLumen::~PatientLumen()
     m_maker.waitForDone();
 }
 
-void PatientLumen::want(const PatientModel& patient)
+void PatientLumen::want(const PatientModel& patient, Length outerDiameter)
 {
-    const Wanted wanted{patient.contentHash(), patient.tube().outerDiameter};
+    const Wanted wanted{patient.contentHash(), outerDiameter};
     if (m_wanted == wanted)
         return;
     m_wanted = wanted;
     m_lumen.reset();
     m_isImpossible = false;
     m_maker.clear(); // who lay there before is not waited for
-    m_maker.start([this, wanted, patient = measurable(patient)] {
+    m_maker.start([this, wanted, patient = measurable(patient, outerDiameter)] {
         QMetaObject::invokeMethod(
             this, [this, wanted, lumen = lumenIn(patient)] { take(wanted, lumen); },
             Qt::QueuedConnection);
@@ -90,7 +90,7 @@ void PatientLumen::take(const Wanted& of, std::shared_ptr<const AirwayLumen> lum
 
 std::shared_ptr<const AirwayLumen> lumenOf(const PatientModel& patient)
 {
-    return lumenIn(measurable(patient));
+    return lumenIn(measurable(patient, patient.tube().outerDiameter));
 }
 
 } // namespace carina

@@ -25,7 +25,9 @@ public:
 
     /// Measures that of this patient, unless it was wanted last: the same surfaces, and a tube that
     /// is as thick. The patient need not outlive the call.
-    void want(const PatientModel& patient);
+    void want(const PatientModel& patient) { want(patient, patient.tube().outerDiameter); }
+    /// The same for a tube that is so thick.
+    void want(const PatientModel& patient, Length outerDiameter);
     /// Of who lay there before there is none any more.
     void drop();
 

@@ -65,6 +65,7 @@ Result<PatientModel> PatientModel::of(Anatomy anatomy, Length innerDiameter)
     model.m_tube = std::move(*tube);
     model.addAnatomy(std::move(anatomy.parts));
     model.addTube();
+    model.m_ownTube = model.m_tube;
     return model;
 }
 

@@ -65,6 +65,8 @@ public:
     /// The finest mesh of a surface with the mouth closed, as for landmarks touched on a manikin.
     [[nodiscard]] std::shared_ptr<const TriangleMesh> shutMesh(const PatientSurface& surface) const;
     [[nodiscard]] const TubeShape& tube() const { return m_tube; }
+    /// The tube with which it was made, in every program the same: it fits the airway.
+    [[nodiscard]] const TubeShape& ownTube() const { return m_ownTube; }
     /// The same patient with a tube of another shape (tubeAlong), as it was touched.
     [[nodiscard]] PatientModel withTube(std::span<const Vec3> p_E_centre,
                                         Length outerDiameter) const;
@@ -97,6 +99,7 @@ private:
     TubeShape m_tube;
     std::map<OrganGroup, Box> m_groups; ///< the bounds of each, in A
     Box m_tubeBounds;                   ///< in E
+    TubeShape m_ownTube;
 };
 
 } // namespace carina

@@ -136,7 +136,9 @@ SceneFigure measuredTubeFigure(const PatientModel& patient)
 void addMeasuredTube(SceneFrame& frame, const PatientModel& patient)
 {
     frame.bodies[kMeasuredTube] = frame.bodies.at(kTubeBody);
-    bendTube(frame, patient, kMeasuredTube);
+    if (frame.throat.neck.isBent())
+        frame.bentAlong[kMeasuredTube] = std::make_shared<const LineBend>(
+            patient.tube().p_E_centre, centreIn(frame.throat.neck, patient.tube()));
 }
 
 SceneFrame sceneFrame(const StationMoment& moment, const ChestField& chest,

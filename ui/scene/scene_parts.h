@@ -26,7 +26,7 @@ inline constexpr const char* kTubeBody = "tube";
                                                std::uint16_t firstId);
 
 /// Has a body of tubeParts, or that of the patient's tube, bent by head and neck as the airway is
-/// that the tube lies in; one that was touched keeps its form.
+/// whose form the tube has; one that was touched keeps its form. For one that lies in no lumen.
 void bendTube(SceneFrame& frame, const PatientModel& patient, const std::string& body = kTubeBody);
 
 /// The tube as its tracked pose has it, where it is drawn otherwise: a faint outline.

@@ -32,7 +32,7 @@ std::vector<Vec3> taken(std::span<const Vec3> line, const RigidTransform& X)
 TissueAround tissueAround(const AirwayField& changes, const FollowingThroat& throat,
                           const BladeField& blade)
 {
-    return {tissueMotion(changes, throat), bladePushing(blade)};
+    return {tissueMotion(changes, throat), bladePushing(blade), throat.neck};
 }
 
 TubeSize sizeOf(const TubeShape& shape)
@@ -48,7 +48,10 @@ TubeSize sizeOf(const TubeShape& shape)
 }
 
 ElasticTube::ElasticTube(const TubeShape& shape, std::shared_ptr<const AirwayLumen> lumen)
-    : m_lumen{std::move(lumen)}, m_begun{sizeOf(shape), shape.p_E_centre}, m_tube{m_begun}
+    : m_lumen{std::move(lumen)},
+      m_shape{shape},
+      m_begun{sizeOf(shape), shape.p_E_centre},
+      m_tube{m_begun}
 {
 }
 
@@ -61,11 +64,12 @@ void ElasticTube::follow(SessionTime until, const ConnectorAt& connectorAt,
         return;
     m_stepped = last;
     const MovedLumen lumen = moved(*m_lumen, tissue.motion, tissue.push);
+    const std::vector<Vec3> p_E_rest = centreIn(tissue.neck, m_shape);
     for (SessionTime t = std::max(next, last - (kMostSteps - 1) * kStep); t <= last; t += kStep) {
         const auto X_AE = connectorAt(t);
         if (!X_AE)
             continue;
-        m_tube.step(*X_AE, lumen);
+        m_tube.step(*X_AE, lumen, p_E_rest);
         m_X_AE = *X_AE;
         m_laid = t;
     }
@@ -95,11 +99,12 @@ std::vector<Vec3> ElasticTube::ahead(SessionTime t, const RigidTransform& X_AE,
                                      const TissueAround& tissue) const
 {
     const MovedLumen lumen = moved(*m_lumen, tissue.motion, tissue.push);
+    const std::vector<Vec3> p_E_rest = centreIn(tissue.neck, m_shape);
     const double due = std::ceil(toSeconds(t - *m_laid) / toSeconds(kStepAhead));
     const int steps = int(std::clamp(due, 1.0, double(kMostStepsAhead)));
     TubeInLumen there = m_tube;
     for (int i = 1; i <= steps; ++i)
-        there.step(interpolate(m_X_AE, X_AE, double(i) / steps), lumen);
+        there.step(interpolate(m_X_AE, X_AE, double(i) / steps), lumen, p_E_rest);
     return taken(there.constrained(), X_AE.inverse());
 }
 

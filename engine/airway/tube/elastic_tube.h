@@ -16,6 +16,7 @@ namespace carina
 struct TissueAround {
     TissueMotion motion; ///< as it is drawn without a blade
     TissueMotion push;   ///< by a blade, which makes room beside that
+    NeckField neck{};    ///< by which a tube that fits the airway is bent (centreIn)
 };
 /// The arguments must outlive it.
 [[nodiscard]] TissueAround tissueAround(const AirwayField& changes, const FollowingThroat& throat,
@@ -34,7 +35,8 @@ public:
     /// X_AE at a session time; nothing where it was not seen.
     using ConnectorAt = std::function<std::optional<RigidTransform>(SessionTime)>;
 
-    /// @param shape its curve at rest and its thickness
+    /// @param shape its curve at rest, which is bent as the neck is where it fits the airway, and
+    ///              its thickness
     /// @param lumen for tubes as thick as that, with a trunk
     ElasticTube(const TubeShape& shape, std::shared_ptr<const AirwayLumen> lumen);
 
@@ -69,6 +71,7 @@ public:
 
 private:
     std::shared_ptr<const AirwayLumen> m_lumen;
+    TubeShape m_shape;
     TubeInLumen m_begun; ///< which was never stepped
     TubeInLumen m_tube;
     RigidTransform m_X_AE;                ///< at the latest step in which it was seen

@@ -80,7 +80,7 @@ private Q_SLOTS:
         tube.lieIn(child());
         StationMoment moment = momentOf(shape);
         const TubeInAirway lies = tube.at(moment, still());
-        QVERIFY(std::ranges::equal(lies.p_E, lineOf(shape)));
+        QVERIFY(std::ranges::equal(lies.p_E, lineOf(shape, child().ownTube())));
         QCOMPARE(lies.drawing, TubeDrawing::InAirway);
         moment.tubeIsApart = true;
         QCOMPARE(tube.at(moment, still()).drawing, TubeDrawing::Apart);

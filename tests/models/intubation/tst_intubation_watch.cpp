@@ -7,7 +7,6 @@
 #include "tests/models/fake_session_node.h"
 #include "tests/support/test_class.h"
 
-#include <QCoreApplication>
 #include <QEventLoop>
 
 #include <algorithm>
@@ -330,16 +329,20 @@ private Q_SLOTS:
         QCOMPARE(through.front().seat, TubeSeat::Trachea);
     }
 
-    void leavesATubeThatWasNotTouched()
+    /// Its curve at rest is the form of the airway: so it says, and that it is the patient's.
+    void bendsATubeThatWasNotTouched()
     {
         Work work;
         work.tube = [](SessionTime) { return pushed(0.0); };
-        work.goOn(1s);
-        QCoreApplication::processEvents();
-        work.goOn(1s);
-        QVERIFY(drawnNow(work).p_E.empty());
-        QCOMPARE(drawnNow(work).drawing, TubeDrawing::AsMeasured);
-        QVERIFY(!work.shape());
+        work.measureLumen();
+        const TubeInAirway drawn = drawnNow(work);
+        QCOMPARE(drawn.drawing, TubeDrawing::InAirway);
+        QVERIFY((drawn.p_E.back() - patient().tube().p_E_tip).norm() < kDepth);
+        const auto sent = work.shape();
+        QVERIFY(sent && sent->isOfPatientsTube());
+        const TubeShape& own = patient().ownTube();
+        const Vec3 p_E_told = lineOf(toStream(atRest(own), own, drawn.p_E, sent->time), own).back();
+        QVERIFY((lineOf(*sent, own).back() - p_E_told).norm() < kSent_m);
     }
 
     void saysThatTheLumenIsBeingMeasured()
@@ -364,9 +367,11 @@ private Q_SLOTS:
         const auto sent = work.shape();
         QVERIFY(sent);
         QVERIFY(*work.node.now() - sent->time < IntubationWatch::kShapeEach);
+        QVERIFY(!sent->isOfPatientsTube());
+        const TubeShape& own = touched().ownTube();
         const std::vector<Vec3> drawn =
-            lineOf(toStream(restOf(touched().tube()), drawnNow(work).p_E, sent->time));
-        const std::vector<Vec3> line = lineOf(*sent);
+            lineOf(toStream(atRest(touched().tube()), own, drawnNow(work).p_E, sent->time), own);
+        const std::vector<Vec3> line = lineOf(*sent, own);
         QCOMPARE(line.size(), drawn.size());
         for (std::size_t i = 0; i < line.size(); ++i)
             QVERIFY((line[i] - drawn[i]).norm() < kSent_m);

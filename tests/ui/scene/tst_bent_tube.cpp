@@ -107,7 +107,7 @@ private Q_SLOTS:
         });
         SceneFrame frame = sceneFrame(view.at(cpo.time, 0), ChestField{});
         QCOMPARE(scene.bendTubeAtWork(frame, view.at(cpo.time, 0)), TubeDrawing::InAirway);
-        const Vec3 p_E_tip = lineOf(*cpo.shape).back();
+        const Vec3 p_E_tip = lineOf(*cpo.shape, adult().ownTube()).back();
         QVERIFY((frame.bentAlong.at(kTubeBody)->bent().back() - p_E_tip).norm() < kExact_m);
         const Vec3 drawn = frame.bentAlong.at(kTubeBody)->taken(adult().tube().p_E_centre.back());
         QVERIFY((drawn - p_E_tip).norm() < kExact_m);

@@ -118,7 +118,11 @@ void TubeInLumen::step(const RigidTransform& X_AE, const MovedLumen& lumen,
         if (!wasInside || !m_rod.step(hold))
             m_rod.layAlong(hold, entryOf(measured, middleAt(trunk, m_onGuide.joined)),
                            m_onGuide.join);
-    } else {
+        // Where no rod can be found, as of a connector deep in the mouth, there is none.
+        m_isInside =
+            std::ranges::all_of(constrained(), [](const Vec3& p) { return p.allFinite(); });
+    }
+    if (!m_isInside) {
         m_rod.lay(X_AE);
         m_way = {};
     }

@@ -38,11 +38,12 @@ struct TubeContact {
 /// kTubeStep: deterministic, with the connector's pose and the lumen of the moment.
 ///
 /// It is in the airway while its curve as measured passes the teeth within kBeside and its tip lies
-/// behind them; otherwise it is as measured. Inside it lies along one way (AirwayWay): the one to
-/// whose middle the measured tip is nearest. It goes over to another one that is nearer by kNearer,
-/// and by kNearerEach more of each metre that its tip is past the fork: a tip deep in the trachea
-/// does not get into the oesophagus. From the connector to kBeforeTeeth it is in free space, held
-/// by a hand and stiffer by kHeldByHand, and from there on inside of the sections of the way.
+/// behind them; otherwise it is as measured, and where no rod is found, as with its connector deep
+/// in the mouth. Inside it lies along one way (AirwayWay): the one to whose middle the measured tip
+/// is nearest. It goes over to another one that is nearer by kNearer, and by kNearerEach more of
+/// each metre that its tip is past the fork: a tip deep in the trachea does not get into the
+/// oesophagus. From the connector to kBeforeTeeth it is in free space, held by a hand and stiffer
+/// by kHeldByHand, and from there on inside of the sections of the way.
 ///
 /// The way ends where a tube so thick is stopped. A place that has become too narrow behind the tip
 /// does not let go of the tube, but yields to it. One that is first seen inside is taken

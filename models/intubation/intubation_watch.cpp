@@ -177,6 +177,7 @@ AirwayMoment IntubationWatch::airwayAt(SessionTime t)
         tube.validity = moment.tube->validity;
         measured = measuredTube(*m_patient, throat.neck, moment.tube->X_FO);
         tube.p_A_measured = measured;
+        tube.isCurveKnown = !m_patient->tube().fitsAirway;
         tube.p_A_shown = m_tube && m_tube->isLaid() ? m_tube->tube().constrained() : measured;
     }
     return airwayMoment(t, ways, tube, bladeIn(moment, sight), isShut(moment));

@@ -204,7 +204,8 @@ void findTube(AirwayMoment& moment, const PatientWays& ways, const TubeCurves& t
     moment.pastTeeth = pastTeeth(ways, moment.p_A_tip);
     moment.pastCords = pastCords(ways, moment.p_A_tip);
     moment.measuredPastCords = pastCords(ways, measured);
-    moment.besides = metres((measured - moment.p_A_tip).norm());
+    if (tube.isCurveKnown)
+        moment.besides = metres((measured - moment.p_A_tip).norm());
     findTip(moment, ways, measured);
     if (moment.pastTeeth > Length{})
         moment.depthAtTeeth = depthOf(ways, tube.p_A_shown);

@@ -405,6 +405,20 @@ private Q_SLOTS:
         QCOMPARE(work.noted(IntubationStep::ShapesApart).size(), 1U);
     }
 
+    /// Its curve at rest is assumed: that says nothing of where the real one is.
+    void tellsNothingOfShapesWhoseCurveIsNotKnown()
+    {
+        Work work;
+        work.runs();
+        work.tube = [](SessionTime) {
+            return RigidTransform::translation({0.015, 0.0, 0.0}) * pushed(0.0);
+        };
+        work.measureLumen();
+        work.goOn(3s);
+        QCOMPARE(drawnNow(work).drawing, TubeDrawing::InAirway);
+        QVERIFY(work.noted(IntubationStep::ShapesApart).empty());
+    }
+
     void forgetsTheTubeOfAnotherPatient()
     {
         const PatientModel other =

@@ -6,25 +6,6 @@
 
 namespace carina::lab
 {
-namespace
-{
-
-/// The line with another length: cut, or straight on.
-std::vector<Vec3> withLength(std::vector<Vec3> line, double length)
-{
-    double missing = length - lengthOf(line).si;
-    while (missing < 0.0 && line.size() > 2
-           && (line.back() - line[line.size() - 2]).norm() <= -missing) {
-        missing += (line.back() - line[line.size() - 2]).norm();
-        line.pop_back();
-    }
-    const Vec3 ahead = (line.back() - line[line.size() - 2]).normalized();
-    line.back() += missing * ahead;
-    return line;
-}
-
-} // namespace
-
 WatchedAirway::WatchedAirway(const IntubationSubject& subject, const Blade& blade,
                              ElasticTube::ConnectorAt connectorAt)
     : m_subject{subject}, m_blade{blade}, m_connectorAt{std::move(connectorAt)}
@@ -38,8 +19,10 @@ AirwayMoment WatchedAirway::take(const SeenTools& tools)
     const FollowingThroat throat = throatOf(tools);
     followTube(tools, throat);
     const std::vector<Vec3> p_A_measured = measuredTube(tools, throat.neck);
-    TubeCurves tube{
-        .validity = tools.tube.validity, .p_A_shown = p_A_measured, .p_A_measured = p_A_measured};
+    TubeCurves tube{.validity = tools.tube.validity,
+                    .p_A_shown = p_A_measured,
+                    .p_A_measured = p_A_measured,
+                    .isCurveKnown = !m_subject.tube.fitsAirway};
     if (m_tube && m_tube->isLaid())
         tube.p_A_shown = m_tube->tube().constrained();
     const AirwayMoment moment =
@@ -68,8 +51,7 @@ PatientWays WatchedAirway::waysAt(const FollowingThroat& throat) const
 
 std::vector<Vec3> WatchedAirway::measuredTube(const SeenTools& tools, const NeckField& neck) const
 {
-    const TubeShape& tube = m_subject.tube;
-    std::vector<Vec3> line = withLength(bent(tube, neck).p_E_centre, lengthOf(tube.p_E_centre).si);
+    std::vector<Vec3> line = centreIn(neck, m_subject.tube);
     for (Vec3& p : line)
         p = tools.tube.X_FO * p;
     return line;

@@ -25,10 +25,10 @@ struct SeenTools {
 ///
 /// As measured the tube is its curve at rest at the pose of its connector. The patient's own has
 /// the form of the airway: it bends with the neck and keeps its length, as one that is fixed at the
-/// teeth. As shown it is an elastic rod in the lumen of the moment (ElasticTube), stepped with its
-/// curve at rest in neutral position; and as measured until it is laid, farther than kInFront from
-/// the teeth, and in a subject without a lumen. The glottis that is seen is not measured: nothing
-/// is drawn here.
+/// teeth. As shown it is an elastic rod in the lumen of the moment (ElasticTube); and as
+/// measured until it is laid, farther than kInFront from the teeth, and in a subject without a
+/// lumen. That both are apart tells something only of a tube that was calibrated. The glottis that
+/// is seen is not measured: nothing is drawn here.
 class WatchedAirway
 {
 public:

@@ -22,6 +22,7 @@ constexpr double kMostAhead = 3.0;    ///< likewise, as at the inner side of a b
 constexpr double kSameLength = 1e-9;  ///< metres
 constexpr double kLeastCosine = 0.25; ///< between a rod and its guide
 constexpr int kMostSlides = 6;
+constexpr int kMostLost = 20; ///< steps
 
 /// A vector across one direction carried on to another without rotation about it.
 Vec3 carried(const Vec3& across, const Vec3& from, const Vec3& to)
@@ -99,6 +100,7 @@ std::vector<Vec3> ElasticRod::nodesAtRest(const RigidTransform& X_AE) const
 void ElasticRod::layAlong(const RodHold& hold, std::size_t entry, double entered)
 {
     lay(hold.X_AE);
+    m_lost = 0;
     std::ranges::fill(m_tensions, 0.0);
     double about = hold.first;
     for (std::size_t i = 0; i < m_nodes.size(); ++i) {
@@ -114,10 +116,22 @@ void ElasticRod::layAlong(const RodHold& hold, std::size_t entry, double entered
 bool ElasticRod::step(const RodHold& hold, const Vec3& f_A_tip)
 {
     m_X_AE = hold.X_AE;
-    if (!(improve(hold, f_A_tip / perUnit()) < kLost) || isFolded())
-        return false;
+    const bool isFound = improve(hold, f_A_tip / perUnit()) < kLost && !isFolded();
+    m_lost = isFound ? 0 : m_lost + 1;
+    if (!isFound)
+        beginAsDrawn();
     draw(hold);
-    return true;
+    return m_lost < kMostLost
+           && std::ranges::all_of(m_nodes, [](const Vec3& p) { return p.allFinite(); });
+}
+
+/// The solution was lost. What was drawn lies in the sections and is as long as it should be: it
+/// goes on from there, taken along with what holds it.
+void ElasticRod::beginAsDrawn()
+{
+    std::ranges::fill(m_tensions, 0.0);
+    for (std::size_t i = 0; i < m_nodes.size(); ++i)
+        m_walled.nodes[i].place = m_drawn[i];
 }
 
 /// Whether it comes back along its guide.

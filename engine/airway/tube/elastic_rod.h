@@ -60,7 +60,9 @@ public:
     void layAlong(const RodHold& hold, std::size_t entry, double entered);
     /// A step, to where it is held now. @pre it was laid along a guide
     /// @param f_A_tip a load at its tip, newtons
-    /// @returns false where it was lost, as after a jump: it has to be laid anew
+    /// Where its solution is lost, as after a jump, it lies as it did along the guide, and the next
+    /// step solves from there.
+    /// @returns false where that did not help: it has to be laid anew
     [[nodiscard]] bool step(const RodHold& hold, const Vec3& f_A_tip = Vec3::Zero());
 
     [[nodiscard]] std::span<const Vec3> nodes() const { return m_nodes; }
@@ -92,6 +94,7 @@ private:
 
     [[nodiscard]] double improve(const RodHold& hold, const Vec3& load);
     [[nodiscard]] bool isFolded() const;
+    void beginAsDrawn();
     void place(const RodHold& hold);
     static void carryAxes(std::span<const Vec3> nodes, const Vec3& across, std::vector<Axes>& axes);
     void addBending(double inFreeSpace);
@@ -112,6 +115,7 @@ private:
 
     RigidTransform m_X_AE;
     double m_heldBack = 0.0;
+    int m_lost = 0; ///< steps, to the latest
     // As it is solved: beyond walls, and stretched, by micrometres.
     WalledWays m_walled;
     std::vector<Vec3> m_solved;

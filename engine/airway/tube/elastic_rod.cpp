@@ -13,6 +13,7 @@ namespace
 // Of the stiffness of a unit of bending, B / l^3: of ours, as all that follow.
 constexpr double kWall = 1e3;
 constexpr double kStretch = 1e4;
+constexpr double kDrag = 0.01; ///< for each step; where it lies in tissue
 
 constexpr double kNearEnough = 1e-5;  ///< metres
 constexpr double kMostWay = 0.01;     ///< metres of a node in one step
@@ -154,6 +155,7 @@ double ElasticRod::improve(const RodHold& hold, const Vec3& load)
         row = {};
     addBending(hold.inFreeSpace);
     addTension();
+    addDrag();
     m_walled.system.rows.back().right += load;
     if (!m_walled.find(kHeld, kNearEnough))
         return std::numeric_limits<double>::infinity();
@@ -267,6 +269,18 @@ void ElasticRod::addTension()
         rows[i + 1].before -= stiff;
         rows[i].right += pull;
         rows[i + 1].right -= pull;
+    }
+}
+
+/// Only across the guide: what is pushed on goes on.
+void ElasticRod::addDrag()
+{
+    for (std::size_t i = kHeld; i < m_nodes.size(); ++i) {
+        const WalledWays::Node& node = m_walled.nodes[i];
+        if (node.section.isFree)
+            continue;
+        const Vec3 t = node.slope.normalized();
+        m_walled.system.rows[i].diagonal += kDrag * (Mat3::Identity() - t * t.transpose());
     }
 }
 

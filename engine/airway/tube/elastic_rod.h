@@ -34,8 +34,12 @@ struct RodHold {
 /// goes there: one of Newton's steps. Walls are springs so stiff that a node is beyond them by
 /// micrometres; for what is drawn it is put onto them, and the lengths are made exact by sliding
 /// the nodes along the guide. So the rod is inside of the sections after each step, whatever is
-/// left of the sum. Walls push across the guide and not along it: there is no friction. How the rod
-/// lies depends on where it is held, and on its past only by what a step leaves for the next one.
+/// left of the sum. Walls push across the guide and not along it: there is no friction. Inside of
+/// the sections a node is slowed as it goes across the guide, as by a dashpot, by so much as a
+/// spring of kDrag would hold it back in a step. Without that it would leap by centimetres between
+/// ways to lie that are nearly as good, at moments that noise decides. It goes where the sum is
+/// least all the same, later: how the rod lies at rest depends on where it is held, and on its past
+/// only where there are two such ways.
 ///
 /// What would push its tip beyond the stop holds the rod by so much farther back instead, as the
 /// proxy of a haptic device stays at a wall (Zilles and Salisbury, IROS 1995): it is drawn behind
@@ -99,6 +103,7 @@ private:
     static void carryAxes(std::span<const Vec3> nodes, const Vec3& across, std::vector<Axes>& axes);
     void addBending(double inFreeSpace);
     void addTension();
+    void addDrag();
     void takeTension();
     void go(std::size_t node, const Vec3& way, const RodGuide& guide);
     void holdBack(double stop);

@@ -1,5 +1,6 @@
 #include "models/intubation/distant_tube.h"
 
+#include "engine/airway/monitor/intubation_monitor.h"
 #include "engine/net/objects/remote_object.h"
 
 #include <algorithm>
@@ -69,8 +70,8 @@ bool DistantTube::isOf(const StreamShape& shape, SessionTime now)
     return m_tube.has_value();
 }
 
-/// As far as its poses are known.
-void DistantTube::follow(const RemoteObject& poses, const TissueAround& tissue)
+/// Until when its owner follows it, but no farther than its poses are known.
+void DistantTube::follow(const RemoteObject& poses, SessionTime now, const TissueAround& tissue)
 {
     const auto newest = poses.newest();
     if (!newest)
@@ -80,7 +81,7 @@ void DistantTube::follow(const RemoteObject& poses, const TissueAround& tissue)
         const bool isSeen = pose && pose->validity != Validity::Lost;
         return isSeen ? std::optional{pose->X_FO} : std::nullopt;
     };
-    m_tube->follow(newest->time, seen, tissue);
+    m_tube->follow(std::min(newest->time, now - kReadBehind), seen, tissue);
 }
 
 std::optional<std::vector<Vec3>> DistantTube::difference(const RemoteObject& poses)
@@ -120,7 +121,7 @@ TubeInAirway DistantTube::at(const StationMoment& moment, const TissueAround& ti
     const TubeDrawing drawing = moment.tubeIsApart ? TubeDrawing::Apart : TubeDrawing::InAirway;
     std::optional<std::vector<Vec3>> off;
     if (isOf(moment.tubeShape->to, moment.time)) {
-        follow(*moment.tubePoses, tissue);
+        follow(*moment.tubePoses, moment.time, tissue);
         if (m_tube->isLaid())
             off = difference(*moment.tubePoses);
     }

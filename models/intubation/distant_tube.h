@@ -39,7 +39,7 @@ public:
 
 private:
     [[nodiscard]] bool isOf(const StreamShape& shape, SessionTime now);
-    void follow(const RemoteObject& poses, const TissueAround& tissue);
+    void follow(const RemoteObject& poses, SessionTime now, const TissueAround& tissue);
     /// Of the form that was sent from that of the rod, at the nodes; nothing where there is no rod,
     /// or they are too far apart.
     [[nodiscard]] std::optional<std::vector<Vec3>> difference(const RemoteObject& poses);

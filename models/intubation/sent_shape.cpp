@@ -11,6 +11,8 @@ namespace
 {
 
 constexpr int kPieces = TubeInLumen::kPieces;
+/// Per metre: of ours, of what can be sent (65), so that a form with a kink is sent without it.
+constexpr double kMostBent = 60.0;
 
 /// By how much a tube has bent towards -y before the middle of a piece of its line.
 double bentAt(std::span<const Vec3> p_E, std::size_t piece)
@@ -55,7 +57,9 @@ StreamShape toStream(StreamShape of, const TubeShape& own, std::span<const Vec3>
 {
     of.time = t;
     const TubeShapeCode code = encoded(p_E, RigidTransform{}, lineAtRest(of, own)).code;
-    std::ranges::copy(code.perMetre, of.perMetre.begin());
+    std::ranges::transform(code.perMetre, of.perMetre.begin(), [](double perMetre) {
+        return std::clamp(perMetre, -kMostBent, kMostBent);
+    });
     return of;
 }
 

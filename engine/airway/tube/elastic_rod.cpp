@@ -19,11 +19,11 @@ constexpr double kNearEnough = 1e-5;  ///< metres
 constexpr double kMostWay = 0.01;     ///< metres of a node in one step
 constexpr double kLost = 0.1;         ///< metres: a way that only a rod that is lost would go
 constexpr double kMostBack = 0.5;     ///< of a segment, along the guide
-constexpr double kMostAhead = 3.0;    ///< likewise, as at the inner side of a bend
 constexpr double kSameLength = 1e-9;  ///< metres
 constexpr double kLeastCosine = 0.25; ///< between a rod and its guide
+constexpr double kMostSlid = 5e-3;    ///< metres
 constexpr int kMostSlides = 6;
-constexpr int kMostLost = 20; ///< steps
+constexpr int kMostLost = 3; ///< steps
 
 /// A vector across one direction carried on to another without rotation about it.
 Vec3 carried(const Vec3& across, const Vec3& from, const Vec3& to)
@@ -117,16 +117,17 @@ void ElasticRod::layAlong(const RodHold& hold, std::size_t entry, double entered
 bool ElasticRod::step(const RodHold& hold, const Vec3& f_A_tip)
 {
     m_X_AE = hold.X_AE;
-    const bool isFound = improve(hold, f_A_tip / perUnit()) < kLost && !isFolded();
-    m_lost = isFound ? 0 : m_lost + 1;
-    if (!isFound)
+    if (!(improve(hold, f_A_tip / perUnit()) < kLost))
+        return false;
+    m_lost = isFolded() ? m_lost + 1 : 0;
+    if (m_lost > 0)
         beginAsDrawn();
     draw(hold);
     return m_lost < kMostLost
            && std::ranges::all_of(m_nodes, [](const Vec3& p) { return p.allFinite(); });
 }
 
-/// The solution was lost. What was drawn lies in the sections and is as long as it should be: it
+/// The solution is folded. What was drawn lies in the sections and is as long as it should be: it
 /// goes on from there, taken along with what holds it.
 void ElasticRod::beginAsDrawn()
 {
@@ -317,7 +318,9 @@ void ElasticRod::draw(const RodHold& hold)
             m_nodes[i] = hold.guide->at(drawn.along, m_segments[i]).p_A_centre;
             continue;
         }
-        drawn.along = m_drawn[i - 1].along + solved.along - m_walled.nodes[i - 1].place.along;
+        drawn.along =
+            std::clamp(m_drawn[i - 1].along + solved.along - m_walled.nodes[i - 1].place.along,
+                       solved.along - kMostSlid, solved.along + kMostSlid);
         for (int slide = 0; slide < kMostSlides; ++slide) {
             const GuideSection section = hold.guide->at(drawn.along, m_segments[i]);
             drawn.u = solved.u;
@@ -330,10 +333,10 @@ void ElasticRod::draw(const RodHold& hold)
                 break;
             const double cosine = segment.dot(hold.guide->slope(m_segments[i], drawn)) / length;
             drawn.along += (m_length - length) / std::max(cosine, kLeastCosine);
-            // Where it doubles back, that would lead ever farther away.
-            drawn.along = std::clamp(drawn.along, m_drawn[i - 1].along - kMostBack * m_length,
-                                     m_drawn[i - 1].along + kMostAhead * m_length);
-            if (slide + 1 == kMostSlides) // as where it doubles back: its length counts
+            // Where it goes across its guide, that would lead ever farther away.
+            drawn.along =
+                std::clamp(drawn.along, solved.along - kMostSlid, solved.along + kMostSlid);
+            if (slide + 1 == kMostSlides) // its length counts
                 m_nodes[i] = m_nodes[i - 1] + m_length / length * segment;
         }
     }

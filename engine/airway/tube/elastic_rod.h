@@ -64,9 +64,9 @@ public:
     void layAlong(const RodHold& hold, std::size_t entry, double entered);
     /// A step, to where it is held now. @pre it was laid along a guide
     /// @param f_A_tip a load at its tip, newtons
-    /// Where its solution is lost, as after a jump, it lies as it did along the guide, and the next
-    /// step solves from there.
-    /// @returns false where that did not help: it has to be laid anew
+    /// Where its solution folds, it lies as it did along the guide, and the next step solves from
+    /// there.
+    /// @returns false where it was lost, as after a jump, or stays folded: it has to be laid anew
     [[nodiscard]] bool step(const RodHold& hold, const Vec3& f_A_tip = Vec3::Zero());
 
     [[nodiscard]] std::span<const Vec3> nodes() const { return m_nodes; }

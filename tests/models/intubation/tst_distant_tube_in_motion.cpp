@@ -123,7 +123,8 @@ public:
         const auto seen = [this](SessionTime t) { return std::optional{connectorAt(t)}; };
         m_tube.follow(now - kReadBehind, seen, lifted().tissue());
         if (!m_shape || now - m_shape->time >= IntubationWatch::kShapeEach)
-            m_shape = toStream(restOf(childWithTube().tube()), drawnAt(now), now);
+            m_shape = toStream(atRest(childWithTube().tube()), childWithTube().ownTube(),
+                               drawnAt(now), now);
     }
     [[nodiscard]] std::vector<Vec3> drawnAt(SessionTime t) const
     {

@@ -78,7 +78,8 @@ class TestWatchedAirway : public QObject
 private Q_SLOTS:
     void showsATubeBesideTheTracheaInIt()
     {
-        const IntubationSubject subject = boy();
+        IntubationSubject subject = boy();
+        subject.tube.fitsAirway = false; // its curve was touched
         const AirwayMoment end = rested(subject, kAside);
         QVERIFY(fromTrachea(subject, end) < kInTrachea);
         QVERIFY(end.besides > kAside - kInTrachea);

@@ -23,7 +23,7 @@ namespace
 {
 
 constexpr Length kOutside = millimetres(0.5);
-constexpr double kMostOutside = 0.02; ///< share of the places of the tube between teeth and carina
+constexpr double kMostOutside = 0.08; ///< share of the places of the tube between teeth and carina
 constexpr int kLookEach = 100;        ///< steps from one look at the triangles to the next
 
 /// A patient, the tube that fits, and the lumen for it.
@@ -104,26 +104,14 @@ public:
         for (const SurfaceTree& tree : m_trees)
             if (const auto there = tree.nearestTo(p_A)) {
                 const Vec3 way = p_A - there->p;
-                if (way.norm() < std::abs(nearest))
-                    nearest = std::copysign(way.norm(), way.dot(normalAt(tree, there->p)));
+                const double distance = std::copysign(way.norm(), way.dot(there->normal));
+                if (std::abs(distance) < std::abs(nearest))
+                    nearest = distance;
             }
         return nearest;
     }
 
 private:
-    /// The sum of those of the triangles around a place: at the edge of a thin sheet one of them
-    /// faces away from places that are before the edge.
-    static Vec3 normalAt(const SurfaceTree& tree, const Vec3& p_A)
-    {
-        constexpr double kBeside = 1e-4; // metres
-        Vec3 sum = Vec3::Zero();
-        for (int axis = 0; axis < 3; ++axis)
-            for (const double way : {kBeside, -kBeside})
-                if (const auto there = tree.nearestTo(p_A + way * Vec3::Unit(axis)))
-                    sum += there->normal;
-        return sum;
-    }
-
     std::vector<SurfaceTree> m_trees;
 };
 
@@ -134,17 +122,10 @@ struct Ran {
     int outside = 0; ///< by more than kOutside, where it is not too narrow anyway
 };
 
-/// The lumen by its sections alone, which tells how much a place is too narrow anyway.
-MovedLumen withoutPoints(AirwayLumen lumen, const Tissue& tissue)
-{
-    lumen.points.clear();
-    return moved(lumen, tissueMotion(tissue.changes, tissue.throat), bladePushing(tissue.blade));
-}
-
-void look(const Patient& patient, const TubeInLumen& tube, const Tissue& tissue, Ran& ran)
+void look(const Patient& patient, const TubeInLumen& tube, const MovedLumen& lumen,
+          const Tissue& tissue, Ran& ran)
 {
     const Walls walls{patient, tissue};
-    const MovedLumen lumen = withoutPoints(patient.lumen, tissue);
     const MovedWay& trunk = lumen.way(AirwayWay::Trunk);
     for (const Vec3& p_A : tube.constrained()) {
         std::size_t segment = trunk.nearestSegment(p_A);
@@ -180,7 +161,7 @@ Ran run(const Patient& patient, const NamedMotion& named, bool looks)
         tube.step(moment.X_AE, lumen);
         const bool isInTrunk = tube.tip().isPastTeeth && tube.tip().way != AirwayWay::Oesophagus;
         if (looks && i % kLookEach == 0 && isInTrunk)
-            look(patient, tube, Tissue{patient, *motion, moment}, ran);
+            look(patient, tube, lumen, Tissue{patient, *motion, moment}, ran);
     }
     ran.isRight = tube.tip().seat == seatOf(truthOf(*motion).outcome);
     return ran;

@@ -41,29 +41,19 @@ struct LumenSection {
     Length give{};
 };
 
-/// A point of a surface that can stand into the trunk.
-struct WallPoint {
-    Vec3 p_A = Vec3::Zero();
-    AirwayTissue tissue = AirwayTissue::Pharynx;
-    std::size_t section = 0; ///< of the trunk, the nearest
-};
-
 /// The space in which the centre line of a tube of one outer radius can be, as a patient's surfaces
 /// have it; A, metres. It is a polygon of kLumenDirections corners for each section of each way,
 /// about 4 mm apart, and in between of what lies between two of them. So it is smooth enough for a
 /// rod, quickly asked, and can be moved: four of the corners of each section go with the tissue
-/// that they touch, and those between with these (MovedLumen). What sections do not show, as an
-/// edge between two of them or tissue that goes elsewhere than its neighbours, wall points tell
-/// (keepOff).
+/// that they touch, and those between with these (MovedLumen).
 ///
 /// A dense signed distance field would need to know where space goes between tissues that move
 /// apart, as tongue and palate do when a mouth opens; the corners need not.
 struct AirwayLumen {
     Length tubeRadius{};
     std::array<std::vector<LumenSection>, kAirwayWays> ways;
-    std::vector<WallPoint> points; ///< of the walls of the trunk, for what sections do not show
-    std::size_t teeth = 0;         ///< sections of the trunk: at the upper incisors' edge
-    std::size_t glottis = 0;       ///< and between the vocal cords
+    std::size_t teeth = 0;   ///< sections of the trunk: at the upper incisors' edge
+    std::size_t glottis = 0; ///< and between the vocal cords
     /// Behind which section of each way but the trunk a tip is in it alone.
     std::array<std::size_t, kAirwayWays> begins{};
     bool isMeasured = true; ///< by surfaces; false: partly by usual sizes, for want of them

@@ -1,6 +1,5 @@
 #include "engine/airway/lumen/measured_lumen.h"
 
-#include "engine/airway/lumen/wall_points.h"
 #include "engine/airway/lumen/wall_surfaces.h"
 #include "engine/anatomy/airway/centreline.h"
 
@@ -28,7 +27,6 @@ constexpr double kBranchOff = 0.014;  ///< above the carina, where main bronchi 
 constexpr double kEntrance = 0.03;    ///< above the cords, where the way to the oesophagus does
 constexpr double kBehindArytenoids = 0.017; ///< behind the middle of the cords
 constexpr double kOesophagusLength = 0.2;
-constexpr std::size_t kWithoutPoints = 3; ///< sections at the carina, whose ridge tubes pass
 
 /// Of one patient.
 struct Patient {
@@ -344,8 +342,6 @@ Result<AirwayLumen> measuredLumen(std::span<const AnatomyPart> parts,
     lumen.tubeRadius = tubeRadius;
     lumen.isMeasured = !walls.isEmpty();
     measureTrunk(lumen, patient, trunk, walls);
-    lumen.points = wallPoints(parts, lumen.way(AirwayWay::Trunk), lumen.teeth,
-                              trunk.size() - kWithoutPoints, walls);
     for (const AirwayWay which : {AirwayWay::RightMain, AirwayWay::LeftMain})
         addBronchus(lumen, patient, trunk, which);
     addOesophagus(lumen, patient, trunk);

@@ -1,7 +1,6 @@
 #include "engine/airway/lumen/moved_lumen.h"
 
 #include "engine/airway/lumen/evened_way.h"
-#include "engine/airway/lumen/wall_points.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,6 +38,18 @@ MovedSection middled(const Vec3& p_A_about, const AcrossWay& across,
         section.spare = std::min(section.spare, 0.5 * (reach[k] + reach[k + kHalf]));
     for (std::size_t k = 0; k < kLumenDirections; ++k)
         section.reach[k] = std::max(reach[k], MovedSection::kLeastReach);
+    return section;
+}
+
+MovedSection between(const MovedSection& a, const MovedSection& b, double share)
+{
+    MovedSection section{.p_A_centre = a.p_A_centre + share * (b.p_A_centre - a.p_A_centre),
+                         .side = a.side + share * (b.side - a.side),
+                         .back = a.back + share * (b.back - a.back)};
+    for (std::size_t k = 0; k < kLumenDirections; ++k)
+        section.reach[k] = a.reach[k] + share * (b.reach[k] - a.reach[k]);
+    section.spare = a.spare + share * (b.spare - a.spare);
+    section.give = a.give + share * (b.give - a.give);
     return section;
 }
 
@@ -106,18 +117,15 @@ MovedWay movedWay(const std::vector<LumenSection>& sections, const TissueMotion&
 
 TissueMotion tissueMotion(const AirwayField& changes, const FollowingThroat& throat)
 {
-    return [&changes, &throat, head = headPose(throat.neck),
-            jaw = jawShift(throat.X_AJ)](const Vec3& p_A_made, AirwayTissue tissue) {
+    return [&](const Vec3& p_A_made, AirwayTissue tissue) {
         Vec3 p_A = p_A_made + airwayPull<double>(changes.frame(), tissue, p_A_made).d;
         p_A = throat.neck.placed(p_A);
         if (((kUpperTeethTissues | only(AirwayTissue::Skin)) & only(tissue)) == 0)
-            p_A +=
-                pullInHead<double>(head, p_A, [&](const Vec3& p_U) {
-                    return jawPull<double>(throat.field.frame(),
-                                           tissue == AirwayTissue::Pharynx ? ThroatTissue::Pharynx
-                                                                           : ThroatTissue::Airway,
-                                           jaw, p_U);
-                }).d;
+            p_A += throatPull(throat,
+                              tissue == AirwayTissue::Pharynx ? ThroatTissue::Pharynx
+                                                              : ThroatTissue::Airway,
+                              p_A)
+                       .d;
         return p_A;
     };
 }
@@ -142,28 +150,14 @@ MovedLumen moved(const AirwayLumen& lumen, const TissueMotion& motion, const Tis
         if (made.ways[w].isThere())
             made.begins[w] = made.ways[w].along[lumen.begins[w]];
     }
-    MovedWay& trunk = made.ways.front();
-    const std::size_t pieces = keepOff(trunk, lumen, motion, push);
-    made.teeth = trunk.along[pieces * lumen.teeth];
-    made.glottis = trunk.along[pieces * lumen.glottis];
+    made.teeth = made.ways.front().along[lumen.teeth];
+    made.glottis = made.ways.front().along[lumen.glottis];
     return made;
 }
 
 MovedLumen unmoved(const AirwayLumen& lumen)
 {
     return moved(lumen, [](const Vec3& p_A, AirwayTissue /*tissue*/) { return p_A; });
-}
-
-MovedSection between(const MovedSection& a, const MovedSection& b, double share)
-{
-    MovedSection section{.p_A_centre = a.p_A_centre + share * (b.p_A_centre - a.p_A_centre),
-                         .side = a.side + share * (b.side - a.side),
-                         .back = a.back + share * (b.back - a.back)};
-    for (std::size_t k = 0; k < kLumenDirections; ++k)
-        section.reach[k] = a.reach[k] + share * (b.reach[k] - a.reach[k]);
-    section.spare = a.spare + share * (b.spare - a.spare);
-    section.give = a.give + share * (b.give - a.give);
-    return section;
 }
 
 std::size_t MovedWay::nearestSegment(const Vec3& p_A) const

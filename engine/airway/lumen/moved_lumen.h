@@ -35,14 +35,11 @@ struct MovedSection {
     static constexpr double kLeastReach = 1e-5;
 };
 
-/// In the plane between two of them, at a share of the way.
-[[nodiscard]] MovedSection between(const MovedSection& a, const MovedSection& b, double share);
-
 /// A way of a moved lumen. No sections: the patient has none such.
 struct MovedWay {
     std::vector<MovedSection> sections;
     std::vector<double> along; ///< to each, from the first, along the centres; metres
-    std::vector<Vec3> middles; ///< between the walls of each section that was measured
+    std::vector<Vec3> middles; ///< of the sections, between their walls
 
     [[nodiscard]] bool isThere() const { return sections.size() >= 2; }
     /// From the first section to the nearest place of the centre line.
@@ -72,8 +69,7 @@ struct MovedLumen {
 };
 
 /// Moves a lumen with the tissue around it. Four corners of each section are moved with what they
-/// touch, those between by the share of these; centres go to the middle between them. The trunk has
-/// twice as many sections, which keep off its wall points (keepOff).
+/// touch, those between by the share of these; centres go to the middle between them.
 /// @param push what makes room beside that: a wall goes away from the way with it, and not into the
 ///             way, as the palate would that is drawn with the tongue before a blade
 [[nodiscard]] MovedLumen moved(const AirwayLumen& lumen, const TissueMotion& motion,

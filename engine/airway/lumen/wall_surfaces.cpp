@@ -29,6 +29,15 @@ TriangleMesh near(const TriangleMesh& mesh, std::span<const Vec3> line, double r
     return part;
 }
 
+AirwayTissue tissueOfWall(const AnatomyPart& part)
+{
+    if (part.role == PartRole::Mandible || movesWithMandible(part))
+        return AirwayTissue::Throat;
+    const ChestRegion region = regionOf(part);
+    return region == ChestRegion::Bronchi ? AirwayTissue::Windpipe
+                                          : airwayTissueOf(region).value_or(AirwayTissue::Pharynx);
+}
+
 } // namespace
 
 bool isAirwayWall(PartRole role)
@@ -46,15 +55,6 @@ bool isAirwayWall(PartRole role)
                                 PartRole::Mucosa,
                                 PartRole::Pharynx};
     return std::ranges::find(kWalls, role) != kWalls.end();
-}
-
-AirwayTissue tissueOfWall(const AnatomyPart& part)
-{
-    if (part.role == PartRole::Mandible || movesWithMandible(part))
-        return AirwayTissue::Throat;
-    const ChestRegion region = regionOf(part);
-    return region == ChestRegion::Bronchi ? AirwayTissue::Windpipe
-                                          : airwayTissueOf(region).value_or(AirwayTissue::Pharynx);
 }
 
 WallSurfaces::WallSurfaces(std::span<const AnatomyPart> parts, std::span<const Vec3> line,

@@ -15,8 +15,6 @@ namespace carina
 /// Whether a part lines an airway; bones, cartilages and muscles lie behind that, but they alone
 /// are there in sets without mucosa.
 [[nodiscard]] bool isAirwayWall(PartRole role);
-/// The tissue with which such a part goes.
-[[nodiscard]] AirwayTissue tissueOfWall(const AnatomyPart& part);
 
 /// The surfaces that a tube meets in an airway, near a line; in A.
 class WallSurfaces
@@ -35,9 +33,6 @@ public:
     /// The nearest place; nothing where there is no surface.
     [[nodiscard]] std::optional<Place> nearestTo(const Vec3& p_A) const;
 
-    /// From the nearest surface, on either side of it, metres; infinity where there is none.
-    [[nodiscard]] double distanceTo(const Vec3& p_A) const;
-
     /// How far a ball goes from a place in a unit direction before it touches something, metres.
     [[nodiscard]] double wayOfBall(const Vec3& p_A, const Vec3& direction, double radius,
                                    double most) const;
@@ -47,6 +42,8 @@ private:
         SurfaceTree tree;
         AirwayTissue tissue;
     };
+    [[nodiscard]] double distanceTo(const Vec3& p_A) const;
+
     std::vector<Wall> m_walls; ///< one of each tissue
 };
 

@@ -55,8 +55,6 @@ private Q_SLOTS:
     void narrowsAsWallsComeTogether();
     void isStoppedWhereItIsTooNarrow();
     void knowsHowFarAPlaceIsFromItsMiddles();
-    void keepsOffWhatStandsInBetweenTwoSections();
-    void keepsOffTissueThatGoesElsewhereThanItsSection();
 };
 
 void TestMovedLumen::hasItsWallWhereATubeTouchesIt()
@@ -134,34 +132,6 @@ void TestMovedLumen::knowsHowFarAPlaceIsFromItsMiddles()
     const MovedWay& trunk = lumen.way(AirwayWay::Trunk);
     QVERIFY(std::abs(trunk.fromMiddles({0.003, 0.004, -0.0501}) - 0.005) < kSame);
     QVERIFY(std::abs(trunk.fromMiddles({0.0, 0.0, -0.107}) - 0.007) < kSame);
-}
-
-void TestMovedLumen::keepsOffWhatStandsInBetweenTwoSections()
-{
-    AirwayLumen lumen = pipe();
-    const Vec3 p_A_edge{0.007, 0.0, -0.05}; // sections are at -0.048 and -0.052
-    lumen.points = {{p_A_edge, AirwayTissue::Larynx, 12}};
-    lumen.glottis = 12;
-    const MovedLumen narrow = unmoved(lumen);
-    for (const double aside : {-0.002, 0.0, 0.002})
-        QVERIFY(depthAt(narrow, p_A_edge + Vec3{-0.95 * kTube, aside, 0.0}) > 0.0);
-    QVERIFY(depthAt(narrow, p_A_edge + Vec3{-1.05 * kTube, 0.0, 0.0}) < 0.0);
-    QVERIFY(depthAt(narrow, {-0.0055, 0.0, -0.05}) < 0.0);
-    QVERIFY(depthAt(narrow, {0.0055, 0.0, -0.07}) < 0.0);
-    QVERIFY(std::abs(narrow.glottis - 0.048) < 1e-4);
-}
-
-void TestMovedLumen::keepsOffTissueThatGoesElsewhereThanItsSection()
-{
-    AirwayLumen lumen = pipe();
-    lumen.points = {{{0.012, 0.0, -0.05}, AirwayTissue::Larynx, 12}};
-    const MovedLumen still = unmoved(lumen);
-    const MovedLumen narrow = moved(lumen, [](const Vec3& p_A, AirwayTissue tissue) -> Vec3 {
-        return tissue == AirwayTissue::Larynx ? p_A - Vec3{0.005, 0.0, 0.0} : p_A;
-    });
-    const Vec3 p_A{0.0055, 0.0, -0.05};
-    QVERIFY(depthAt(still, p_A) < 0.0);
-    QVERIFY(depthAt(narrow, p_A) > 0.002);
 }
 
 CARINA_TEST(TestMovedLumen)

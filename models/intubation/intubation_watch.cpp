@@ -177,10 +177,16 @@ AirwayMoment IntubationWatch::airwayAt(SessionTime t)
         tube.validity = moment.tube->validity;
         measured = measuredTube(*m_patient, throat.neck, moment.tube->X_FO);
         tube.p_A_measured = measured;
-        tube.isCurveKnown = !m_patient->tube().fitsAirway;
-        tube.p_A_shown = m_tube && m_tube->isLaid() ? m_tube->tube().constrained() : measured;
+        tube.p_A_shown = tellsWhereItLies() ? m_tube->tube().constrained() : measured;
     }
     return airwayMoment(t, ways, tube, bladeIn(moment, sight), isShut(moment));
+}
+
+/// The rod of a tube whose curve at rest was touched. One that is only taken to have the form of
+/// the airway is drawn as a rod, and told as it is measured: there that form is the better guess.
+bool IntubationWatch::tellsWhereItLies() const
+{
+    return m_tube && m_tube->isLaid() && !m_patient->tube().fitsAirway;
 }
 
 /// To this tube: by a spasm, or by whatever stops it above the cords.
@@ -188,7 +194,7 @@ bool IntubationWatch::isShut(const StationMoment& moment) const
 {
     if (severityOf(moment.airwayEvents, AirwayEventKind::Laryngospasm) >= kShutSpasm)
         return true;
-    return m_tube && m_tube->isStoppedAtCords();
+    return tellsWhereItLies() && m_tube->isStoppedAtCords();
 }
 
 /// Beside a patient who is moved away it lies in no lumen.

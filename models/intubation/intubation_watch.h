@@ -129,6 +129,7 @@ private:
     [[nodiscard]] StationMoment momentAt(SessionTime t);
     [[nodiscard]] Surroundings surroundingsAt(SessionTime t);
     [[nodiscard]] AirwayMoment airwayAt(SessionTime t);
+    [[nodiscard]] bool tellsWhereItLies() const;
     [[nodiscard]] bool isShut(const StationMoment& moment) const;
     void followTube(const StationMoment& moment, const TissueAround& tissue);
     void shareShape();

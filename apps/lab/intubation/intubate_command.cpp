@@ -142,15 +142,15 @@ std::vector<Key> andTheCourse(std::vector<Key> keys)
 Use intubateOnce()
 {
     static const std::string motions = namesOfMotions();
-    return {.lines = {"SCRIPT [--patient WHO] [--anatomy DIR] [--tube MM] [--rigid]",
+    return {.lines = {"SCRIPT [--patient WHO] [--anatomy DIR] [--tube MM]",
                       "SCRIPT [--seed N] [--save FILE]"},
             .text = "Lets simulated hands intubate a patient, observes tube, laryngoscope and jaw "
                     "with the errors of a tracker and a registration, and prints what the monitor "
                     "of intubations makes of it beside what happened, what becomes of the patient, "
                     "and the score. The same words print the same.",
             .notes = {{"SCRIPT", motions.c_str()}},
-            .options = {kPatient, kAnatomy, intubate_option::kTube, intubate_option::kRigid,
-                        intubate_option::kSeed, intubate_option::kSave},
+            .options = {kPatient, kAnatomy, intubate_option::kTube, intubate_option::kSeed,
+                        intubate_option::kSave},
             .schema = intubate_key::kSchema,
             .keys = andTheCourse({intubate_key::kPatient,
                                   intubate_key::kTube,
@@ -179,7 +179,7 @@ Use intubateOnce()
 Use intubateRecorded()
 {
     static const QByteArray told = toldWords().toLatin1();
-    return {.lines = {"RECORDING [--patient WHO] [--anatomy DIR] [--tube MM] [--rigid]",
+    return {.lines = {"RECORDING [--patient WHO] [--anatomy DIR] [--tube MM]",
                       "RECORDING [--site FILE] [--blade NAME] [--told STEP=S]"},
             .text =
                 "Takes the poses of tube, laryngoscope and jaw from the recording of a tracker, "
@@ -190,7 +190,7 @@ Use intubateRecorded()
                        "the file or by its name: Tube or ETT, Laryngoscope or Blade, Jaw or Chin"},
                       {"STEP", told.constData()}},
             .options = {kPatient, kAnatomy, intubate_option::kSite, intubate_option::kBlade,
-                        intubate_option::kTube, intubate_option::kRigid, intubate_option::kTold},
+                        intubate_option::kTube, intubate_option::kTold},
             .schema = intubate_recording_key::kSchema,
             .keys = andTheCourse({intubate_recording_key::kRecording, intubate_key::kPatient,
                                   intubate_key::kTube, intubate_key::kShape,
@@ -202,11 +202,11 @@ Use intubateRecorded()
 Use intubateOften()
 {
     return {.lines = {"--all-scripts [--seeds N] [--patient WHO] [--anatomy DIR]",
-                      "--all-scripts [--tube MM] [--rigid]"},
+                      "--all-scripts [--tube MM]"},
             .text = "Runs each motion with the seeds 1 to N, without the patient's vital signs, "
                     "and prints how often and how far the monitor was wrong.",
             .options = {intubate_option::kAll, intubate_option::kSeeds, kPatient, kAnatomy,
-                        intubate_option::kTube, intubate_option::kRigid},
+                        intubate_option::kTube},
             .schema = intubate_all_key::kSchema,
             .keys = {intubate_all_key::kPatient,
                      intubate_all_key::kTube,

@@ -13,9 +13,6 @@ inline constexpr Option kTube{
     "tube", "MM",
     "inner diameter of the tube, 2.5 to 9; the patient's usual one unless "
     "given"};
-inline constexpr Option kRigid{"rigid", "",
-                               "show the monitor the tube as its pose has it, and not as an "
-                               "elastic rod in the patient's lumen"};
 inline constexpr Option kSeed{"seed", "N",
                               "of the motion, tracker and registration; 1 unless given"};
 inline constexpr Option kSave{"save", "FILE",
@@ -42,9 +39,9 @@ namespace intubate_key
 inline constexpr Key kSchema{"schema", "carina.intubate/1"};
 inline constexpr Key kPatient{"patient", "who is intubated"};
 inline constexpr Key kTube{"tube_mm", "inner diameter of the tube"};
-inline constexpr Key kShape{"tube",
-                            "how the monitor was shown it: rod, elastic in the patient's lumen; or "
-                            "rigid, with --rigid and where that cannot be measured"};
+inline constexpr Key kShape{
+    "tube", "how the monitor was shown it: rod, elastic in the patient's lumen, where it was "
+            "calibrated; else rigid"};
 inline constexpr Key kScript{"script", "the motion"};
 inline constexpr Key kSeed{"seed", "its seed"};
 inline constexpr Key kOutside{"outside",

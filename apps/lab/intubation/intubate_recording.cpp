@@ -11,7 +11,6 @@
 #include "engine/session/touched_blade.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace carina::lab
 {
@@ -101,22 +100,12 @@ Result<IntubationSubject> subjectOf(const Words& words, const Subject& subject)
         });
 }
 
-void takeRigid(const Words& words, IntubationSubject& subject)
-{
-    if (words.has(intubate_option::kRigid))
-        subject.lumen = nullptr;
-}
-
 } // namespace
 
 Result<IntubationSubject> intubationSubjectOption(const Words& words)
 {
-    return subjectOption(words)
-        .and_then([&](const Subject& subject) { return subjectOf(words, subject); })
-        .map([&](IntubationSubject&& subject) {
-            takeRigid(words, subject);
-            return std::move(subject);
-        });
+    return subjectOption(words).and_then(
+        [&](const Subject& subject) { return subjectOf(words, subject); });
 }
 
 Result<QJsonObject> watchFile(const Words& words)
@@ -145,7 +134,6 @@ Result<QJsonObject> watchFile(const Words& words)
                 takeSite(words.text(intubate_option::kSite), who->anatomy, setup, known, *subject);
             !taken)
             return tl::unexpected(taken.error());
-    takeRigid(words, *subject);
     setup.blade = named->value_or(known.value_or(setup.blade));
     return watchRecording(*subject, *recording, setup).map([&](const WatchedIntubation& watched) {
         QJsonObject report = watchedReport(*subject, watched);

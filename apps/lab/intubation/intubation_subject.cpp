@@ -37,8 +37,10 @@ Result<IntubationSubject> intubationSubject(const Anatomy& anatomy, const Patien
 
 void takeTube(IntubationSubject& subject, const Anatomy& anatomy, TubeShape tube)
 {
-    auto lumen = measuredLumen(anatomy.parts, anatomy.landmarks, 0.5 * tube.outerDiameter);
-    subject.lumen = lumen ? std::make_shared<const AirwayLumen>(*std::move(lumen)) : nullptr;
+    subject.lumen = nullptr;
+    if (!tube.fitsAirway)
+        if (auto lumen = measuredLumen(anatomy.parts, anatomy.landmarks, 0.5 * tube.outerDiameter))
+            subject.lumen = std::make_shared<const AirwayLumen>(*std::move(lumen));
     subject.innerDiameter = tube.innerDiameter;
     subject.tube = std::move(tube);
 }

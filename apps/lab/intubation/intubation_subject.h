@@ -19,7 +19,8 @@ struct IntubationSubject {
     PatientWays ways;                            ///< and as the monitor does
     Length innerDiameter{};
     TubeShape tube;
-    /// For tubes as thick as that; null where it cannot be measured (measuredLumen).
+    /// For tubes as thick as that, where it was touched; else null, and where it cannot be measured
+    /// (measuredLumen).
     std::shared_ptr<const AirwayLumen> lumen;
 };
 

@@ -19,10 +19,8 @@ AirwayMoment WatchedAirway::take(const SeenTools& tools)
     const FollowingThroat throat = throatOf(tools);
     followTube(tools, throat);
     const std::vector<Vec3> p_A_measured = measuredTube(tools, throat.neck);
-    TubeCurves tube{.validity = tools.tube.validity,
-                    .p_A_shown = p_A_measured,
-                    .p_A_measured = p_A_measured,
-                    .isCurveKnown = !m_subject.tube.fitsAirway};
+    TubeCurves tube{
+        .validity = tools.tube.validity, .p_A_shown = p_A_measured, .p_A_measured = p_A_measured};
     if (m_tube && m_tube->isLaid())
         tube.p_A_shown = m_tube->tube().constrained();
     const AirwayMoment moment =

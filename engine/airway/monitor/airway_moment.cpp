@@ -204,8 +204,7 @@ void findTube(AirwayMoment& moment, const PatientWays& ways, const TubeCurves& t
     moment.pastTeeth = pastTeeth(ways, moment.p_A_tip);
     moment.pastCords = pastCords(ways, moment.p_A_tip);
     moment.measuredPastCords = pastCords(ways, measured);
-    if (tube.isCurveKnown)
-        moment.besides = metres((measured - moment.p_A_tip).norm());
+    moment.besides = metres((measured - moment.p_A_tip).norm());
     findTip(moment, ways, measured);
     if (moment.pastTeeth > Length{})
         moment.depthAtTeeth = depthOf(ways, tube.p_A_shown);

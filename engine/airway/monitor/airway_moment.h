@@ -15,9 +15,6 @@ struct TubeCurves {
     Validity validity = Validity::Lost;
     std::span<const Vec3> p_A_shown;    ///< as it is drawn; two points at least unless it is lost
     std::span<const Vec3> p_A_measured; ///< by pose and rest curve; empty: as shown
-    /// Whether that rest curve was measured. One that is assumed tells the way, as it ends there,
-    /// and not whether the tube lies elsewhere.
-    bool isCurveKnown = true;
 };
 
 /// A laryngoscope at a moment.
@@ -44,7 +41,7 @@ struct AirwayMoment {
     Length rightToLeft{};         ///< of these, at the height of the tip; 0 above the carina
     Length depthAtTeeth{};        ///< along the tube; 0 outside
     Length measuredPastCords{};   ///< of the tip as it was measured
-    Length besides{};             ///< distance of both tips, where the rest curve is known
+    Length besides{};             ///< distance of both tips
     bool areCordsShut = false;    ///< in the virtual patient
     Validity blade = Validity::Lost;
     Length bladePastTeeth{}; ///< of its tip

@@ -114,20 +114,6 @@ private Q_SLOTS:
         QVERIFY(moment.besides > Length{});
     }
 
-    /// What is assumed of a tube says nothing of where the real one is.
-    void shapesAreNotComparedWhereTheCurveIsNotKnown()
-    {
-        const std::vector<Vec3> shown{{0.0, 0.0, 0.2}, {0.0, 0.0, 0.06}};
-        const std::vector<Vec3> assumed{{0.0, 0.0, 0.2}, {0.0, 0.02, 0.06}};
-        const TubeCurves tube{.validity = Validity::Tracked,
-                              .p_A_shown = shown,
-                              .p_A_measured = assumed,
-                              .isCurveKnown = false};
-        const AirwayMoment moment = airwayMoment(SessionTime{}, test::drawnWays(), tube, {});
-        QCOMPARE(moment.besides, Length{});
-        QVERIFY(moment.towardsOesophagus > Length{});
-    }
-
     void oesophagusIsToldFromTheTrachea()
     {
         const AirwayMoment inTrachea = at({0.0, 0.0, 0.06});

@@ -379,10 +379,12 @@ void AirwayPanel::refreshPresent(AirwayEventKind kind)
     const bool isLess = m_model->limits().canShow(kind) && drawn < present;
     const bool changes = present != percentOf(m_model->severity(kind));
     label.setText(isLess ? textOfDrawn(drawn) : changes ? textOfPresent(present) : QString{});
-    label.setToolTip(isLess ? tr("Events that fill the throat share its room: together they are "
+    const QString why = isLess
+                            ? tr("Events that fill the throat share its room: together they are "
                                  "drawn as two of them at 100\u00a0%, and each less in proportion")
-                            : QString{});
-    label.setAccessibleDescription(label.toolTip());
+                            : QString{};
+    label.setToolTip(shownAsIs(why));
+    label.setAccessibleDescription(why);
 }
 
 /// Presets where any event can be set. The keyboard comes to the first event in sight that can be,

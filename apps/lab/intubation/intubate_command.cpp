@@ -142,8 +142,8 @@ std::vector<Key> andTheCourse(std::vector<Key> keys)
 Use intubateOnce()
 {
     static const std::string motions = namesOfMotions();
-    return {.lines = {"SCRIPT [--patient WHO] [--anatomy DIR] [--tube MM]",
-                      "SCRIPT [--seed N] [--save FILE]"},
+    return {.lines = {"SCRIPT [--patient WHO] [--anatomy DIR] [--tube MM] [--seed N] "
+                      "[--save FILE]"},
             .text = "Lets simulated hands intubate a patient, observes tube, laryngoscope and jaw "
                     "with the errors of a tracker and a registration, and prints what the monitor "
                     "of intubations makes of it beside what happened, what becomes of the patient, "
@@ -201,8 +201,8 @@ Use intubateRecorded()
 
 Use intubateOften()
 {
-    return {.lines = {"--all-scripts [--seeds N] [--patient WHO] [--anatomy DIR]",
-                      "--all-scripts [--tube MM]"},
+    return {.lines = {"--all-scripts [--seeds N] [--patient WHO] [--anatomy DIR] "
+                      "[--tube MM]"},
             .text = "Runs each motion with the seeds 1 to N, without the patient's vital signs, "
                     "and prints how often and how far the monitor was wrong.",
             .options = {intubate_option::kAll, intubate_option::kSeeds, kPatient, kAnatomy,

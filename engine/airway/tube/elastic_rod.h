@@ -33,13 +33,14 @@ struct RodHold {
 /// Each step solves this with the sections and axes as the step before left them (WalledWays), and
 /// goes there: one of Newton's steps. Walls are springs so stiff that a node is beyond them by
 /// micrometres; for what is drawn it is put onto them, and the lengths are made exact by sliding
-/// the nodes along the guide. So the rod is inside of the sections after each step, whatever is
-/// left of the sum. Walls push across the guide and not along it: there is no friction. Inside of
-/// the sections a node is slowed as it goes across the guide, as by a dashpot, by so much as a
-/// spring of kDrag would hold it back in a step. Without that it would leap by centimetres between
-/// ways to lie that are nearly as good, at moments that noise decides. It goes where the sum is
-/// least all the same, later: how the rod lies at rest depends on where it is held, and on its past
-/// only where there are two such ways.
+/// the nodes along the guide, by a few millimetres; where that is not enough, as where the rod goes
+/// across its guide, the length counts. Elsewhere the rod is inside of the sections after each
+/// step, whatever is left of the sum. Walls push across the guide and not along it: there is no
+/// friction. Inside of the sections a node is slowed as it goes across the guide, as by a dashpot,
+/// by so much as a spring of kDrag would hold it back in a step. Without that it would leap by
+/// centimetres between ways to lie that are nearly as good, at moments that noise decides. It goes
+/// where the sum is least all the same, later: how the rod lies at rest depends on where it is
+/// held, and on its past only where there are two such ways.
 ///
 /// What would push its tip beyond the stop holds the rod by so much farther back instead, as the
 /// proxy of a haptic device stays at a wall (Zilles and Salisbury, IROS 1995): it is drawn behind

@@ -94,10 +94,10 @@ void HeadPositionRow::refresh()
     m_positions->setCurrentIndex(usual ? int(usual - usualHeadPositions().data()) : -1);
     m_positions->setAccessibleDescription(headPositionText(set));
     m_present->setText(textOfAngles(m_model->present()));
-    const QString limit = m_model->limitText();
-    m_limit->setText(limit);
-    m_limit->setVisible(!limit.isEmpty());
-    m_present->setAccessibleDescription(limit);
+    const bool isStopped = !m_model->limitText().isEmpty();
+    m_limit->setText(isStopped ? tr("This patient's neck flexes no farther.") : QString{});
+    m_limit->setVisible(isStopped);
+    m_present->setAccessibleDescription(m_limit->text());
 }
 
 } // namespace carina

@@ -31,7 +31,7 @@ private:
     HeadPositionModel* m_model = nullptr;
     QComboBox* m_positions; ///< each with its name as data
     QLabel* m_present;      ///< "neck 35° flexed", and below "head 24° extended"
-    QLabel* m_limit;        ///< "this patient's neck flexes no farther"
+    QLabel* m_limit;        ///< "This patient's neck flexes no farther."
 };
 
 } // namespace carina

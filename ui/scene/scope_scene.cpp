@@ -2,7 +2,6 @@
 
 #include "ui/scene/scene_parts.h"
 #include "widgets/scene/figures/figure_shapes.h"
-#include "widgets/scene/surfaces/detail_choice.h"
 
 #include <cmath>
 #include <memory>
@@ -19,7 +18,6 @@ constexpr QColor kDarkness{6, 3, 3};
 /// As far from the eye as the larynx is when the blade lies in the vallecula.
 constexpr Length kTrueColorAt = millimetres(40.0);
 constexpr Length kTrueColorAtDirect = millimetres(400.0);
-constexpr Length kMostEdgeThatBends = millimetres(2.5); ///< of ours
 
 ScenePart scopePart(const char* name, FigureShapes::Mesh mesh, const QColor& color,
                     const char* body = kScopeBody)
@@ -45,15 +43,6 @@ ScenePart contentPart(AirwayEventKind kind, ContentPlace place)
                      colorOfContent(kind), body.c_str());
 }
 
-/// What a blade moves bends within a few millimetres. In coarser levels, which are chosen by how
-/// near they are to the finest at rest, a tongue would hang over the blade between two vertices.
-void keepLevelsThatBend(ScenePart& part)
-{
-    const auto tissue = airwayTissueOf(part.region);
-    if (tissue && (only(*tissue) & kThroatTissues) != 0)
-        leaveOutCoarser(part, kMostEdgeThatBends);
-}
-
 } // namespace
 
 ScopeScene scopeScene(const PatientModel& patient, const Blade& blade, TissueColors& colors)
@@ -70,7 +59,6 @@ ScopeScene scopeScene(const PatientModel& patient, const Blade& blade, TissueCol
         scene.structures[part.id] = structure;
         scene.looks[part.id].style =
             structure == SeenStructure::Nothing ? PartStyle::Hidden : PartStyle::Solid;
-        keepLevelsThatBend(part);
     }
     colors.color(scene.parts, scene.structures, patient.landmarks(), patient.contentHash());
     for (ScenePart part :

@@ -1,7 +1,5 @@
 #include "widgets/scene/look/draw_order.h"
 
-#include "engine/geometry/mesh/mean_edge.h"
-
 #include <algorithm>
 #include <cstdint>
 
@@ -12,6 +10,14 @@ namespace
 {
 
 constexpr float kMostSteps = 1e5F; ///< however deep the scene is
+
+float meanEdge(std::span<const Triangle> triangles, std::span<const Vec3f> positions)
+{
+    float sum = 0.0F;
+    for (const Triangle& t : triangles)
+        sum += (positions[t[1]] - positions[t[0]]).norm();
+    return triangles.empty() ? 0.0F : sum / static_cast<float>(triangles.size());
+}
 
 /// Steps from the farthest centre, 0, to each.
 std::vector<std::uint32_t> stepsFromFarthest(std::span<const Vec3f> centres, const Vec3f& forward,

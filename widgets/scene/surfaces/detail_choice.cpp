@@ -1,7 +1,7 @@
 #include "widgets/scene/surfaces/detail_choice.h"
 
 #include "engine/core/expects.h"
-#include "engine/geometry/mesh/mean_edge.h"
+#include "engine/geometry/mesh/triangle_mesh.h"
 
 #include <algorithm>
 
@@ -23,17 +23,6 @@ int coarsestWithin(std::span<const double> deviations, double most)
 }
 
 } // namespace
-
-void leaveOutCoarser(ScenePart& part, Length mostEdge)
-{
-    CARINA_EXPECTS(!part.levels.empty());
-    const auto isTooCoarse = [mostEdge](const std::shared_ptr<const TriangleMesh>& level) {
-        return metres(meanEdge(level->triangles, level->positions)) > mostEdge;
-    };
-    const auto coarse = std::find_if(part.levels.begin() + 1, part.levels.end(), isTooCoarse);
-    const auto fine = static_cast<std::size_t>(coarse - part.levels.begin());
-    part.deviations.resize(std::min(part.deviations.size(), fine));
-}
 
 DetailChoice::DetailChoice(std::span<const ScenePart> parts, Duration budgetPerFrame)
     : m_budget(budgetPerFrame)

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "engine/core/session_time.h"
-#include "engine/core/units.h"
 #include "engine/geometry/vec.h"
 #include "widgets/scene/surfaces/scene_part.h"
 
@@ -12,10 +11,6 @@
 
 namespace carina
 {
-
-/// Has levels of a part whose edges are longer than this in the mean never be chosen, but the
-/// finest.
-void leaveOutCoarser(ScenePart& part, Length mostEdge);
 
 /// The position of an eye and the scale of its picture.
 struct DetailEye {

@@ -1,5 +1,6 @@
 #include "engine/airway/tube/tube_in_lumen.h"
 #include "engine/geometry/rotation.h"
+#include "tests/engine/airway/lumen/still_lumen.h"
 #include "tests/engine/airway/tube/bent_lumen.h"
 #include "tests/support/test_class.h"
 
@@ -14,12 +15,15 @@ namespace
 
 using test::BentLumen;
 using test::fed;
+using test::restCurve;
+using test::roundLumen;
+using test::unmoved;
 
 constexpr Length kOutside = millimetres(0.5);
 constexpr double kFeed = 0.0015; ///< metres each step: 15 cm a second
 
 TubeSize sizeOf(double inner_mm) { return *tubeOfSize(millimetres(inner_mm)); }
-TubeInLumen tubeOf(const TubeSize& size) { return {size, restCurve(size, 200)}; }
+TubeInLumen tubeOf(const TubeSize& size) { return {size, restCurve(size)}; }
 
 /// Feeds a tube until so much of it should be inside, and lets it come to rest.
 void feed(TubeInLumen& tube, const MovedLumen& lumen, double inside)
@@ -185,7 +189,7 @@ void TestTubeInLumen::hasTheCurveAtRestOfTheMoment()
     const BentLumen airway;
     const MovedLumen lumen = unmoved(airway.lumenFor(sizeOf(7.0).outerRadius()));
     const TubeSize size = sizeOf(7.0);
-    std::vector<Vec3> aside = restCurve(size, 200);
+    std::vector<Vec3> aside = restCurve(size);
     const Quat turn = rotationFromVector(Vec3{0.0, 0.0, 0.4});
     for (Vec3& p_E : aside)
         p_E = turn * p_E;

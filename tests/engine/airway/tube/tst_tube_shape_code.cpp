@@ -1,6 +1,7 @@
 #include "engine/airway/tube/tube_in_lumen.h"
 #include "engine/airway/tube/tube_shape_code.h"
 #include "engine/geometry/rotation.h"
+#include "tests/engine/airway/lumen/still_lumen.h"
 #include "tests/engine/airway/tube/bent_lumen.h"
 #include "tests/support/test_class.h"
 
@@ -68,7 +69,7 @@ void TestTubeShapeCode::isNothingForATubeAtRest()
 {
     constexpr Length kNear = millimetres(0.001);
     const TubeSize size = *tubeOfSize(millimetres(7.0));
-    const std::vector<Vec3> p_E_rest = inPieces(restCurve(size, 200), 64);
+    const std::vector<Vec3> p_E_rest = inPieces(test::restCurve(size), 64);
     const std::vector<Vec3> line = decoded({}, p_E_rest);
     for (std::size_t i = 0; i < line.size(); ++i)
         QVERIFY((line[i] - p_E_rest[i]).norm() < 1e-9);
@@ -82,7 +83,7 @@ void TestTubeShapeCode::goesWithTheCurveAtRest()
     TubeShapeCode code;
     code.perMetre = {-6.0F, 2.0F, -1.0F, 1.5F, 0.0F, 0.5F, 1.0F, -0.5F};
     const std::vector<Vec3> p_E_rest =
-        decoded({}, inPieces(restCurve(*tubeOfSize(millimetres(7.0)), 200), 64));
+        decoded({}, inPieces(test::restCurve(*tubeOfSize(millimetres(7.0))), 64));
     const RigidTransform X_AE{rotationFromVector({0.3, -1.0, 0.7}), {0.1, -0.2, 0.3}};
     std::vector<Vec3> p_A;
     for (const Vec3& p_E : decoded(code, p_E_rest))
@@ -106,9 +107,9 @@ void TestTubeShapeCode::hasATubeInAnAirway()
     QFETCH(double, bend);
     const test::BentLumen airway{.bend = bend, .radius = 0.01};
     const TubeSize size = *tubeOfSize(millimetres(7.0));
-    const std::vector<Vec3> p_E_rest = inPieces(restCurve(size, 200), TubeInLumen::kPieces);
-    TubeInLumen tube{size, restCurve(size, 200)};
-    const MovedLumen lumen = unmoved(airway.lumenFor(size.outerRadius()));
+    const std::vector<Vec3> p_E_rest = inPieces(test::restCurve(size), TubeInLumen::kPieces);
+    TubeInLumen tube{size, test::restCurve(size)};
+    const MovedLumen lumen = test::unmoved(airway.lumenFor(size.outerRadius()));
     constexpr int kEach = 10; // steps
     int step = 0;
     for (double inside = -0.02; inside < 0.2; inside += 0.0015) {

@@ -52,8 +52,7 @@ ElasticRod::ElasticRod(double stiffness, std::span<const Vec3> p_E_rest)
       m_segments(m_rest.size()),
       m_axes(m_rest.size()),
       m_tensions(m_rest.size()),
-      m_drawn(m_rest.size()),
-      m_pushes(m_rest.size(), Vec3::Zero())
+      m_drawn(m_rest.size())
 {
     CARINA_EXPECTS(m_rest.size() >= 4 && stiffness > 0.0);
     double whole = 0.0;
@@ -86,7 +85,6 @@ void ElasticRod::lay(const RigidTransform& X_AE)
     m_X_AE = X_AE;
     m_nodes = nodesAtRest();
     m_heldBack = 0.0;
-    std::ranges::fill(m_pushes, Vec3::Zero());
 }
 
 std::vector<Vec3> ElasticRod::nodesAtRest(const RigidTransform& X_AE) const
@@ -299,7 +297,6 @@ void ElasticRod::draw(const RodHold& hold)
 {
     for (std::size_t i = 0; i < m_nodes.size(); ++i) {
         const GuidedPlace& solved = m_walled.nodes[i].place;
-        m_pushes[i] = i < kHeld ? Vec3{Vec3::Zero()} : Vec3{kWall * perUnit() * m_walled.push(i)};
         GuidedPlace& drawn = m_drawn[i];
         if (i < kHeld) {
             drawn = {.along = hold.first - m_heldBack + along(i)};

@@ -78,8 +78,6 @@ public:
     [[nodiscard]] double alongGuide(std::size_t node) const { return m_drawn[node].along; }
     /// By how much it is held farther back than it should be, as it was stopped.
     [[nodiscard]] double heldBack() const { return m_heldBack; }
-    /// With which a node pushes on the wall, newtons.
-    [[nodiscard]] const Vec3& push(std::size_t node) const { return m_pushes[node]; }
     /// Length from the first node to another, metres.
     [[nodiscard]] double along(std::size_t node) const { return double(node) * m_length; }
 
@@ -128,7 +126,6 @@ private:
     // As it is drawn.
     std::vector<GuidedPlace> m_drawn;
     std::vector<Vec3> m_nodes;
-    std::vector<Vec3> m_pushes;
 };
 
 } // namespace carina

@@ -14,6 +14,15 @@ namespace
 
 constexpr Length kShape = millimetres(1.0);
 
+/// In 64 pieces along -z.
+std::vector<Vec3> straight(double length)
+{
+    std::vector<Vec3> line;
+    for (int i = 0; i <= 64; ++i)
+        line.emplace_back(0.0, 0.0, -length * i / 64.0);
+    return line;
+}
+
 } // namespace
 
 class TestTubeShapeCode : public QObject
@@ -32,9 +41,11 @@ private Q_SLOTS:
 
 void TestTubeShapeCode::hasAStraightTubeInZeros()
 {
-    const std::vector<Vec3> line = decoded({}, metres(0.3), 10);
-    for (int i = 0; i <= 10; ++i)
-        QVERIFY((line[std::size_t(i)] - Vec3{0.0, 0.0, -0.03 * i}).norm() < 1e-12);
+    const std::vector<Vec3> p_E_rest = straight(0.3);
+    const std::vector<Vec3> line = decoded({}, p_E_rest);
+    QCOMPARE(line.size(), p_E_rest.size());
+    for (std::size_t i = 0; i < line.size(); ++i)
+        QVERIFY((line[i] - p_E_rest[i]).norm() < 1e-12);
 }
 
 void TestTubeShapeCode::hasACircleInOneNumber()
@@ -43,7 +54,7 @@ void TestTubeShapeCode::hasACircleInOneNumber()
     constexpr double kNear = 2e-4; // metres, of 64 chords
     TubeShapeCode code;
     code.perMetre[0] = float(-1.0 / 0.14);
-    const std::vector<Vec3> line = decoded(code, metres(0.2), 64);
+    const std::vector<Vec3> line = decoded(code, straight(0.2));
     const double side = line.back().y() > 0.0 ? 0.14 : -0.14;
     for (const Vec3& p : line)
         QVERIFY(std::abs((p - Vec3{0.0, side, 0.0}).norm() - 0.14) < kNear);
@@ -54,12 +65,12 @@ void TestTubeShapeCode::goesWithTheConnector()
 {
     TubeShapeCode code;
     code.perMetre = {-6.0F, 2.0F, -1.0F, 1.5F, 0.0F, 0.5F, 1.0F, -0.5F};
-    const Length length = metres(0.3);
+    const std::vector<Vec3> p_E_rest = straight(0.3);
     const RigidTransform X_AE{rotationFromVector({0.3, -1.0, 0.7}), {0.1, -0.2, 0.3}};
     std::vector<Vec3> p_A;
-    for (const Vec3& p_E : decoded(code, length, 64))
+    for (const Vec3& p_E : decoded(code, p_E_rest))
         p_A.push_back(X_AE * p_E);
-    const EncodedShape shape = encoded(p_A, X_AE, length);
+    const EncodedShape shape = encoded(p_A, X_AE, p_E_rest);
     QVERIFY(shape.error < millimetres(0.01));
     for (std::size_t i = 0; i < code.perMetre.size(); ++i)
         QVERIFY(std::abs(shape.code.perMetre[i] - code.perMetre[i]) < 0.01F);

@@ -2,6 +2,7 @@
 
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "models/patient/patient_source.h"
+#include "tests/support/deformed_tissue.h"
 #include "tests/support/test_class.h"
 
 #include <algorithm>
@@ -10,6 +11,8 @@ namespace carina::scope_scene_test
 {
 namespace
 {
+
+using test::deformed;
 
 /// How far a middle may lie from where the blade takes it.
 constexpr double kBeside_mm = 2.5;

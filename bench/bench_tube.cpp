@@ -4,13 +4,13 @@
 
 #include "bench/interleaved.h"
 #include "engine/airway/tube/tube_in_lumen.h"
+#include "tests/engine/airway/lumen/still_lumen.h"
+#include "tests/engine/airway/tube/bent_lumen.h"
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 namespace
@@ -21,7 +21,6 @@ using carina::Vec3;
 constexpr const char* kPushed = "pushed";
 constexpr const char* kResting = "resting";
 constexpr const char* kMoved = "moved";
-constexpr double kQuarter = 0.5 * std::numbers::pi;
 constexpr int kSteps = 140; ///< in which it is pushed in, 15 cm a second
 constexpr double kEach = 0.0015;
 constexpr double kBegin = -0.01;
@@ -33,47 +32,18 @@ const carina::TubeSize& size()
 }
 
 /// 7 cm straight, a quarter of a circle of 5 cm, and 14 cm down.
-carina::AirwayLumen airway()
-{
-    constexpr double kMouth = 0.07;
-    constexpr double kBend = 0.05;
-    std::array<std::vector<Vec3>, carina::kAirwayWays> lines;
-    std::array<std::vector<double>, carina::kAirwayWays> radii;
-    for (int i = -7; i <= 72; ++i) {
-        const double along = 0.004 * i;
-        const double angle = std::clamp((along - kMouth) / kBend, 0.0, kQuarter);
-        const double below = std::max(along - kMouth - kQuarter * kBend, 0.0);
-        lines.front().emplace_back(0.0, std::min(along, kMouth) + kBend * std::sin(angle),
-                                   -kBend * (1.0 - std::cos(angle)) - below);
-        radii.front().push_back(0.009 + 0.5 * std::pow(std::min(along, 0.0), 2) / 0.015);
-    }
-    carina::AirwayLumen lumen = carina::roundLumen(lines, radii, size().outerRadius());
-    lumen.teeth = 7;
-    lumen.glottis = 50;
-    return lumen;
-}
+carina::AirwayLumen airway() { return carina::test::BentLumen{}.lumenFor(size().outerRadius()); }
 
 /// A hand that feeds the tube along its own curve.
-carina::RigidTransform fed(double inside)
-{
-    const double radius = size().restRadius.si;
-    const double outside = size().length.si - inside;
-    const double angle = (outside - carina::kStraightOfTube.si) / radius;
-    const Vec3 p_E_teeth{0.0, -radius * (1.0 - std::cos(angle)),
-                         -carina::kStraightOfTube.si - radius * std::sin(angle)};
-    carina::Mat3 R;
-    R << 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0;
-    const double rise = std::clamp(0.5 * inside / radius, 0.0, 0.35);
-    const carina::Quat q =
-        carina::Quat{R} * carina::Quat{Eigen::AngleAxisd{angle + rise, Vec3::UnitX()}};
-    return {q, -(q * p_E_teeth)};
-}
+carina::RigidTransform fed(double inside) { return carina::test::fed(size(), inside); }
+
+carina::TubeInLumen tubeAtRest() { return {size(), carina::test::restCurve(size())}; }
 
 /// In and out again and again.
 void pushed(benchmark::State& state)
 {
-    const carina::MovedLumen lumen = carina::unmoved(airway());
-    carina::TubeInLumen tube{size(), carina::restCurve(size(), 200)};
+    const carina::MovedLumen lumen = carina::test::unmoved(airway());
+    carina::TubeInLumen tube = tubeAtRest();
     int step = 0;
     for (auto _ : state) {
         const int there = step < kSteps ? step : 2 * kSteps - step;
@@ -85,8 +55,8 @@ void pushed(benchmark::State& state)
 
 void resting(benchmark::State& state)
 {
-    const carina::MovedLumen lumen = carina::unmoved(airway());
-    carina::TubeInLumen tube{size(), carina::restCurve(size(), 200)};
+    const carina::MovedLumen lumen = carina::test::unmoved(airway());
+    carina::TubeInLumen tube = tubeAtRest();
     for (double inside = kBegin; inside < 0.2; inside += kEach)
         tube.step(fed(inside), lumen);
     for (auto _ : state) {
@@ -114,7 +84,7 @@ carina::AirwayLumen ringed()
 {
     constexpr double kTooNarrow = 0.0006;
     carina::AirwayLumen lumen = airway();
-    carina::LumenSection& ring = lumen.ways.front()[lumen.glottis + 5];
+    carina::LumenSection& ring = lumen.ways.front()[lumen.glottis + 6];
     for (carina::LumenLimit& limit : ring.limits) {
         const Vec3 out = (limit.p_A_wall - ring.p_A_centre).normalized();
         limit.p_A_wall = ring.p_A_centre + (size().outerRadius().si - kTooNarrow) * out;
@@ -127,10 +97,10 @@ carina::AirwayLumen ringed()
 double slowestStep_us(const carina::AirwayLumen& airwayLumen)
 {
     using Clock = std::chrono::steady_clock;
-    const carina::MovedLumen lumen = carina::unmoved(airwayLumen);
+    const carina::MovedLumen lumen = carina::test::unmoved(airwayLumen);
     std::vector<double> least(kSteps, std::numeric_limits<double>::infinity());
     for (int pass = 0; pass < carina::kRepetitions; ++pass) {
-        carina::TubeInLumen tube{size(), carina::restCurve(size(), 200)};
+        carina::TubeInLumen tube = tubeAtRest();
         tube.step(fed(kBegin - kEach), lumen);
         for (int i = 0; i < kSteps; ++i) {
             const Clock::time_point before = Clock::now();

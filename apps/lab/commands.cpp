@@ -10,6 +10,7 @@ std::span<const Command> commands()
     static const std::array all{anatomyCommand(), //
                                 breatheCommand(),     intubateCommand(),
                                 mechanicsCommand(), //
+                                rubricCommand(),    //
                                 deformCommand(),    //
                                 fitCommand(),         icpCommand(),       pivotCommand(),
                                 toolCommand(),        treCommand(), //

@@ -38,6 +38,8 @@ namespace carina::lab
 [[nodiscard]] Command sceneCommand();
 [[nodiscard]] Command soakCommand();
 
+[[nodiscard]] Command rubricCommand();
+
 [[nodiscard]] Command summaryCommand();
 
 [[nodiscard]] Command devicesCommand();

@@ -29,7 +29,6 @@ class BedsideSounds
 {
 public:
     [[nodiscard]] SoundMixer& mixer() { return m_mixer; }
-    [[nodiscard]] const SoundMixer& mixer() const { return m_mixer; }
 
     /// The oximeter found a pulse.
     void pulse(double saturation) { m_oximeter.pulse(saturation); }

@@ -26,16 +26,6 @@ void SoundMixer::setMuted(SoundKind kind, bool muted)
     aim(channel);
 }
 
-double SoundMixer::volume(SoundKind kind) const
-{
-    return m_channels[static_cast<std::size_t>(kind)].volume;
-}
-
-bool SoundMixer::isMuted(SoundKind kind) const
-{
-    return m_channels[static_cast<std::size_t>(kind)].isMuted;
-}
-
 double SoundMixer::mix(const SoundSamples& samples)
 {
     static const double kRelease = 1.0 - std::exp(-1.0 / (kRelease_s * kSoundRate));

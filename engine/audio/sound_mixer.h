@@ -35,8 +35,6 @@ public:
     /// @param volume 0 to 1, as an amplitude
     void setVolume(SoundKind kind, double volume);
     void setMuted(SoundKind kind, bool muted);
-    [[nodiscard]] double volume(SoundKind kind) const;
-    [[nodiscard]] bool isMuted(SoundKind kind) const;
 
     [[nodiscard]] double mix(const SoundSamples& samples);
 

@@ -1,34 +1,16 @@
 #include "engine/physiology/oxygen_dissociation.h"
 
-#include "engine/core/expects.h"
-
-#include <cmath>
-
 namespace carina
 {
-namespace
-{
-
-constexpr double kCubic = 23400.0;
-constexpr double kLinear = 150.0;
-
-} // namespace
 
 double oxygenSaturation(double pressure_mmHg)
 {
+    constexpr double kCubic = 23400.0;
+    constexpr double kLinear = 150.0;
     if (pressure_mmHg <= 0.0)
         return 0.0;
     const double power = pressure_mmHg * (pressure_mmHg * pressure_mmHg + kLinear);
     return power / (power + kCubic);
-}
-
-double oxygenPressureAt(double saturation)
-{
-    CARINA_EXPECTS(saturation >= 0.0 && saturation < 1.0);
-    const double right = kCubic * saturation / (1.0 - saturation);
-    // P^3 + p P = q with p > 0 has the one root 2 sqrt(p/3) sinh(asinh(3 q / (2 p) sqrt(3/p)) / 3).
-    const double root = std::sqrt(kLinear / 3.0);
-    return 2.0 * root * std::sinh(std::asinh(1.5 * right / (kLinear * root)) / 3.0);
 }
 
 double oxygenContent_mlPerL(double pressure_mmHg, double haemoglobin_gPerL)

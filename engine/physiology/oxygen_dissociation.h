@@ -8,10 +8,6 @@ namespace carina
 /// 37 degrees and a pH of 7.4; the shift by acid and carbon dioxide is not in the model.
 [[nodiscard]] double oxygenSaturation(double pressure_mmHg);
 
-/// The inverse: the real root of P^3 + 150 P = 23400 S / (1 - S).
-/// @pre 0 <= saturation < 1
-[[nodiscard]] double oxygenPressureAt(double saturation);
-
 /// Oxygen in blood, in millilitres at 0 degrees and 760 mmHg dry, per litre: 1.36 ml per gram of
 /// saturated haemoglobin and 0.031 ml/mmHg dissolved.
 [[nodiscard]] double oxygenContent_mlPerL(double pressure_mmHg, double haemoglobin_gPerL);

@@ -72,13 +72,6 @@ void PatientLumen::want(const PatientModel& patient, Length outerDiameter)
     });
 }
 
-void PatientLumen::drop()
-{
-    m_wanted.reset();
-    m_lumen.reset();
-    m_isImpossible = false;
-}
-
 void PatientLumen::take(const Wanted& of, std::shared_ptr<const AirwayLumen> lumen)
 {
     if (m_wanted != of)
@@ -86,11 +79,6 @@ void PatientLumen::take(const Wanted& of, std::shared_ptr<const AirwayLumen> lum
     m_isImpossible = lumen == nullptr;
     m_lumen = std::move(lumen);
     Q_EMIT measured();
-}
-
-std::shared_ptr<const AirwayLumen> lumenOf(const PatientModel& patient)
-{
-    return lumenIn(measurable(patient, patient.tube().outerDiameter));
 }
 
 } // namespace carina

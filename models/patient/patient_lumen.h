@@ -28,8 +28,6 @@ public:
     void want(const PatientModel& patient) { want(patient, patient.tube().outerDiameter); }
     /// The same for a tube that is so thick.
     void want(const PatientModel& patient, Length outerDiameter);
-    /// Of who lay there before there is none any more.
-    void drop();
 
     /// Null while it is measured, and for a patient in whom none can be.
     [[nodiscard]] const std::shared_ptr<const AirwayLumen>& lumen() const { return m_lumen; }
@@ -53,8 +51,5 @@ private:
     bool m_isImpossible = false;
     QThreadPool m_maker;
 };
-
-/// The same at once, on this thread; null for a patient in whom it cannot be measured.
-[[nodiscard]] std::shared_ptr<const AirwayLumen> lumenOf(const PatientModel& patient);
 
 } // namespace carina

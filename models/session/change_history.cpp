@@ -72,12 +72,6 @@ bool ChangeHistory::goOn(const QObject& owner, const QString& text, int topic)
     return true;
 }
 
-void ChangeHistory::forget(const QObject& owner)
-{
-    if (std::erase_if(m_changes, [&owner](const Change& c) { return c.owner == &owner; }) > 0)
-        Q_EMIT changed();
-}
-
 void ChangeHistory::forget(const QObject& owner, int topic)
 {
     const auto isMeant = [&](const Change& c) { return c.owner == &owner && c.topic == topic; };

@@ -58,9 +58,7 @@ public:
     void retitle(const QObject& owner, const QString& text);
     /// Whether the last change of all is the owner's and about this thing; it is called so then.
     bool goOn(const QObject& owner, const QString& text, int topic);
-    /// Removes the changes of an owner, which can no longer be taken back.
-    void forget(const QObject& owner);
-    /// Likewise those about one thing.
+    /// Removes the changes of an owner about one thing, which can no longer be taken back.
     void forget(const QObject& owner, int topic);
 
     [[nodiscard]] bool isEmpty() const { return m_changes.empty(); }

@@ -3,6 +3,8 @@
 #include "engine/core/expects.h"
 #include "engine/io/scoring/rubric_file.h"
 
+#include <QJsonDocument>
+
 // libFuzzer calls it by this name.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
@@ -13,6 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         return 0;
     }
     CARINA_EXPECTS(!rubric->criteria.empty() && rubric->criteria.size() <= kMostCriteria);
-    CARINA_EXPECTS(rubricIn(rubricText(*rubric)).value() == *rubric);
+    const std::string text = QJsonDocument{jsonRubric(*rubric)}.toJson().toStdString();
+    CARINA_EXPECTS(rubricIn(text).value() == *rubric);
     return 0;
 }

@@ -265,7 +265,10 @@ std::vector<std::string> manikins()
     return {QJsonDocument{manikin}.toJson(QJsonDocument::Compact).toStdString()};
 }
 
-std::vector<std::string> rubrics() { return {rubricText(publishedRubric())}; }
+std::vector<std::string> rubrics()
+{
+    return {QJsonDocument{jsonRubric(publishedRubric())}.toJson().toStdString()};
+}
 
 std::vector<std::string> trajectories()
 {

@@ -64,14 +64,6 @@ struct AirwayLumen {
     }
 };
 
-/// The same lumen with round sections along given centre lines.
-/// @param lines of the ways; those that are empty are missing
-/// @param radii of the lumen itself, as many as points
-/// @pre the trunk has at least two points, and no two neighbours are equal
-[[nodiscard]] AirwayLumen roundLumen(const std::array<std::vector<Vec3>, kAirwayWays>& lines,
-                                     const std::array<std::vector<double>, kAirwayWays>& radii,
-                                     Length tubeRadius);
-
 /// Axes across a way at one of its sections: to the left and to the back.
 struct AcrossWay {
     Vec3 along, side, back; ///< unit, perpendicular

@@ -155,11 +155,6 @@ MovedLumen moved(const AirwayLumen& lumen, const TissueMotion& motion, const Tis
     return made;
 }
 
-MovedLumen unmoved(const AirwayLumen& lumen)
-{
-    return moved(lumen, [](const Vec3& p_A, AirwayTissue /*tissue*/) { return p_A; });
-}
-
 std::size_t MovedWay::nearestSegment(const Vec3& p_A) const
 {
     // Every fourth section, then step by step.

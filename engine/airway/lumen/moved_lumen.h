@@ -74,7 +74,5 @@ struct MovedLumen {
 ///             way, as the palate would that is drawn with the tongue before a blade
 [[nodiscard]] MovedLumen moved(const AirwayLumen& lumen, const TissueMotion& motion,
                                const TissueMotion& push = {});
-/// As the surfaces have it.
-[[nodiscard]] MovedLumen unmoved(const AirwayLumen& lumen);
 
 } // namespace carina

@@ -52,8 +52,7 @@ ElasticRod::ElasticRod(double stiffness, std::span<const Vec3> p_E_rest)
       m_segments(m_rest.size()),
       m_axes(m_rest.size()),
       m_tensions(m_rest.size()),
-      m_drawn(m_rest.size()),
-      m_pushes(m_rest.size(), Vec3::Zero())
+      m_drawn(m_rest.size())
 {
     CARINA_EXPECTS(m_rest.size() >= 4 && stiffness > 0.0);
     double whole = 0.0;
@@ -71,7 +70,7 @@ void ElasticRod::setRest(std::span<const Vec3> p_E_rest)
     CARINA_EXPECTS(p_E_rest.size() == m_rest.size());
     std::ranges::copy(p_E_rest, m_rest.begin());
     m_across_E = (m_rest[1] - m_rest[0]).unitOrthogonal();
-    carryAxes(m_rest, m_across_E, m_axes);
+    carryAxes(m_rest, m_across_E);
     for (std::size_t i = 1; i + 1 < m_rest.size(); ++i) {
         const Vec3 bent = m_rest[i - 1] - 2.0 * m_rest[i] + m_rest[i + 1];
         m_turns[i].byFirst = m_axes[i].first.dot(bent);
@@ -86,7 +85,6 @@ void ElasticRod::lay(const RigidTransform& X_AE)
     m_X_AE = X_AE;
     m_nodes = nodesAtRest();
     m_heldBack = 0.0;
-    std::ranges::fill(m_pushes, Vec3::Zero());
 }
 
 std::vector<Vec3> ElasticRod::nodesAtRest(const RigidTransform& X_AE) const
@@ -151,7 +149,7 @@ bool ElasticRod::isFolded() const
 double ElasticRod::improve(const RodHold& hold, const Vec3& load)
 {
     place(hold);
-    carryAxes(m_solved, m_X_AE.rotation() * m_across_E, m_axes);
+    carryAxes(m_solved, m_X_AE.rotation() * m_across_E);
     for (BandedSystem::Row& row : m_walled.system.rows)
         row = {};
     addBending(hold.inFreeSpace);
@@ -198,39 +196,27 @@ void ElasticRod::place(const RodHold& hold)
 
 /// The two axes across the rod at each node but the first and the last.
 /// @param across the first segment
-void ElasticRod::carryAxes(std::span<const Vec3> nodes, const Vec3& across, std::vector<Axes>& axes)
+void ElasticRod::carryAxes(std::span<const Vec3> nodes, const Vec3& across)
 {
-    axes.resize(nodes.size());
     Vec3 before = (nodes[1] - nodes[0]).normalized();
     Vec3 axis = (across - across.dot(before) * before).normalized();
     for (std::size_t i = 1; i + 1 < nodes.size(); ++i) {
         const Vec3 after = (nodes[i + 1] - nodes[i]).normalized();
         const Vec3 middle = (before + after).normalized();
         const Vec3 first = carried(axis, before, middle);
-        axes[i] = {first, middle.cross(first)};
+        m_axes[i] = {first, middle.cross(first)};
         axis = carried(first, middle, after);
         before = after;
     }
 }
 
 /// In A, across the rod: by how much it bends otherwise than at rest.
-Vec3 ElasticRod::bentBeyondRest(std::size_t node, std::span<const Vec3> nodes,
-                                const Axes& axes) const
+Vec3 ElasticRod::bentBeyondRest(std::size_t node) const
 {
-    const auto& [first, second] = axes;
-    const Vec3 bent = nodes[node - 1] - 2.0 * nodes[node] + nodes[node + 1];
+    const auto& [first, second] = m_axes[node];
+    const Vec3 bent = m_solved[node - 1] - 2.0 * m_solved[node] + m_solved[node + 1];
     return (first.dot(bent) - m_turns[node].byFirst) * first
            + (second.dot(bent) - m_turns[node].bySecond) * second;
-}
-
-double ElasticRod::energy() const
-{
-    std::vector<Axes> axes;
-    carryAxes(m_nodes, m_X_AE.rotation() * m_across_E, axes);
-    double sum = 0.0;
-    for (std::size_t i = 1; i + 1 < m_nodes.size(); ++i)
-        sum += m_turns[i].stiffness * bentBeyondRest(i, m_nodes, axes[i]).squaredNorm();
-    return 0.5 * perUnit() * sum;
 }
 
 void ElasticRod::addBending(double inFreeSpace)
@@ -241,7 +227,7 @@ void ElasticRod::addBending(double inFreeSpace)
         const double stiffness =
             m_turns[i].stiffness * (m_walled.nodes[i].section.isFree ? inFreeSpace : 1.0);
         const Mat3 stiff = stiffness * (first * first.transpose() + second * second.transpose());
-        const Vec3 beyond = stiffness * bentBeyondRest(i, m_solved, m_axes[i]);
+        const Vec3 beyond = stiffness * bentBeyondRest(i);
         rows[i - 1].diagonal += stiff;
         rows[i].diagonal += 4.0 * stiff;
         rows[i + 1].diagonal += stiff;
@@ -311,7 +297,6 @@ void ElasticRod::draw(const RodHold& hold)
 {
     for (std::size_t i = 0; i < m_nodes.size(); ++i) {
         const GuidedPlace& solved = m_walled.nodes[i].place;
-        m_pushes[i] = i < kHeld ? Vec3{Vec3::Zero()} : Vec3{kWall * perUnit() * m_walled.push(i)};
         GuidedPlace& drawn = m_drawn[i];
         if (i < kHeld) {
             drawn = {.along = hold.first - m_heldBack + along(i)};

@@ -78,10 +78,6 @@ public:
     [[nodiscard]] double alongGuide(std::size_t node) const { return m_drawn[node].along; }
     /// By how much it is held farther back than it should be, as it was stopped.
     [[nodiscard]] double heldBack() const { return m_heldBack; }
-    /// With which a node pushes on the wall, newtons.
-    [[nodiscard]] const Vec3& push(std::size_t node) const { return m_pushes[node]; }
-    /// Of bending, joules.
-    [[nodiscard]] double energy() const;
     /// Length from the first node to another, metres.
     [[nodiscard]] double along(std::size_t node) const { return double(node) * m_length; }
 
@@ -101,7 +97,7 @@ private:
     [[nodiscard]] bool isFolded() const;
     void beginAsDrawn();
     void place(const RodHold& hold);
-    static void carryAxes(std::span<const Vec3> nodes, const Vec3& across, std::vector<Axes>& axes);
+    void carryAxes(std::span<const Vec3> nodes, const Vec3& across);
     void addBending(double inFreeSpace);
     void addTension();
     void addDrag();
@@ -109,8 +105,7 @@ private:
     void go(std::size_t node, const Vec3& way, const RodGuide& guide);
     void holdBack(double stop);
     void draw(const RodHold& hold);
-    [[nodiscard]] Vec3 bentBeyondRest(std::size_t node, std::span<const Vec3> nodes,
-                                      const Axes& axes) const;
+    [[nodiscard]] Vec3 bentBeyondRest(std::size_t node) const;
     [[nodiscard]] double perUnit() const; ///< B / l^3
 
     double m_stiffness;
@@ -131,7 +126,6 @@ private:
     // As it is drawn.
     std::vector<GuidedPlace> m_drawn;
     std::vector<Vec3> m_nodes;
-    std::vector<Vec3> m_pushes;
 };
 
 } // namespace carina

@@ -80,8 +80,8 @@ private:
 };
 
 /// The size of a tube of which thickness and curve are known: its inner diameter is that of the
-/// size that is most nearly as thick. How stiff it is matters to the forces that it reports, and
-/// not to its shape, as nothing acts on it but walls, which are as much stiffer (ElasticRod).
+/// size that is most nearly as thick. How stiff it is does not matter to its shape, as nothing
+/// acts on it but walls, which are as much stiffer (ElasticRod).
 [[nodiscard]] TubeSize sizeOf(const TubeShape& shape);
 
 } // namespace carina

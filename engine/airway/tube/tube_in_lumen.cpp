@@ -278,30 +278,4 @@ Length TubeInLumen::depthAtTeeth(const MovedLumen& lumen) const
     return metres(m_rod.along(kPieces));
 }
 
-std::vector<TubeContact> TubeInLumen::contacts() const
-{
-    std::vector<TubeContact> contacts;
-    for (std::size_t i = 0; i < m_rod.nodes().size(); ++i)
-        if (const double force = m_rod.push(i).norm(); force > 0.0)
-            contacts.push_back({.along = along(i),
-                                .p_A = m_rod.nodes()[i],
-                                .out_A = m_rod.push(i) / force,
-                                .force = newtons(force)});
-    return contacts;
-}
-
-Length TubeInLumen::apart() const
-{
-    return metres((m_rod.nodes().back() - m_rod.nodesAtRest().back()).norm());
-}
-
-Length TubeInLumen::farthestApart() const
-{
-    const std::vector<Vec3> rest = m_rod.nodesAtRest();
-    double most = 0.0;
-    for (std::size_t i = 0; i < rest.size(); ++i)
-        most = std::max(most, (m_rod.nodes()[i] - rest[i]).norm());
-    return metres(most);
-}
-
 } // namespace carina

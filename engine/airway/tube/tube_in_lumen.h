@@ -25,14 +25,6 @@ struct TubeTip {
     Length aboveCarina{};   ///< along the airway; below 0 beyond; not in the oesophagus
 };
 
-/// A place where the tube presses on a wall.
-struct TubeContact {
-    Length along{}; ///< the tube, from its connector
-    Vec3 p_A = Vec3::Zero();
-    Vec3 out_A = Vec3::UnitZ(); ///< unit, out of the lumen
-    Force force{};              ///< by the assumed stiffness of the tube
-};
-
 /// A tracked tube in a virtual airway, in two shapes: as measured, its curve at rest at the pose of
 /// its connector; and constrained, an elastic rod that lies inside of the lumen. A fold of steps of
 /// kTubeStep: deterministic, with the connector's pose and the lumen of the moment.
@@ -63,13 +55,7 @@ public:
     /// Centre line in A, from the connector to the tip.
     [[nodiscard]] std::span<const Vec3> constrained() const { return m_rod.nodes(); }
     [[nodiscard]] std::vector<Vec3> measured() const { return m_rod.nodesAtRest(); }
-    /// Its length along that to each of its points.
-    [[nodiscard]] Length along(std::size_t point) const { return metres(m_rod.along(point)); }
     [[nodiscard]] const TubeTip& tip() const { return m_tip; }
-    [[nodiscard]] std::vector<TubeContact> contacts() const;
-    /// Distance of the tips of both shapes; and the greatest of all their points.
-    [[nodiscard]] Length apart() const;
-    [[nodiscard]] Length farthestApart() const;
     /// By how much the connector is ahead of where the tube is held, as it was stopped.
     [[nodiscard]] Length heldBack() const { return metres(m_rod.heldBack()); }
 

@@ -62,12 +62,6 @@ RestCurve restCurveOf(std::span<const Vec3> p_E)
     return rest;
 }
 
-RestCurve straight(double length, int pieces)
-{
-    const auto count = std::size_t(pieces);
-    return {std::vector<double>(count, length / pieces), std::vector<Vec3>(count, Vec3::Zero())};
-}
-
 /// Of segment i the place in the polynomials.
 double placeOf(std::size_t i, std::size_t pieces) { return 2.0 * double(i) / double(pieces) - 1.0; }
 
@@ -167,23 +161,6 @@ std::vector<Vec3> decodedWith(const TubeShapeCode& code, const RestCurve& rest)
     return lineOf(numbers, rest);
 }
 
-EncodedShape encodedWith(std::span<const Vec3> p_A, const RigidTransform& X_AE,
-                         const RestCurve& rest)
-{
-    const RigidTransform X_EA = X_AE.inverse();
-    std::vector<Vec3> p_E;
-    for (const Vec3& p : p_A)
-        p_E.push_back(X_EA * p);
-    const Numbers numbers = fitted(projected(p_E, rest), rest, p_E);
-    EncodedShape shape;
-    for (std::size_t i = 0; i < kNumbers; ++i)
-        shape.code.perMetre[i] = float(numbers[Eigen::Index(i)]);
-    const std::vector<Vec3> line = decodedWith(shape.code, rest);
-    for (std::size_t i = 0; i < line.size(); ++i)
-        shape.error = std::max(shape.error, metres((p_E[i] - line[i]).norm()));
-    return shape;
-}
-
 } // namespace
 
 std::vector<Vec3> inPieces(std::span<const Vec3> line, int pieces)
@@ -202,23 +179,23 @@ std::vector<Vec3> decoded(const TubeShapeCode& code, std::span<const Vec3> p_E_r
     return decodedWith(code, restCurveOf(p_E_rest));
 }
 
-std::vector<Vec3> decoded(const TubeShapeCode& code, Length length, int pieces)
-{
-    CARINA_EXPECTS(length > Length{} && pieces > 0);
-    return decodedWith(code, straight(length.si, pieces));
-}
-
 EncodedShape encoded(std::span<const Vec3> p_A, const RigidTransform& X_AE,
                      std::span<const Vec3> p_E_rest)
 {
     CARINA_EXPECTS(p_A.size() >= 3 && p_A.size() == p_E_rest.size());
-    return encodedWith(p_A, X_AE, restCurveOf(p_E_rest));
-}
-
-EncodedShape encoded(std::span<const Vec3> p_A, const RigidTransform& X_AE, Length length)
-{
-    CARINA_EXPECTS(p_A.size() >= 3 && length > Length{});
-    return encodedWith(p_A, X_AE, straight(length.si, int(p_A.size()) - 1));
+    const RestCurve rest = restCurveOf(p_E_rest);
+    const RigidTransform X_EA = X_AE.inverse();
+    std::vector<Vec3> p_E;
+    for (const Vec3& p : p_A)
+        p_E.push_back(X_EA * p);
+    const Numbers numbers = fitted(projected(p_E, rest), rest, p_E);
+    EncodedShape shape;
+    for (std::size_t i = 0; i < kNumbers; ++i)
+        shape.code.perMetre[i] = float(numbers[Eigen::Index(i)]);
+    const std::vector<Vec3> line = decodedWith(shape.code, rest);
+    for (std::size_t i = 0; i < line.size(); ++i)
+        shape.error = std::max(shape.error, metres((p_E[i] - line[i]).norm()));
+    return shape;
 }
 
 } // namespace carina

@@ -35,8 +35,6 @@ struct TubeShapeCode {
 /// @param p_E_rest at equal distances from the origin on
 /// @pre at least three points, no two neighbours equal
 [[nodiscard]] std::vector<Vec3> decoded(const TubeShapeCode& code, std::span<const Vec3> p_E_rest);
-/// Of a tube that is straight along -z at rest, `pieces` + 1. @pre length and pieces above 0
-[[nodiscard]] std::vector<Vec3> decoded(const TubeShapeCode& code, Length length, int pieces);
 
 struct EncodedShape {
     TubeShapeCode code;
@@ -50,8 +48,5 @@ struct EncodedShape {
 /// @pre at least three points, no two neighbours equal; as many of both
 [[nodiscard]] EncodedShape encoded(std::span<const Vec3> p_A, const RigidTransform& X_AE,
                                    std::span<const Vec3> p_E_rest);
-/// Of a tube that is straight at rest, and so long.
-[[nodiscard]] EncodedShape encoded(std::span<const Vec3> p_A, const RigidTransform& X_AE,
-                                   Length length);
 
 } // namespace carina

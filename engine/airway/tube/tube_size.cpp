@@ -1,7 +1,6 @@
 #include "engine/airway/tube/tube_size.h"
 
 #include "engine/anatomy/shapes/tube.h"
-#include "engine/core/expects.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,20 +60,6 @@ Result<TubeSize> tubeOfSize(Length inner, TubeCore core, bool isWarm)
         bendingStiffness(isWarm ? kWarmPvc_Pa : kColdPvc_Pa, size.outerRadius(), 0.5 * inner)
         + coreStiffness(core);
     return size;
-}
-
-std::vector<Vec3> restCurve(const TubeSize& size, int pieces)
-{
-    CARINA_EXPECTS(pieces > 0);
-    std::vector<Vec3> curve;
-    for (int i = 0; i <= pieces; ++i) {
-        const double along = size.length.si * i / pieces;
-        const double straight = std::min(along, kStraightOfTube.si);
-        const double angle = (along - straight) / size.restRadius.si;
-        curve.emplace_back(0.0, -size.restRadius.si * (1.0 - std::cos(angle)),
-                           -straight - size.restRadius.si * std::sin(angle));
-    }
-    return curve;
 }
 
 } // namespace carina

@@ -2,7 +2,6 @@
 
 #include "engine/core/result.h"
 #include "engine/core/units.h"
-#include "engine/geometry/vec.h"
 
 #include <cstdint>
 #include <vector>
@@ -16,17 +15,12 @@ enum class TubeCore : std::uint8_t { Nothing, Bougie, Stylet };
 /// A tracheal tube by its size: its dimensions and how stiff it is.
 struct TubeSize {
     Length inner;
-    Length outer;                           ///< outerDiameterOf
-    Length length;                          ///< from the connector's end to the tip
-    Length restRadius = millimetres(140.0); ///< of its curve at rest: ISO 5361
-    Length cuffFromTip = millimetres(15.0); ///< its lower end; as it is drawn (makeTube)
-    Length cuffLength = millimetres(32.0);  ///< the same
-    Length bevel = millimetres(3.0);        ///< length of the slanted tip; as it is drawn
-    double stiffness = 0.0;                 ///< of bending, E I, N m^2
+    Length outer;           ///< outerDiameterOf
+    Length length;          ///< from the connector's end to the tip
+    double stiffness = 0.0; ///< of bending, E I, N m^2
     TubeCore core = TubeCore::Nothing;
 
     [[nodiscard]] Length outerRadius() const { return 0.5 * outer; }
-    [[nodiscard]] Length wall() const { return 0.5 * (outer - inner); }
 };
 
 inline constexpr Length kThinnestTube = millimetres(2.5);
@@ -54,15 +48,5 @@ inline constexpr double kStyletToTube = 12.0;
 /// @returns OutOfRange outside kThinnestTube to kThickestTube
 [[nodiscard]] Result<TubeSize> tubeOfSize(Length inner, TubeCore core = TubeCore::Nothing,
                                           bool isWarm = true);
-
-/// The curve of a tube at rest in the frame E of its connector (engine/anatomy/shapes/tube.h):
-/// straight for kStraightOfTube and then an arc of the rest radius. It begins along -z and bends
-/// towards -y: in a patient that lies in A as X_AE of makeTube has it, towards the chest.
-/// @returns points at equal distances along it, `pieces` + 1
-/// @pre pieces above 0
-[[nodiscard]] std::vector<Vec3> restCurve(const TubeSize& size, int pieces);
-
-/// The part beside the connector, which is nearly straight: of ours.
-inline constexpr Length kStraightOfTube = millimetres(20.0);
 
 } // namespace carina

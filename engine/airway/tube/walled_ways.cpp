@@ -145,10 +145,4 @@ bool WalledWays::find(std::size_t first, double nearEnough)
     return true;
 }
 
-Vec3 WalledWays::push(std::size_t node) const
-{
-    const GuideSection::Walls& walls = m_touches[node];
-    return walls.byU * nodes[node].section.side + walls.byV * nodes[node].section.back;
-}
-
 } // namespace carina

@@ -41,8 +41,6 @@ public:
     [[nodiscard]] std::span<const Vec3> ways() const { return m_ways; }
     /// Whether the sum is least with them, and not only less.
     [[nodiscard]] bool isLeast() const { return m_isLeast; }
-    /// With which a node pushes at its walls, in the section, of a unit of `wall`.
-    [[nodiscard]] Vec3 push(std::size_t node) const;
 
     static constexpr int kMostSolutions = 5; ///< of ours
 

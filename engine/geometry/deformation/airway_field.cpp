@@ -1,7 +1,6 @@
 #include "engine/geometry/deformation/airway_field.h"
 
 #include "engine/core/expects.h"
-#include "engine/geometry/deformation/moved_mesh.h"
 
 #include <algorithm>
 
@@ -167,15 +166,6 @@ AirwayFrame<float> inSingle(const AirwayFrame<double>& frame)
     for (std::size_t i = 0; i < kMostTints; ++i)
         single.tints[i] = tintInSingle(frame.tints[i]);
     return single;
-}
-
-TriangleMesh deformed(const TriangleMesh& mesh_A, const AirwayField& airway, AirwayTissue tissue)
-{
-    if (!airway.isThere())
-        return mesh_A;
-    return movedMesh(mesh_A, [tissue, frame = inSingle(airway.frame())](const Vector3<float>& p_A) {
-        return airwayPull<float>(frame, tissue, p_A);
-    });
 }
 
 } // namespace carina

@@ -2,7 +2,6 @@
 
 #include "engine/core/units.h"
 #include "engine/geometry/deformation/airway_formula.h"
-#include "engine/geometry/mesh/triangle_mesh.h"
 #include "engine/geometry/mesh/vertex_color.h"
 
 namespace carina
@@ -114,12 +113,7 @@ private:
     bool m_isThere = false;
 };
 
-/// The same values in single precision, as graphics cards and deformed() use them.
+/// The same values in single precision, as graphics cards use them.
 [[nodiscard]] AirwayFrame<float> inSingle(const AirwayFrame<double>& frame);
-
-/// The deformed mesh with its exact normals, in single precision: the reference for the vertex
-/// shader resources/shaders/organ.vert, which applies it before the jaw moves.
-[[nodiscard]] TriangleMesh deformed(const TriangleMesh& mesh_A, const AirwayField& airway,
-                                    AirwayTissue tissue);
 
 } // namespace carina

@@ -1,7 +1,6 @@
 #include "engine/geometry/deformation/blade_field.h"
 
 #include "engine/core/expects.h"
-#include "engine/geometry/deformation/moved_mesh.h"
 
 namespace carina
 {
@@ -55,15 +54,6 @@ BladeFrame<float> inSingle(const BladeFrame<double>& frame)
     single.back = frame.back.cast<float>();
     single.backFrom = static_cast<float>(frame.backFrom);
     return single;
-}
-
-TriangleMesh deformed(const TriangleMesh& mesh_A, const BladeField& blade, AirwayTissue tissue)
-{
-    if (!blade.isThere())
-        return mesh_A;
-    return movedMesh(mesh_A, [tissue, frame = inSingle(blade.frame())](const Vector3<float>& p_A) {
-        return bladePull<float>(frame, tissue, p_A);
-    });
 }
 
 } // namespace carina

@@ -2,7 +2,6 @@
 
 #include "engine/core/units.h"
 #include "engine/geometry/deformation/blade_formula.h"
-#include "engine/geometry/mesh/triangle_mesh.h"
 #include "engine/geometry/rigid_transform.h"
 
 namespace carina
@@ -79,12 +78,7 @@ private:
     BladeFrame<double> m_frame;
 };
 
-/// The same values in single precision, as graphics cards and deformed() use them.
+/// The same values in single precision, as graphics cards use them.
 [[nodiscard]] BladeFrame<float> inSingle(const BladeFrame<double>& frame);
-
-/// The deformed mesh with its exact normals, in single precision: the reference for the vertex
-/// shader resources/shaders/organ.vert.
-[[nodiscard]] TriangleMesh deformed(const TriangleMesh& mesh_A, const BladeField& blade,
-                                    AirwayTissue tissue);
 
 } // namespace carina

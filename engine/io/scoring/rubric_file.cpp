@@ -3,7 +3,7 @@
 #include "engine/io/files/json_fields.h"
 #include "engine/io/files/whole_file.h"
 
-#include <QJsonDocument>
+#include <QJsonArray>
 
 namespace carina
 {
@@ -91,7 +91,7 @@ Result<Rubric> rubricIn(std::string_view text)
     return rubricOf(*object);
 }
 
-std::string rubricText(const Rubric& rubric)
+QJsonObject jsonRubric(const Rubric& rubric)
 {
     QJsonArray criteria;
     for (const Criterion& criterion : rubric.criteria)
@@ -101,7 +101,7 @@ std::string rubricText(const Rubric& rubric)
                        {QStringLiteral("criteria"), criteria}};
     if (!rubric.source.empty())
         object.insert(QStringLiteral("source"), QString::fromStdString(rubric.source));
-    return QJsonDocument{object}.toJson().toStdString();
+    return object;
 }
 
 Result<Rubric> readRubricFile(const std::filesystem::path& file)

@@ -3,8 +3,9 @@
 #include "engine/core/result.h"
 #include "engine/scoring/score/rubric.h"
 
+#include <QJsonObject>
+
 #include <filesystem>
-#include <string>
 #include <string_view>
 
 namespace carina
@@ -24,7 +25,8 @@ inline constexpr std::size_t kMostCriteria = 100;
 
 /// @returns FileMalformed with the field at fault; UnknownFormat where the schema is another.
 [[nodiscard]] Result<Rubric> rubricIn(std::string_view text);
-[[nodiscard]] std::string rubricText(const Rubric& rubric);
+/// The object that rubricIn reads.
+[[nodiscard]] QJsonObject jsonRubric(const Rubric& rubric);
 
 /// @returns the errors of rubricIn, and FileNotFound, FileUnreadable, FileEmpty, FileTooLarge. The
 ///          detail begins with the file.

@@ -12,7 +12,6 @@ class TestOxygenDissociation : public QObject
 private Q_SLOTS:
     void agreesWithMeasuredBlood_data();
     void agreesWithMeasuredBlood();
-    void isInverted();
     void addsWhatIsDissolved();
     void findsThePressureOfAContent();
 };
@@ -35,14 +34,6 @@ void TestOxygenDissociation::agreesWithMeasuredBlood()
     QFETCH(const double, pressure_mmHg);
     QFETCH(const double, saturation);
     VERIFY_WITHIN(oxygenSaturation(pressure_mmHg), saturation, kSaturation);
-}
-
-void TestOxygenDissociation::isInverted()
-{
-    constexpr double kPressure_mmHg = 1e-6;
-    for (double pressure = 1.0; pressure < 300.0; pressure *= 1.3)
-        VERIFY_WITHIN(oxygenPressureAt(oxygenSaturation(pressure)), pressure, kPressure_mmHg);
-    QCOMPARE(oxygenPressureAt(0.0), 0.0);
 }
 
 // At 100 mmHg 150 g/L carry 1.36 ml/g times the saturation, and 3.1 ml/L are dissolved.

@@ -9,6 +9,7 @@
 #include "models/intubation/intubation_watch.h"
 #include "models/patient/laryngoscopy.h"
 #include "models/patient/patient_source.h"
+#include "tests/models/patient/lumen_of.h"
 #include "tests/support/simulated_link.h"
 #include "tests/support/test_class.h"
 
@@ -58,7 +59,7 @@ const PatientModel& childWithTube()
 
 const std::shared_ptr<const AirwayLumen>& lumen()
 {
-    static const auto measured = lumenOf(childWithTube());
+    static const auto measured = test::lumenOf(childWithTube());
     return measured;
 }
 

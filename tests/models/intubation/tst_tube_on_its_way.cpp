@@ -7,6 +7,7 @@
 #include "models/intubation/intubation_watch.h"
 #include "models/patient/patient_source.h"
 #include "tests/models/fake_session_node.h"
+#include "tests/models/patient/lumen_of.h"
 #include "tests/support/test_class.h"
 
 #include <QEventLoop>
@@ -243,7 +244,7 @@ private:
     AirwayField m_changes;
     FollowingThroat m_throat;
     BladeField m_blade;
-    std::shared_ptr<const AirwayLumen> m_lumen = lumenOf(patient());
+    std::shared_ptr<const AirwayLumen> m_lumen = test::lumenOf(patient());
     FakeSessionNode m_node{FakeSessionNode::kTrainee};
     SessionTime m_begin;
     Duration m_first{};

@@ -1,3 +1,4 @@
+#include "engine/airway/lumen/measured_lumen.h"
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "models/patient/patient_lumen.h"
 #include "models/patient/patient_source.h"
@@ -10,10 +11,15 @@ namespace carina::patient_lumen_test
 namespace
 {
 
+const Anatomy& anatomy()
+{
+    static const Anatomy made = builtinPatient(BuiltinPatient::TwelveYears).value();
+    return made;
+}
+
 const PatientModel& child()
 {
-    static const SharedPatientModel made =
-        patientOf(builtinPatient(BuiltinPatient::TwelveYears).value()).value();
+    static const SharedPatientModel made = patientOf(anatomy()).value();
     return *made;
 }
 
@@ -31,7 +37,7 @@ class TestPatientLumen : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    /// As it is measured at once, too; not again for the same tube.
+    /// As the engine measures it at once; not again for the same tube.
     void measuresBesideThisThread()
     {
         PatientLumen lumen;
@@ -41,9 +47,10 @@ private Q_SLOTS:
         measure(lumen);
         QVERIFY(lumen.lumen() != nullptr);
         const auto there = lumen.lumen();
-        const auto atOnce = lumenOf(child());
-        QVERIFY(atOnce != nullptr);
-        QCOMPARE(there->tubeRadius, 0.5 * child().tube().outerDiameter);
+        const Length radius = 0.5 * child().tube().outerDiameter;
+        const auto atOnce = measuredLumen(anatomy().parts, anatomy().landmarks, radius);
+        QVERIFY(atOnce.has_value());
+        QCOMPARE(there->tubeRadius, radius);
         QCOMPARE(there->glottis, atOnce->glottis);
         const auto& one = there->way(AirwayWay::Trunk);
         const auto& other = atOnce->way(AirwayWay::Trunk);
@@ -52,8 +59,6 @@ private Q_SLOTS:
             QCOMPARE(one[i].p_A_centre, other[i].p_A_centre);
         lumen.want(child());
         QCOMPARE(lumen.lumen(), there);
-        lumen.drop();
-        QVERIFY(!lumen.lumen());
     }
 
     void leavesThatOfAnotherTube()

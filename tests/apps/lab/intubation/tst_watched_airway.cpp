@@ -1,6 +1,7 @@
 #include "apps/lab/intubation/watched_airway.h"
 
 #include "engine/anatomy/airway/centreline.h"
+#include "tests/engine/airway/lumen/still_lumen.h"
 #include "tests/evaluation/intubation/tube_patient.h"
 #include "tests/support/test_class.h"
 
@@ -30,7 +31,7 @@ std::shared_ptr<const AirwayLumen> roundLumenOf(const IntubationSubject& subject
         lines.front().push_back(pointAlong(way.line_A, metres(along)));
         radii.front().push_back(kRadius);
     }
-    AirwayLumen lumen = roundLumen(lines, radii, 0.5 * subject.tube.outerDiameter);
+    AirwayLumen lumen = test::roundLumen(lines, radii, 0.5 * subject.tube.outerDiameter);
     lumen.teeth = std::size_t(way.teeth / kSection);
     lumen.glottis = std::size_t(way.gate / kSection);
     return std::make_shared<const AirwayLumen>(std::move(lumen));

@@ -1,14 +1,16 @@
 #include "engine/airway/lumen/measured_lumen.h"
-#include "engine/airway/lumen/moved_lumen.h"
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "engine/anatomy/shapes/tube.h"
 #include "engine/geometry/mesh/surface_tree.h"
+#include "tests/engine/airway/lumen/still_lumen.h"
 #include "tests/support/test_class.h"
 
 namespace carina::measured_lumen_test
 {
 namespace
 {
+
+using test::unmoved;
 
 constexpr Length kInTriangles = millimetres(0.5);
 

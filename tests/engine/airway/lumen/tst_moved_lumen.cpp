@@ -1,4 +1,5 @@
 #include "engine/airway/lumen/moved_lumen.h"
+#include "tests/engine/airway/lumen/still_lumen.h"
 #include "tests/support/test_class.h"
 
 #include <algorithm>
@@ -9,6 +10,8 @@ namespace carina::moved_lumen_test
 {
 namespace
 {
+
+using test::unmoved;
 
 constexpr double kSame = 1e-9;   // metres
 constexpr double kTube = 0.004;  // metres
@@ -24,7 +27,7 @@ AirwayLumen pipe()
         lines.front().emplace_back(0.0, 0.0, -0.004 * i);
         radii.front().push_back(kRadius);
     }
-    return roundLumen(lines, radii, metres(kTube));
+    return test::roundLumen(lines, radii, metres(kTube));
 }
 
 /// Beyond the farthest of the sides of the section in which a place lies, metres.

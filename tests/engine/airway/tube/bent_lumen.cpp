@@ -1,5 +1,7 @@
 #include "tests/engine/airway/tube/bent_lumen.h"
 
+#include "tests/engine/airway/lumen/still_lumen.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -10,6 +12,16 @@ namespace
 {
 
 constexpr double kQuarter = 0.5 * std::numbers::pi;
+constexpr double kStraight = 0.02; ///< metres of a tube beside its connector
+constexpr double kRestRadius = 0.14;
+
+/// In E, at a length of a tube at rest.
+Vec3 placeAtRest(double along)
+{
+    const double straight = std::min(along, kStraight);
+    const double angle = (along - straight) / kRestRadius;
+    return {0.0, -kRestRadius * (1.0 - std::cos(angle)), -straight - kRestRadius * std::sin(angle)};
+}
 
 Vec3 middleAt(const BentLumen& it, double along)
 {
@@ -57,18 +69,24 @@ AirwayLumen BentLumen::lumenFor(Length tubeRadius) const
     return lumen;
 }
 
+std::vector<Vec3> restCurve(const TubeSize& size)
+{
+    constexpr int kPieces = 200;
+    std::vector<Vec3> curve;
+    for (int i = 0; i <= kPieces; ++i)
+        curve.push_back(placeAtRest(size.length.si * i / kPieces));
+    return curve;
+}
+
 RigidTransform fed(const TubeSize& size, double inside)
 {
-    const double radius = size.restRadius.si;
     const double outside = size.length.si - inside;
-    const double angle = std::max(outside - kStraightOfTube.si, 0.0) / radius;
-    const Vec3 p_E_teeth{0.0, -radius * (1.0 - std::cos(angle)),
-                         -std::min(outside, kStraightOfTube.si) - radius * std::sin(angle)};
-    const double rise = std::clamp(0.5 * inside / radius, 0.0, 0.35);
+    const double angle = std::max(outside - kStraight, 0.0) / kRestRadius;
+    const double rise = std::clamp(0.5 * inside / kRestRadius, 0.0, 0.35);
     Mat3 R; // E of a connector that points straight into the mouth
     R << 1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0;
     const Quat q = Quat{R} * Quat{Eigen::AngleAxisd{angle + rise, Vec3::UnitX()}};
-    return {q, -(q * p_E_teeth)};
+    return {q, -(q * placeAtRest(outside))};
 }
 
 } // namespace carina::test

@@ -4,6 +4,8 @@
 #include "engine/airway/tube/tube_size.h"
 #include "engine/geometry/rigid_transform.h"
 
+#include <vector>
+
 namespace carina::test
 {
 
@@ -25,6 +27,11 @@ struct BentLumen {
     /// Length from the teeth along the middle line to its end.
     [[nodiscard]] double length() const;
 };
+
+/// The curve of a tube at rest in the frame E of its connector (engine/anatomy/shapes/tube.h):
+/// straight for 20 mm and then an arc of 140 mm radius, as ISO 5361 has it. It begins along -z and
+/// bends towards -y: points at equal distances.
+[[nodiscard]] std::vector<Vec3> restCurve(const TubeSize& size);
 
 /// Where the connector is while a hand feeds a curved tube into the mouth, so much of it is inside:
 /// the curve at rest passes the teeth, and rises a little there.

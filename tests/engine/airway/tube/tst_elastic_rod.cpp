@@ -37,6 +37,34 @@ std::vector<Vec3> arc(double radius, double angle)
     return line;
 }
 
+/// The turns of a line that begins along -z, in a frame that is carried along it without rotation
+/// about it: about the axis of each, 2 sin(phi / 2).
+std::vector<Vec3> turnsOf(std::span<const Vec3> line)
+{
+    std::vector<Vec3> turns;
+    Quat frame = Quat::Identity();
+    for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+        const Vec3 before = (line[i] - line[i - 1]).normalized();
+        const Vec3 after = (line[i + 1] - line[i]).normalized();
+        turns.emplace_back(frame.inverse()
+                           * Vec3{2.0 / (before + after).norm() * before.cross(after)});
+        frame = Quat::FromTwoVectors(before, after) * frame;
+    }
+    return turns;
+}
+
+/// Of bending, joules: E I / (2 l) times the square of what each turn differs from that at rest.
+/// Of the first one half a segment bends.
+double energyOf(const ElasticRod& rod, std::span<const Vec3> rest)
+{
+    const std::vector<Vec3> turns = turnsOf(rod.nodes());
+    const std::vector<Vec3> atRest = turnsOf(rest);
+    double sum = (turns[0] - atRest[0]).squaredNorm();
+    for (std::size_t i = 0; i < turns.size(); ++i)
+        sum += (turns[i] - atRest[i]).squaredNorm();
+    return 0.5 * kStiffness / rod.along(1) * sum;
+}
+
 /// A guide along a line in free space.
 RodGuide freeAlong(const std::vector<Vec3>& line)
 {
@@ -148,8 +176,9 @@ private Q_SLOTS:
             QVERIFY(rod.step(hold));
         const double truth = 0.5 * kStiffness * angle / radius;
         constexpr double kOfEnergy = 0.02; // share: half a turn is left at what holds it
-        QVERIFY2(std::abs(rod.energy() - truth) < kOfEnergy * truth,
-                 qPrintable(QString::number(rod.energy() / truth)));
+        const double energy = energyOf(rod, rest);
+        QVERIFY2(std::abs(energy - truth) < kOfEnergy * truth,
+                 qPrintable(QString::number(energy / truth)));
     }
 
     void isAsLongAsAtRest()
@@ -206,7 +235,7 @@ private Q_SLOTS:
         }
         QVERIFY(std::abs(rod.nodes().back().z() + 0.21) < kNear);
         QVERIFY(std::abs(rod.heldBack() - 0.03) < kNear);
-        QVERIFY(rod.energy() < 1e-9);
+        QVERIFY(energyOf(rod, rest) < 1e-9);
         // What stopped it is gone: it comes on, not at once.
         hold.stop = 1.0;
         QVERIFY(rod.step(hold));
@@ -248,15 +277,16 @@ private Q_SLOTS:
         std::mt19937 random{25};
         std::uniform_real_distribution<double> part{-0.05, 0.05};
         for (int trial = 0; trial < 10; ++trial) {
-            Laid it{arc(0.14, 1.5)};
+            const std::vector<Vec3> rest = arc(0.14, 1.5);
+            Laid it{rest};
             static_cast<void>(it.deflected({part(random), part(random), part(random)}));
-            double before = it.rod.energy();
+            double before = energyOf(it.rod, rest);
             for (int i = 0; i < 40; ++i) {
                 QVERIFY(it.rod.step(it.hold));
-                QVERIFY2(
-                    it.rod.energy() <= before + kRounding,
-                    qPrintable(QStringLiteral("%1 %2 %3").arg(i).arg(it.rod.energy()).arg(before)));
-                before = it.rod.energy();
+                const double energy = energyOf(it.rod, rest);
+                QVERIFY2(energy <= before + kRounding,
+                         qPrintable(QStringLiteral("%1 %2 %3").arg(i).arg(energy).arg(before)));
+                before = energy;
             }
             QVERIFY(before < kRounding);
         }

@@ -12,6 +12,7 @@ namespace
 
 using test::BentLumen;
 using test::fed;
+using test::restCurve;
 using namespace std::chrono_literals;
 
 constexpr double kDepth_m = 4e-3;
@@ -31,7 +32,7 @@ const TubeSize& size()
 TubeShape shape()
 {
     TubeShape it;
-    it.p_E_centre = restCurve(size(), 200);
+    it.p_E_centre = restCurve(size());
     it.p_E_tip = it.p_E_centre.back();
     it.outerDiameter = size().outer;
     it.fitsAirway = false;

@@ -1,6 +1,7 @@
 #include "engine/airway/tube/tube_in_lumen.h"
 #include "engine/airway/tube/tube_shape_code.h"
 #include "engine/geometry/rotation.h"
+#include "tests/engine/airway/lumen/still_lumen.h"
 #include "tests/engine/airway/tube/bent_lumen.h"
 #include "tests/support/test_class.h"
 
@@ -12,6 +13,15 @@ namespace
 {
 
 constexpr Length kShape = millimetres(1.0);
+
+/// In 64 pieces along -z.
+std::vector<Vec3> straight(double length)
+{
+    std::vector<Vec3> line;
+    for (int i = 0; i <= 64; ++i)
+        line.emplace_back(0.0, 0.0, -length * i / 64.0);
+    return line;
+}
 
 } // namespace
 
@@ -31,9 +41,11 @@ private Q_SLOTS:
 
 void TestTubeShapeCode::hasAStraightTubeInZeros()
 {
-    const std::vector<Vec3> line = decoded({}, metres(0.3), 10);
-    for (int i = 0; i <= 10; ++i)
-        QVERIFY((line[std::size_t(i)] - Vec3{0.0, 0.0, -0.03 * i}).norm() < 1e-12);
+    const std::vector<Vec3> p_E_rest = straight(0.3);
+    const std::vector<Vec3> line = decoded({}, p_E_rest);
+    QCOMPARE(line.size(), p_E_rest.size());
+    for (std::size_t i = 0; i < line.size(); ++i)
+        QVERIFY((line[i] - p_E_rest[i]).norm() < 1e-12);
 }
 
 void TestTubeShapeCode::hasACircleInOneNumber()
@@ -42,7 +54,7 @@ void TestTubeShapeCode::hasACircleInOneNumber()
     constexpr double kNear = 2e-4; // metres, of 64 chords
     TubeShapeCode code;
     code.perMetre[0] = float(-1.0 / 0.14);
-    const std::vector<Vec3> line = decoded(code, metres(0.2), 64);
+    const std::vector<Vec3> line = decoded(code, straight(0.2));
     const double side = line.back().y() > 0.0 ? 0.14 : -0.14;
     for (const Vec3& p : line)
         QVERIFY(std::abs((p - Vec3{0.0, side, 0.0}).norm() - 0.14) < kNear);
@@ -53,12 +65,12 @@ void TestTubeShapeCode::goesWithTheConnector()
 {
     TubeShapeCode code;
     code.perMetre = {-6.0F, 2.0F, -1.0F, 1.5F, 0.0F, 0.5F, 1.0F, -0.5F};
-    const Length length = metres(0.3);
+    const std::vector<Vec3> p_E_rest = straight(0.3);
     const RigidTransform X_AE{rotationFromVector({0.3, -1.0, 0.7}), {0.1, -0.2, 0.3}};
     std::vector<Vec3> p_A;
-    for (const Vec3& p_E : decoded(code, length, 64))
+    for (const Vec3& p_E : decoded(code, p_E_rest))
         p_A.push_back(X_AE * p_E);
-    const EncodedShape shape = encoded(p_A, X_AE, length);
+    const EncodedShape shape = encoded(p_A, X_AE, p_E_rest);
     QVERIFY(shape.error < millimetres(0.01));
     for (std::size_t i = 0; i < code.perMetre.size(); ++i)
         QVERIFY(std::abs(shape.code.perMetre[i] - code.perMetre[i]) < 0.01F);
@@ -68,7 +80,7 @@ void TestTubeShapeCode::isNothingForATubeAtRest()
 {
     constexpr Length kNear = millimetres(0.001);
     const TubeSize size = *tubeOfSize(millimetres(7.0));
-    const std::vector<Vec3> p_E_rest = inPieces(restCurve(size, 200), 64);
+    const std::vector<Vec3> p_E_rest = inPieces(test::restCurve(size), 64);
     const std::vector<Vec3> line = decoded({}, p_E_rest);
     for (std::size_t i = 0; i < line.size(); ++i)
         QVERIFY((line[i] - p_E_rest[i]).norm() < 1e-9);
@@ -82,7 +94,7 @@ void TestTubeShapeCode::goesWithTheCurveAtRest()
     TubeShapeCode code;
     code.perMetre = {-6.0F, 2.0F, -1.0F, 1.5F, 0.0F, 0.5F, 1.0F, -0.5F};
     const std::vector<Vec3> p_E_rest =
-        decoded({}, inPieces(restCurve(*tubeOfSize(millimetres(7.0)), 200), 64));
+        decoded({}, inPieces(test::restCurve(*tubeOfSize(millimetres(7.0))), 64));
     const RigidTransform X_AE{rotationFromVector({0.3, -1.0, 0.7}), {0.1, -0.2, 0.3}};
     std::vector<Vec3> p_A;
     for (const Vec3& p_E : decoded(code, p_E_rest))
@@ -106,9 +118,9 @@ void TestTubeShapeCode::hasATubeInAnAirway()
     QFETCH(double, bend);
     const test::BentLumen airway{.bend = bend, .radius = 0.01};
     const TubeSize size = *tubeOfSize(millimetres(7.0));
-    const std::vector<Vec3> p_E_rest = inPieces(restCurve(size, 200), TubeInLumen::kPieces);
-    TubeInLumen tube{size, restCurve(size, 200)};
-    const MovedLumen lumen = unmoved(airway.lumenFor(size.outerRadius()));
+    const std::vector<Vec3> p_E_rest = inPieces(test::restCurve(size), TubeInLumen::kPieces);
+    TubeInLumen tube{size, test::restCurve(size)};
+    const MovedLumen lumen = test::unmoved(airway.lumenFor(size.outerRadius()));
     constexpr int kEach = 10; // steps
     int step = 0;
     for (double inside = -0.02; inside < 0.2; inside += 0.0015) {

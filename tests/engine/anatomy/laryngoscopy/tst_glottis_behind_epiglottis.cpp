@@ -4,6 +4,7 @@
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "engine/anatomy/patient/patient_name.h"
 #include "engine/geometry/mesh/surface_query.h"
+#include "tests/support/deformed_tissue.h"
 #include "tests/support/test_class.h"
 
 #include <algorithm>
@@ -15,6 +16,8 @@ namespace carina::glottis_behind_epiglottis_test
 {
 namespace
 {
+
+using test::deformed;
 
 /// A patient as made at rest, and the size of the larynx.
 struct Person {

@@ -1,6 +1,7 @@
 #include "engine/anatomy/events/airway_changes.h"
 #include "engine/anatomy/laryngoscopy/laryngoscopy_path.h"
 #include "engine/anatomy/patient/builtin_patient.h"
+#include "tests/support/deformed_tissue.h"
 #include "tests/support/test_class.h"
 
 #include <algorithm>
@@ -12,6 +13,8 @@ namespace carina::laryngoscopy_path_test
 {
 namespace
 {
+
+using test::deformed;
 
 constexpr double kLengthTolerance_m = 1e-4;
 /// Length of the open glottis of men and women (Miller's Anesthesia).

@@ -1,6 +1,7 @@
 #include "engine/geometry/deformation/airway_field.h"
 #include "engine/geometry/rotation.h"
 #include "tests/engine/geometry/mesh/mesh_of_places.h"
+#include "tests/support/deformed_tissue.h"
 #include "tests/support/test_class.h"
 
 #include <Eigen/LU>
@@ -14,6 +15,8 @@ namespace carina::airway_field_test
 {
 namespace
 {
+
+using test::deformed;
 
 constexpr double kStep_m = 1e-8;
 /// Of central differences, in shares of 1 + the gradient: second derivatives jump at the seams.

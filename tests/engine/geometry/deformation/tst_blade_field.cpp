@@ -1,6 +1,7 @@
 #include "engine/geometry/deformation/blade_field.h"
 #include "engine/geometry/rotation.h"
 #include "tests/engine/geometry/mesh/mesh_of_places.h"
+#include "tests/support/deformed_tissue.h"
 #include "tests/support/test_class.h"
 
 #include <Eigen/LU>
@@ -11,6 +12,8 @@ namespace carina::blade_field_test
 {
 namespace
 {
+
+using test::deformed;
 
 constexpr double kStep_m = 1e-6;
 constexpr double kSlopeTolerance = 1e-3; ///< of central differences, at the seams of the steps

@@ -1,6 +1,7 @@
 #include "engine/geometry/rotation.h"
 #include "engine/lungs/mechanics/lung_pair.h"
 #include "tests/engine/lungs/drawing/lung_like_mesh.h"
+#include "tests/support/deformed_tissue.h"
 #include "tests/support/test_class.h"
 #include "widgets/scene/surfaces/drawn_vertices.h"
 
@@ -15,6 +16,8 @@ namespace carina::drawn_vertices_test
 
 namespace
 {
+
+using test::deformed;
 
 /// Two roundings of a coordinate of up to a quarter metre, in single precision.
 constexpr double kPositionTolerance_m = 6e-8;

@@ -62,6 +62,7 @@ const auto& presets()
         graded(
             2, "cormack_lehane_2", QT_TRANSLATE_NOOP("Airway", "Cormack-Lehane 2"),
             {{FloppyEpiglottis, 0.5, 0.7, kEpiglottisSource}, {AnteriorLarynx, 0.4, 0.6, kOfOurs}}),
+        // Fitted until no camera sees the glottis: four events, two nearly as severe as is drawn.
         graded(3, "cormack_lehane_3", QT_TRANSLATE_NOOP("Airway", "Cormack-Lehane 3"),
                {{Epiglottitis, 0.96, 1.0, kEpiglottisSource},
                 {FloppyEpiglottis, 0.96, 1.0, kEpiglottisSource},
@@ -164,10 +165,19 @@ QString conditionText(const AirwayPreset& preset)
     if (preset.grade == 0)
         return {};
     const UsualHeadPosition* usual = usualOf(preset.look.head);
+    const QString head = usual ? usualText(*usual) : headFiguresText(preset.look.head);
+    if (preset.look.eye == ScopeEye::Direct)
+        return QCoreApplication::translate(
+                   "Airway", "Grade %1 is promised only of an adult with the head in the position "
+                             "%2, to the eye that looks past a Macintosh 3 lifted as usual. The "
+                             "picture of the laryngoscope is of its camera, which sees more.")
+            .arg(preset.grade)
+            .arg(head);
     return QCoreApplication::translate(
-               "Airway", "Grade %1 is promised only with the head in the position %2.")
+               "Airway", "Grade %1 is promised only of an adult with the head in the position %2, "
+                         "in the camera of a Macintosh 3 lifted as usual.")
         .arg(preset.grade)
-        .arg(usual ? usualText(*usual) : headFiguresText(preset.look.head));
+        .arg(head);
 }
 
 AirwayEvents drawnFrom(const AirwayPreset& preset, std::mt19937& random)

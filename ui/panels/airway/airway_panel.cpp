@@ -219,9 +219,9 @@ void AirwayPanel::addRows()
 void AirwayPanel::addSuction()
 {
     m_suction->setObjectName(QStringLiteral("suction"));
-    m_suction->setToolTip(tr("Secretions, blood and vomit go within 5 seconds, as when who works "
-                             "there uses suction; other events stay as they are set, and what of "
-                             "them is still on its way comes within that time, too"));
+    m_suction->setToolTip(tr("Clears secretions, blood and vomit within 5 seconds, as a helper "
+                             "with a suction catheter would. Other events stay as they are set; "
+                             "those that are still changing reach their setting within that time"));
     makeLow(*m_suction);
     auto* rows = static_cast<QGridLayout*>(m_events->layout());
     rows->addWidget(m_suction, rows->rowCount(), 1, 1, -1);
@@ -348,8 +348,10 @@ void AirwayPanel::refreshPreset()
     const AirwayEvents set = m_model->events();
     const AirwayPreset* preset = presetOf(set);
     m_presets->setCurrentIndex(preset ? int(preset - airwayPresets().data()) : -1);
-    const bool isLaidOtherwise = preset && m_headModel->position() != preset->look.head;
-    sayOrHide(*m_condition, isLaidOtherwise ? conditionText(*preset) : QString{});
+    const bool isLookedAtOtherwise =
+        preset
+        && (m_headModel->position() != preset->look.head || preset->look.eye != ScopeEye::Video);
+    sayOrHide(*m_condition, isLookedAtOtherwise ? conditionText(*preset) : QString{});
     m_presets->setAccessibleDescription(
         QStringList{eventsText(set), m_condition->text()}.join(QLatin1Char{' '}).trimmed());
 }

@@ -17,6 +17,7 @@ uniform vec4 spot; // as in organ.vert
 out vec4 fragment;
 
 const float kTissue = 1.0; // MaterialGroup
+const float kFluid = 8.0;
 const float kSpotNear2 = 0.25; // as in organ.vert
 const float kSpotStray = 0.02;
 const vec3 kLampLight = vec3(1.0, 0.97, 0.92);
@@ -27,6 +28,10 @@ const float kFold = 2.1e-3;
 const float kGrain = 0.7e-3;
 // Slopes of the relief that each has.
 const vec3 kSlopes = vec3(0.06, 0.09, 0.07);
+// The same of a fluid, which has waves and ripples instead, and nothing so fine as grains.
+const float kWave = 8.0e-3;
+const float kRipple = 3.0e-3;
+const vec3 kFluidSlopes = vec3(0.09, 0.06, 0.0);
 const mat3 kTurn = mat3(0.80, -0.36, 0.48, 0.60, 0.48, -0.64, 0.00, 0.80, 0.60);
 const mat3 kTurnBack = transpose(kTurn);
 
@@ -37,10 +42,17 @@ const vec3 kBlood = vec3(0.34, 0.03, 0.04); // linear
 // Share of light that enters tissue and goes on, of what has blood and of what is pale as cords.
 const vec3 kThrough = vec3(0.35, 0.12, 0.08);
 const vec3 kThroughPale = vec3(0.50, 0.42, 0.36);
+const vec3 kThroughFluid = vec3(0.50, 0.45, 0.45); // as of one with cells or slime in it
 const float kGloss = 300.0; // exponent of the film's highlight
 const float kFilm = 1.6; // how bright a lamp is in it,
 const float kMostInFilm = 1.3; // in so much light at most: a camera sees no more
 const float kRim = 0.5; // what it mirrors of the tissue around, edge on
+// What a fluid mirrors: the wall beside it, linear, and its share of that where it would mirror
+// the depth of the throat, which is dark.
+const vec3 kWall = vec3(0.80, 0.34, 0.31);
+const float kDepthShare = 0.20;
+const float kBeside = 0.3; // how far to the side a ray goes that meets the wall
+const float kFaceOn = 0.02; // what water mirrors
 const float kShoulder = 0.6; // from which on light is compressed
 
 float hashed(uint n)
@@ -95,6 +107,16 @@ vec3 compressed(vec3 light)
     return min(light, kShoulder) + (1.0 - kShoulder) * above / (1.0 + above);
 }
 
+// What a fluid mirrors there, and how much of it (Schlick's approximation of Fresnel's).
+vec4 mirrored(vec3 view, vec3 flatNormal, vec3 normal)
+{
+    vec3 ray = reflect(-view, normal);
+    float aside = abs(dot(ray, normalize(cross(flatNormal, view) + 1e-6)));
+    float dim = 1.0 - clamp(dot(normal, view), 0.0, 1.0);
+    float share = kFaceOn + (1.0 - kFaceOn) * dim * dim * dim * dim * dim;
+    return vec4(kWall * mix(kDepthShare, 1.0, smoothstep(0.0, kBeside, aside)), share);
+}
+
 void main()
 {
     vec3 way = eyePosition - worldPosition;
@@ -108,13 +130,17 @@ void main()
 
     // Pale tissue, as cords, has few vessels; teeth and steel have neither vessels nor relief.
     float isTissue = part.z == kTissue ? 1.0 : 0.0;
+    float isFluid = part.z == kFluid ? 1.0 : 0.0;
+    float large = isFluid == 1.0 ? kWave : kPatch;
+    float middling = isFluid == 1.0 ? kRipple : kFold;
+    vec3 slopes = isTissue * kSlopes + isFluid * kFluidSlopes;
     float red = clamp(3.0 * (albedo.r - albedo.g) - 0.2, 0.0, 1.0);
 
-    vec4 patches = turnedNoise(kTurn, restPosition / kPatch);
-    vec4 folds = turnedNoise(kTurnBack, restPosition / kFold);
+    vec4 patches = turnedNoise(kTurn, restPosition / large);
+    vec4 folds = turnedNoise(kTurnBack, restPosition / middling);
     vec4 grains = turnedNoise(kTurnBack, restPosition.yzx / kGrain);
-    vec3 relief = kSlopes.x * patches.xyz + kSlopes.y * seen(kFold, pixel) * folds.xyz
-                  + kSlopes.z * seen(kGrain, pixel) * grains.zxy;
+    vec3 relief = slopes.x * patches.xyz + slopes.y * seen(middling, pixel) * folds.xyz
+                  + slopes.z * seen(kGrain, pixel) * grains.zxy;
 
     // A vessel lies where noise is 0, here thicker and there thin.
     vec3 steep = patches.xyz / kPatch + kBent.x * folds.xyz / kFold + kBent.y * grains.zxy / kGrain;
@@ -127,14 +153,13 @@ void main()
     albedo *= 1.0 + isTissue * red * vec3(0.20, 0.34, 0.30) * patched;
     albedo = mix(albedo, kBlood, 0.45 * isTissue * red * vessel);
 
-    relief *= isTissue;
     vec3 bumped = normalize(normal - relief + dot(relief, normal) * normal);
     float facing = clamp(dot(bumped, view), 0.0, 1.0);
     float edge = 1.0 - clamp(dot(normal, view), 0.0, 1.0);
     float cone = smoothstep(0.45, 0.95, -dot(view, spot.xyz));
     float strength = cone * (1.0 + kSpotNear2) / (far2 / (spot.w * spot.w) + kSpotNear2);
 
-    vec3 through = isTissue * mix(kThroughPale, kThrough, red);
+    vec3 through = isTissue * mix(kThroughPale, kThrough, red) + isFluid * kThroughFluid;
     vec3 lit = albedo * (facing + through) / (1.0 + through);
 
     // Of a normal that varies within the pixel, the highlight is wider and fainter.
@@ -142,7 +167,9 @@ void main()
     vec3 turnY = dFdy(bumped);
     float gloss = kGloss / (1.0 + 0.5 * kGloss * (dot(turnX, turnX) + dot(turnY, turnY)));
     float glint = exp(gloss * (facing - 1.0)) * gloss / kGloss;
-    lit += edge * edge * edge * kRim * albedo;
+    lit += (1.0 - isFluid) * edge * edge * edge * kRim * albedo;
+    vec4 mirror = mirrored(view, normal, bumped);
+    lit = mix(lit, mirror.rgb, isFluid * mirror.a);
     vec3 light = strength * lit + min(strength, kMostInFilm) * kFilm * glint;
     fragment = vec4(sqrt(compressed(light * kLampLight + kSpotStray * albedo)), shade.a);
 }

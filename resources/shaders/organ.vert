@@ -91,7 +91,7 @@ const vec3 kLamp = vec3(-0.242, -0.644, 0.725); // what the highlight mirrors, i
 
 // By MaterialGroup: strength of the highlight; opacity seen face on; opacity seen edge on; light
 // added edge on.
-const vec4 kLooks[8] = vec4[8](
+const vec4 kLooks[9] = vec4[9](
     vec4(0.20, 1.00, 1.00, 0.10), // bone
     vec4(0.35, 1.00, 1.00, 0.12), // soft tissue
     vec4(0.80, 1.00, 1.00, 0.35), // tool
@@ -99,7 +99,8 @@ const vec4 kLooks[8] = vec4[8](
     vec4(0.40, 0.60, 0.95, 0.30), // lung
     vec4(0.10, 0.20, 0.75, 0.20), // veil
     vec4(0.10, 0.06, 0.40, 0.10), // skin
-    vec4(0.05, 0.08, 0.55, 0.15)  // ghost
+    vec4(0.05, 0.08, 0.55, 0.15), // ghost
+    vec4(0.80, 1.00, 1.00, 0.35)  // fluid
 );
 
 vec3 albedo; // of this vertex: sRGB, to close to linear light
@@ -112,6 +113,7 @@ const float kShoulder = 0.6; // of light, from which on it is compressed
 
 const float kTool = 2.0; // MaterialGroup
 const float kAirway = 3.0;
+const float kFluid = 8.0;
 
 const float kLooseTooth = 8.0; // ChestRegion: events move it and those after it
 const float kMediastinum = 11.0; // it and those after it follow the jaw
@@ -659,7 +661,7 @@ void main()
 #ifdef MOIST
     restPosition = vertexPosition;
 #endif
-    bool whole = vertexPart.z == kTool || (cutAway == 1.0 && vertexPart.z == kAirway);
+    bool whole = vertexPart.z == kTool || vertexPart.z == kFluid || (cutAway == 1.0 && vertexPart.z == kAirway);
     gl_ClipDistance[0] = whole ? 1.0 : section.w - dot(section.xyz, worldPosition);
     gl_Position = mvp * vec4(position, 1.0);
 }

@@ -31,7 +31,6 @@ ScenePart scopePart(const char* name, FigureShapes::Mesh mesh, const QColor& col
             .levels = {std::move(mesh)}};
 }
 
-/// As shiny as tools, and drawn from both sides.
 ScenePart contentPart(AirwayEventKind kind, ContentPlace place)
 {
     const bool isSolid = kind == AirwayEventKind::ForeignBody;
@@ -39,8 +38,10 @@ ScenePart contentPart(AirwayEventKind kind, ContentPlace place)
                         : place == ContentPlace::Vallecula ? valleculaPoolMesh()
                                                            : fluidMesh();
     const std::string body = bodyOfContent(kind, place);
-    return scopePart(body.c_str(), std::make_shared<const TriangleMesh>(std::move(mesh)),
-                     colorOfContent(kind), body.c_str());
+    ScenePart part = scopePart(body.c_str(), std::make_shared<const TriangleMesh>(std::move(mesh)),
+                               colorOfContent(kind), body.c_str());
+    part.group = materialOfContent(kind);
+    return part;
 }
 
 } // namespace

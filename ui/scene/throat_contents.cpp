@@ -44,6 +44,11 @@ QColor colorOfContent(AirwayEventKind kind)
     return kContentColors.at(std::size_t(found - kThroatContents.begin()));
 }
 
+MaterialGroup materialOfContent(AirwayEventKind kind)
+{
+    return kind == AirwayEventKind::ForeignBody ? MaterialGroup::Tool : MaterialGroup::Fluid;
+}
+
 TriangleMesh foreignBodyMesh()
 {
     constexpr double kMorsel = 2.5;
@@ -81,7 +86,7 @@ std::vector<SceneFigure> contentFigures(const std::vector<DrawnContent>& content
         figure.parts.push_back(
             {.name = body,
              .id = nextId++,
-             .group = MaterialGroup::Tool,
+             .group = materialOfContent(content.kind),
              .color = colorOfContent(content.kind),
              .listedUnder = BodyRegion::Airway,
              .body = body,

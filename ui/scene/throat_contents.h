@@ -15,6 +15,7 @@ namespace carina
 /// The body of what lies in a throat, one for each event and place.
 [[nodiscard]] std::string bodyOfContent(AirwayEventKind kind, ContentPlace place);
 [[nodiscard]] QColor colorOfContent(AirwayEventKind kind);
+[[nodiscard]] MaterialGroup materialOfContent(AirwayEventKind kind);
 /// A foreign body in a man; a little longer than wide.
 [[nodiscard]] TriangleMesh foreignBodyMesh();
 

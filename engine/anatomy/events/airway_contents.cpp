@@ -12,17 +12,23 @@ namespace carina
 namespace
 {
 
-constexpr double kFluidHead_mm = 52.0;
+/// Up into the nasopharynx, behind the palate, where no eye in mouth or throat sees it end.
+constexpr double kFluidHead_mm = 85.0;
+constexpr double kPoolHead_mm = 52.0; ///< at most: the palate
 constexpr double kWallOfPharynx_mm = 2.0;
-constexpr int kRows = 40;
+constexpr int kRows = 60;
 constexpr int kColumns = 24;
 
-/// Facing the front, tilted as by waves of some millimetres across each other.
+/// Facing the front, tilted as by long waves across each other: so little from one corner of the
+/// grid to the next that a highlight on it is round.
 Vec3 rippled(double x_mm, double z_mm)
 {
-    constexpr double kSteep = 0.3;
-    const double slope_x = std::sin(0.9 * x_mm + 0.4 * z_mm) + std::sin(0.5 * x_mm - 0.7 * z_mm);
-    const double slope_z = std::sin(0.8 * z_mm + 0.3 * x_mm) + std::sin(1.3 * z_mm - 0.5 * x_mm);
+    constexpr double kSteep = 0.06;
+    constexpr double kPerMillimetre = 0.25;
+    const double x = kPerMillimetre * x_mm;
+    const double z = kPerMillimetre * z_mm;
+    const double slope_x = std::sin(0.9 * x + 0.4 * z) + std::sin(0.5 * x - 0.7 * z);
+    const double slope_z = std::sin(0.8 * z + 0.3 * x) + std::sin(1.3 * z - 0.5 * x);
     return Vec3{kSteep * slope_x, -1.0, kSteep * slope_z}.normalized();
 }
 
@@ -63,7 +69,7 @@ double poolHead_mm(double depth_mm)
 {
     constexpr double kFilm_mm = 0.2;
     double z_mm = 0.0;
-    while (z_mm < kFluidHead_mm && depthAt_mm(depth_mm, z_mm + 1.0) > kFilm_mm)
+    while (z_mm < kPoolHead_mm && depthAt_mm(depth_mm, z_mm + 1.0) > kFilm_mm)
         z_mm += 1.0;
     return z_mm;
 }

@@ -59,17 +59,18 @@ inline constexpr Length kDeepestFluid = millimetres(20.0);
 inline constexpr Length kForeignBody = millimetres(15.0); ///< its length in a man
 
 /// A fluid in a man, in F, closed: its surface from kFluidFoot below the origin, which is the notch
-/// but for the level, up to the palate, as wide as the pharynx is there (pharynxSectionAt), and
-/// kFluidBehind from there to the back. What of it would be outside the pharynx is hidden by the
-/// walls of that; an eye in the midst of it sees nothing else. The surface is flat, with the
-/// normals of ripples.
+/// but for the level, up into the nasopharynx, as wide as the pharynx is there (pharynxSectionAt),
+/// and kFluidBehind from there to the back. What of it would be outside the pharynx is hidden by
+/// the walls of that, and its upper end by the palate; an eye in the midst of it sees nothing else.
+/// The surface is flat, with the normals of long waves.
 [[nodiscard]] TriangleMesh fluidMesh();
 inline constexpr Length kFluidFoot = millimetres(8.0);
 inline constexpr Length kFluidBehind = millimetres(30.0);
 
-/// A fluid for who sees it from outside, in F likewise: the same surface, but only as far up, and
-/// only as deep, as it stands before the back wall (pharynxSectionAt), which comes forward towards
-/// the palate. Across, its bottom is half an ellipse.
+/// A fluid for who sees it from outside, in F likewise: the same surface, but no farther up than
+/// the palate, and only as far, and only as deep, as it stands before the back wall
+/// (pharynxSectionAt), which comes forward towards the palate. Across, its bottom is half an
+/// ellipse.
 /// @param depth of ThroatContent, above 0
 [[nodiscard]] TriangleMesh poolMesh(Length depth);
 

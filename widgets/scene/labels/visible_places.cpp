@@ -333,7 +333,7 @@ std::optional<Vec3> drawnAt(const ScenePart& part, const SurfacePlace& place,
 bool isCutAway(const ScenePart& part, const Vec3& p_A, const std::optional<Section>& section)
 {
     const bool whole =
-        part.group == MaterialGroup::Tool
+        isNeverCut(part.group)
         || (section && section->cut == Cut::AllButAirway && part.group == MaterialGroup::Airway);
     return section && !whole && section->normal_A.dot(p_A) > section->distance;
 }

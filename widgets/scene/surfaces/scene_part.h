@@ -16,9 +16,10 @@
 namespace carina
 {
 
-/// The material of a surface, which determines how it is drawn. The first three are opaque; the
-/// others are blended from back to front. Surfaces are closed with outward normals, or else open
-/// and "seen into": their inner face is drawn as well. Tools are drawn from both sides.
+/// The material of a surface, which determines how it is drawn. The first three and fluids are
+/// opaque; the others are blended from back to front. Surfaces are closed with outward normals, or
+/// else open and "seen into": their inner face is drawn as well. Tools and fluids are drawn from
+/// both sides.
 enum class MaterialGroup : std::uint8_t {
     Bone,
     SoftTissue, ///< tongue, epiglottis, bronchial tree
@@ -28,6 +29,7 @@ enum class MaterialGroup : std::uint8_t {
     Veil,       ///< structures around airway and lungs, such as ribs, heart, muscles: translucent
     Skin,       ///< a faint outline
     Ghost,      ///< an outline of a part that a person wants to see through
+    Fluid,      ///< what stands in the throat: smooth, and mirrors what is around it
 };
 
 /// The number of layers in which visible pixels are counted: layer 0 has all opaque groups, each
@@ -35,7 +37,15 @@ enum class MaterialGroup : std::uint8_t {
 inline constexpr int kLayers = 6;
 [[nodiscard]] constexpr int layerOf(MaterialGroup group)
 {
+    if (group == MaterialGroup::Fluid)
+        return 0;
     return std::max(0, static_cast<int>(group) - static_cast<int>(MaterialGroup::Tool));
+}
+
+/// Whether a section leaves it whole.
+[[nodiscard]] constexpr bool isNeverCut(MaterialGroup group)
+{
+    return group == MaterialGroup::Tool || group == MaterialGroup::Fluid;
 }
 
 /// How a surface is rasterised.
@@ -49,7 +59,7 @@ inline constexpr std::size_t kDrawLayers = 3;
 {
     if (layerOf(group) > 0)
         return DrawLayer::Blended;
-    return group == MaterialGroup::Tool ? DrawLayer::Open : DrawLayer::Closed;
+    return isNeverCut(group) ? DrawLayer::Open : DrawLayer::Closed;
 }
 
 /// The region of the body under which a list shows a part.

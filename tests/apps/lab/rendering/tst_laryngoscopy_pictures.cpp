@@ -4,6 +4,7 @@
 
 #include <QTemporaryDir>
 
+#include <algorithm>
 #include <cmath>
 
 namespace carina::laryngoscopy_pictures_test
@@ -27,6 +28,7 @@ private Q_SLOTS:
     void seesLessWithoutALift();
     void estimatesTheForcesOfALift();
     void pressesTheTeethByLevering();
+    void drawsAFluidWithoutAStraightEnd();
     void drawsPicturesLikeTheReference();
 
 private:
@@ -128,6 +130,38 @@ void TestLaryngoscopyPictures::pressesTheTeethByLevering()
     QVERIFY(std::abs(levered[QStringLiteral("incisor_clearance_mm")].toDouble()) < 0.01);
     QVERIFY(levered[QStringLiteral("levering_percent")].toDouble() > 95.0);
     QCOMPARE(levered[QStringLiteral("handling")].toString(), QStringLiteral("levering"));
+}
+
+// Where blood, which is dark, ends above paler tissue, it ends so in one row of pixels only in a
+// small share of the picture's width.
+void TestLaryngoscopyPictures::drawsAFluidWithoutAStraightEnd()
+{
+    constexpr double kStraight = 0.1; // of the width
+    const auto isBlood = [](QRgb c) { return qRed(c) > 70 && qGreen(c) < 30 && qBlue(c) < 30; };
+    const auto isPaler = [](QRgb c) { return qGreen(c) > 45 && qBlue(c) > 45; };
+    const QString folder = m_folder.filePath(QStringLiteral("blood"));
+    const QJsonArray pictures = drawn(folder, {QStringLiteral("--event"),
+                                               QStringLiteral("blood")})[QStringLiteral("pictures")]
+                                    .toArray();
+    QCOMPARE(pictures.size(), 5);
+    for (const QJsonValue picture : pictures) {
+        const QImage image{folder + QLatin1Char{'/'} + picture[QStringLiteral("file")].toString()};
+        QCOMPARE(image.size(), kSize);
+        int most = 0;
+        int blood = 0;
+        for (int y = 0; y + 2 < image.height(); ++y) {
+            int ends = 0;
+            for (int x = 0; x < image.width(); ++x) {
+                const bool here = isBlood(image.pixel(x, y));
+                blood += here ? 1 : 0;
+                ends += here && isPaler(image.pixel(x, y + 2)) ? 1 : 0;
+            }
+            most = std::max(most, ends);
+        }
+        qInfo("%d of %d pixels end in one row", most, blood);
+        QVERIFY(most < kStraight * image.width());
+        QVERIFY(blood > 0 || pixels(picture, "fluid") == 0);
+    }
 }
 
 // At least 0.95 in the finest quality, and more the more is done for edges.

@@ -114,6 +114,7 @@ private Q_SLOTS:
     void hasAFlatSurfaceFromTheLarynxToThePalate();
     void isClosed();
     void ripplesOnItsSurface();
+    void tiltsLittleFromCornerToCorner();
     void hasEachFluidAtItsOwnLevel();
     void standsInAPoolWithinThePharynx_data();
     void standsInAPoolWithinThePharynx();
@@ -204,8 +205,8 @@ void TestAirwayContents::isClosed()
             QVERIFY(mesh.normals.at(n).cast<double>().dot(area) > 0.0);
     }
     QVERIFY(areas.norm() < 1e-6 * all);
-    // 30 mm deep, 60 mm long, and from 26 to about 50 mm wide.
-    QVERIFY2(volume > 30e-3 * 60e-3 * 26e-3 && volume < 30e-3 * 60e-3 * 50e-3,
+    // 30 mm deep, 93 mm long, and from 26 to about 54 mm wide.
+    QVERIFY2(volume > 30e-3 * 93e-3 * 26e-3 && volume < 30e-3 * 93e-3 * 54e-3,
              qPrintable(QString::number(1e6 * volume)));
 }
 
@@ -220,6 +221,27 @@ void TestAirwayContents::ripplesOnItsSurface()
             different.insert(normal.x());
     }
     QVERIFY(different.size() > 100);
+}
+
+// Normals are interpolated along straight lines between corners. Half a highlight of moist.frag is
+// 4 degrees: exp(300 (cos 4 - 1)) = 0.5.
+void TestAirwayContents::tiltsLittleFromCornerToCorner()
+{
+    constexpr double kHalfHighlight_deg = 4.0;
+    for (const TriangleMesh& mesh : {fluidMesh(), poolMesh(millimetres(20.0))}) {
+        double most_deg = 0.0;
+        for (const Triangle& t : mesh.triangles)
+            for (int i = 0; i < 3; ++i) {
+                const Vec3f& one = mesh.normals.at(t.at(i));
+                const Vec3f& next = mesh.normals.at(t.at((i + 1) % 3));
+                if (one.y() > -0.5F)
+                    continue; // not of the surface
+                const double cosine = std::clamp(double(one.dot(next)), -1.0, 1.0);
+                most_deg = std::max(most_deg, std::acos(cosine) * 180.0 / std::numbers::pi);
+            }
+        QVERIFY2(most_deg > 0.5 && most_deg < kHalfHighlight_deg,
+                 qPrintable(QString::number(most_deg)));
+    }
 }
 
 void TestAirwayContents::hasEachFluidAtItsOwnLevel()

@@ -120,6 +120,7 @@ void TestAppearance::drawsOpaqueFirstAndSkinLast()
     QCOMPARE(layerOf(MaterialGroup::Bone), 0);
     QCOMPARE(layerOf(MaterialGroup::SoftTissue), 0);
     QCOMPARE(layerOf(MaterialGroup::Tool), 0);
+    QCOMPARE(layerOf(MaterialGroup::Fluid), 0);
     QCOMPARE(layerOf(MaterialGroup::Airway), 1);
     QCOMPARE(layerOf(MaterialGroup::Lung), 2);
     QCOMPARE(layerOf(MaterialGroup::Veil), 3);

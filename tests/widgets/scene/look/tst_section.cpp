@@ -55,7 +55,7 @@ private Q_SLOTS:
     void showsTheInsideOfWhatIsCutOpen();
     void uncoversWhatLiesBehind();
     void cutsWhereBreathingHasMovedIt();
-    void leavesToolsWhole();
+    void leavesToolsAndFluidsWhole();
     void leavesTheAirwayWholeWhereAsked_data();
     void leavesTheAirwayWholeWhereAsked();
     void closesAgain();
@@ -122,10 +122,12 @@ void TestSection::cutsWhereBreathingHasMovedIt()
     QCOMPARE(view->visiblePixels()[1], std::size_t{0});
 }
 
-void TestSection::leavesToolsWhole()
+void TestSection::leavesToolsAndFluidsWhole()
 {
-    auto pixels = countedIn({spherePart(1, MaterialGroup::Tool, Vec3::Zero(), 0.1)}, openedTo(0.5));
-    QVERIFY(isClose(pixels[1], discPixels(0.1, kDistance)));
+    for (const MaterialGroup group : {MaterialGroup::Tool, MaterialGroup::Fluid}) {
+        auto pixels = countedIn({spherePart(1, group, Vec3::Zero(), 0.1)}, openedTo(0.5));
+        QVERIFY(isClose(pixels[1], discPixels(0.1, kDistance)));
+    }
 }
 
 void TestSection::leavesTheAirwayWholeWhereAsked_data()

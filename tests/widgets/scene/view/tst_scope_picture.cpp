@@ -103,6 +103,7 @@ public:
 private Q_SLOTS:
     void init();
     void tellsTheNearestOpaquePartInEachPixel();
+    void tellsAFluid();
     void tellsTheSameWithoutWaiting();
     void tellsNothingOfPartsThatAreGone();
     void tellsNothingWhileNotShown();
@@ -134,6 +135,14 @@ void TestScopePicture::tellsTheNearestOpaquePartInEachPixel()
     const double focal = 0.5 * kHeight / std::tan(0.5 * OrbitCamera::kVerticalFieldOfView);
     QVERIFY(idAt(picture, kWidth / 2, kHeight / 2 - int(0.2 / 2.5 * focal)) == std::uint16_t{300});
     QVERIFY(!idAt(picture, 2, 2));
+}
+
+void TestScopePicture::tellsAFluid()
+{
+    const std::vector parts{spherePart(5, MaterialGroup::Fluid, Vec3::Zero(), 0.1)};
+    const auto view = shownView(parts, [](int, LocalTime) { return frontFrame(); });
+    QVERIFY(draws(*view, 3));
+    QVERIFY(idAt(view->opaqueIds(), kWidth / 2, kHeight / 2) == std::uint16_t{5});
 }
 
 // Of the frame that was drawn next, while others are drawn.

@@ -12,24 +12,10 @@ namespace carina
 namespace
 {
 
-constexpr double kTubeChord = 0.04;   ///< metres of way, before the tip is through the teeth
-constexpr double kLeastAcross = 1e-3; ///< of a direction, to x
+constexpr double kTubeChord = 0.04; ///< metres of way, before the tip is through the teeth
 constexpr Length kReadyBeforeTeeth = millimetres(30.0); ///< in front of the teeth, in an adult
 const Vec3 kBladeAside_A{0.0, -0.12, 0.12};
 constexpr double kLookedAt_s = 0.05;
-
-/// The axes (across, third, direction) of a direction and the x axis, each in some frame; nothing
-/// where there is no direction or it is that of x.
-std::optional<Mat3> axesOf(const Vec3& direction)
-{
-    const Vec3 along = direction.stableNormalized();
-    const Vec3 across = Vec3::UnitX() - along.x() * along;
-    if (!(along.norm() > 0.5) || across.norm() < kLeastAcross)
-        return std::nullopt;
-    Mat3 axes;
-    axes << across.normalized(), along.cross(across.normalized()), along;
-    return axes;
-}
 
 /// The place of a tube's centreline that has this distance from its tip, the nearest along it;
 /// nothing where the tube is too short.
@@ -105,10 +91,24 @@ MotionMoment IntubationMotion::at(Duration t) const
     const double seconds = toSeconds(t);
     const NeckField neck = neckAt(seconds);
     const RigidTransform& X_AU = neck.X_AU();
-    return {.X_AE = X_AU * tubeAt(seconds).value_or(m_tube.X_AE),
-            .X_AL = X_AU * bladeAt(seconds),
+    const auto tube = tubeAt(seconds);
+    return {.X_AE = X_AU * (tube ? tube->X_AE : m_tube.X_AE),
+            .X_AL = laryngoscopeAt(t),
             .X_AJ = jawAt(seconds),
             .head = neck.position()};
+}
+
+RigidTransform IntubationMotion::laryngoscopeAt(Duration t) const
+{
+    return neckAt(toSeconds(t)).X_AU() * bladeAt(toSeconds(t));
+}
+
+HeadPosition IntubationMotion::headAt(Duration t) const { return neckAt(toSeconds(t)).position(); }
+
+std::vector<Vec3> IntubationMotion::tubeLine(Duration t) const
+{
+    const auto tube = tubeAt(toSeconds(t));
+    return tube ? tube->line(m_tube.p_E_centre) : std::vector<Vec3>{};
 }
 
 TrueTip IntubationMotion::tipAt(Duration t) const
@@ -138,10 +138,9 @@ Length IntubationMotion::bladePastTeeth(Duration t) const
 Length IntubationMotion::depthAtTeeth(Duration t) const
 {
     const TrueTip tip = heldTipAt(toSeconds(t));
-    const std::optional<RigidTransform> X_AE = tubeAt(toSeconds(t));
-    if (!X_AE || tip.along <= m_patient->way(tip.target).teeth)
+    if (tip.along <= m_patient->way(tip.target).teeth)
         return {};
-    return metres(lengthAfter(m_tube.p_E_centre, X_AE->inverse() * m_patient->airway.p_A_incisors));
+    return metres(lengthAfter(tubeLine(t), m_patient->airway.p_A_incisors));
 }
 
 Length IntubationMotion::tipAboveCarina(Duration t) const
@@ -229,7 +228,12 @@ TrueTip IntubationMotion::heldTipAt(double seconds) const
     return {turn->target, along, p_A + trembling.y() * Vec3::UnitX() + trembling.z() * across};
 }
 
-std::optional<RigidTransform> IntubationMotion::tubeAt(double seconds) const
+std::optional<BentTube> IntubationMotion::tubeAt(double seconds) const
+{
+    return m_grip.bending == TubeBending::Rigid ? rigidTubeAt(seconds) : elasticTubeAt(seconds);
+}
+
+std::optional<BentTube> IntubationMotion::rigidTubeAt(double seconds) const
 {
     const TrueTip tip = heldTipAt(seconds);
     const TipWay& way = m_patient->way(tip.target);
@@ -239,13 +243,38 @@ std::optional<RigidTransform> IntubationMotion::tubeAt(double seconds) const
     const auto p_E_second = centreAtDistance(m_tube.p_E_centre, chord_A.norm());
     if (!p_E_second)
         return std::nullopt;
-    const auto axes_A = axesOf(chord_A);
-    const auto axes_E = axesOf(m_tube.p_E_tip - *p_E_second);
+    const auto axes_A = axesAlong(chord_A);
+    const auto axes_E = axesAlong(m_tube.p_E_tip - *p_E_second);
     if (!axes_A || !axes_E)
         return std::nullopt;
     const Quat roll = rotationFromVector(m_grip.roll.si * chord_A.normalized());
     const Quat q_AE = roll * Quat{Mat3{*axes_A * axes_E->transpose()}};
-    return RigidTransform{q_AE, tip.p_A - q_AE * m_tube.p_E_tip};
+    return BentTube{
+        {q_AE, tip.p_A - q_AE * m_tube.p_E_tip}, {tip.p_A}, lengthOf(m_tube.p_E_centre)};
+}
+
+std::optional<BentTube> IntubationMotion::elasticTubeAt(double seconds) const
+{
+    const TrueTip tip = heldTipAt(seconds);
+    const TipWay& way = m_patient->way(tip.target);
+    const TissueAroundWay tissue = tissueAt(seconds);
+    const CorridorEnds ends{.held = std::min(tip.along - kTubeChord, way.teeth),
+                            .corner_A = m_grip.corner_A,
+                            .tip = tip.along,
+                            .p_A_tip = tip.p_A};
+    return bentTube(tubeCorridor(*m_patient, way, tissue, ends, 0.5 * m_tube.outerDiameter),
+                    m_tube.p_E_centre, m_grip.roll);
+}
+
+TissueAroundWay IntubationMotion::tissueAt(double seconds) const
+{
+    TissueAroundWay tissue{.X_AJ = jawAt(seconds)};
+    const FollowingThroat throat{m_patient->throat, tissue.X_AJ * m_patient->held.inverse()};
+    const UpperAirway airway = followed(m_patient->upper, throat);
+    const RigidTransform X_AL = bladeAt(seconds);
+    if (isInMouth(airway, m_blade, X_AL))
+        tissue.blade = bladeInTissue(airway, m_blade, X_AL);
+    return tissue;
 }
 
 TubeShape lengthened(TubeShape tube, Length whole)
@@ -267,14 +296,23 @@ Result<TubeShape> motionTube(const AirwayLandmarks& airway, Length innerDiameter
 }
 
 std::optional<Length> tubeInside(const MotionPatient& patient, const TubeShape& tube,
-                                 const TipWay& way, double along)
+                                 TubeBending bending, const TipWay& way, double along)
 {
-    const HeldTissue tissue{patient.held, {}};
-    const Vec3 chord_A =
-        placeOnWay(patient, way, along, tissue) - placeOnWay(patient, way, way.teeth, tissue);
-    const auto p_E_atTeeth = centreAtDistance(tube.p_E_centre, chord_A.norm());
-    return p_E_atTeeth ? std::optional{metres(lengthAfter(tube.p_E_centre, *p_E_atTeeth))}
-                       : std::nullopt;
+    if (bending == TubeBending::Rigid) {
+        const HeldTissue tissue{patient.held, {}};
+        const Vec3 chord_A =
+            placeOnWay(patient, way, along, tissue) - placeOnWay(patient, way, way.teeth, tissue);
+        const auto p_E_atTeeth = centreAtDistance(tube.p_E_centre, chord_A.norm());
+        return p_E_atTeeth ? std::optional{metres(lengthAfter(tube.p_E_centre, *p_E_atTeeth))}
+                           : std::nullopt;
+    }
+    const CorridorEnds ends{.held = way.teeth,
+                            .tip = along,
+                            .p_A_tip = placeOnWay(patient, way, along, {patient.held, {}})};
+    const auto bent =
+        bentTube(tubeCorridor(patient, way, {patient.held}, ends, 0.5 * tube.outerDiameter),
+                 tube.p_E_centre, {});
+    return bent ? std::optional{lengthOf(bent->p_A_inside)} : std::nullopt;
 }
 
 const Blade& motionBlade(const UpperAirway& upper)

@@ -3,6 +3,7 @@
 #include "engine/anatomy/laryngoscopy/laryngoscopy_path.h"
 #include "engine/anatomy/shapes/tube.h"
 #include "engine/core/session_time.h"
+#include "evaluation/intubation/bent_tube.h"
 #include "evaluation/intubation/hand_track.h"
 #include "evaluation/intubation/motion_patient.h"
 
@@ -60,6 +61,12 @@ struct MotionTracks {
     std::vector<Turn> turns{{}}; ///< which way the tip goes, in the order of their times
 };
 
+/// What of a tube the walls of an airway change.
+enum class TubeBending : std::uint8_t {
+    Rigid, ///< nothing: it keeps its curve at rest and passes through them
+    Elastic
+};
+
 /// How tube and blade are held through a whole motion.
 struct MotionGrip {
     HandTremor tubeHand{};
@@ -67,16 +74,18 @@ struct MotionGrip {
     Angle roll{};                 ///< of the tube about the line from teeth to tip
     Vec3 corner_A = Vec3::Zero(); ///< of the tube from the midline, where it passes the teeth
     Length lift = kUsualLift;
+    TubeBending bending = TubeBending::Rigid;
 };
 
 /// Somebody's hands in one intubation of one patient: a pure function of time.
 ///
-/// The tube is rigid and has its rest curve, as a patient's tube (TubeShape) has. Its tip lies on
-/// its way through the patient as jaw and neck have taken that, but for the hand's tremor, and its
-/// centreline passes through a second place, 4 cm of the way before the tip until that lies at the
-/// teeth, and from then on there. A bent neck takes the connector with the head, as a tube that is
-/// fixed to the face; the tube in the patient bends with it and keeps its length from the teeth to
-/// the tip.
+/// The tip of the tube lies on its way through the patient as jaw and neck have taken that, but for
+/// the hand's tremor, and its centreline passes through a second place, 4 cm of the way before the
+/// tip until that lies at the teeth, and from then on there. A rigid one has its curve at rest,
+/// that of a patient's tube (TubeShape). An elastic one bends between both places as the walls of
+/// the way let it (bentTube), and has that curve in front of them. A bent neck takes the connector
+/// with the head, as a tube that is fixed to the face; the tube in the patient bends with it and
+/// keeps its length from the teeth to the tip.
 class IntubationMotion
 {
 public:
@@ -89,6 +98,12 @@ public:
                                                        Duration length);
 
     [[nodiscard]] MotionMoment at(Duration t) const;
+    // Of that what is found without the tube.
+    [[nodiscard]] RigidTransform laryngoscopeAt(Duration t) const;
+    [[nodiscard]] HeadPosition headAt(Duration t) const;
+    /// The tube's centre line in A from the connector to the tip, in the neutral position of the
+    /// head.
+    [[nodiscard]] std::vector<Vec3> tubeLine(Duration t) const;
     [[nodiscard]] TrueTip tipAt(Duration t) const;
     /// The tip of the blade, from the plane through the upper incisors across the way there, into
     /// the mouth.
@@ -110,10 +125,13 @@ private:
     IntubationMotion() = default;
 
     // All in the neutral position of the head, which takes tube and blade with it.
-    [[nodiscard]] std::optional<RigidTransform> tubeAt(double seconds) const;
+    [[nodiscard]] std::optional<BentTube> tubeAt(double seconds) const;
+    [[nodiscard]] std::optional<BentTube> rigidTubeAt(double seconds) const;
+    [[nodiscard]] std::optional<BentTube> elasticTubeAt(double seconds) const;
     [[nodiscard]] RigidTransform bladeAt(double seconds) const;
     [[nodiscard]] RigidTransform jawAt(double seconds) const;
     [[nodiscard]] TrueTip heldTipAt(double seconds) const;
+    [[nodiscard]] TissueAroundWay tissueAt(double seconds) const;
     [[nodiscard]] NeckField neckAt(double seconds) const;
     struct BladePose {
         RigidTransform X_AL;
@@ -147,7 +165,8 @@ private:
 /// How much of a tube is beyond the teeth while its tip is at a place of a way, at the fork or
 /// beyond; nothing where the tube does not reach from there to the teeth.
 [[nodiscard]] std::optional<Length> tubeInside(const MotionPatient& patient, const TubeShape& tube,
-                                               const TipWay& way, double along);
+                                               TubeBending bending, const TipWay& way,
+                                               double along);
 
 /// A blade that is long enough for an airway: Macintosh 3 or 2, of infants Miller 1 or 0. The
 /// bounds are of ours.

@@ -28,6 +28,13 @@ constexpr Length kBesideNotch = millimetres(4.0);
 constexpr Length kAboveNotch = millimetres(2.0);
 constexpr Length kSection = millimetres(6.0); ///< of the oesophagus
 
+// How far walls are from the middle of a way: of ours, from the usual sizes of adults.
+constexpr Length kMostInThroat = millimetres(20.0);
+constexpr Length kMostInWindpipe = millimetres(12.0);
+constexpr Length kMainBronchus = millimetres(6.5);
+constexpr Length kOpenedOesophagus = millimetres(8.0); ///< as far as a tube dilates it
+constexpr Length kAtCarina = millimetres(12.0); ///< whose ridge a tube passes: nothing is measured
+
 /// The mean of some places, of which at least kLeastPlaces are needed.
 class MeanPlace
 {
@@ -199,6 +206,28 @@ TipWay arytenoidWay(const UpperAirway& upper, const TipWay& trachea)
     return way;
 }
 
+void measureWalls(const Anatomy& anatomy, const UpperAirway& upper, TipWay& trachea)
+{
+    const double atCarina = trachea.carina - upper.windpipeSize() * kAtCarina.si;
+    trachea.walls = wallsAlong(anatomy, trachea.line_A, metres(trachea.teeth), metres(trachea.fork),
+                               upper.size() * kMostInThroat);
+    const double below = trachea.fork + kWallsEach.si;
+    const auto windpipe = wallsAlong(anatomy, trachea.line_A, metres(below), metres(atCarina),
+                                     upper.windpipeSize() * kMostInWindpipe);
+    trachea.walls.insert(trachea.walls.end(), windpipe.begin(), windpipe.end());
+}
+
+/// The walls of the trachea's way up to where another one leaves it, and round ones from there on.
+void takeWalls(TipWay& way, const TipWay& trachea, double leaves, Length radius)
+{
+    const std::span<const WallsAround> all = trachea.walls;
+    const auto last = std::ranges::lower_bound(all, leaves, {}, &WallsAround::along);
+    way.walls.assign(all.begin(), last);
+    const auto beyond =
+        roundWalls(way.line_A, metres(leaves) + kWallsEach, metres(way.end), radius);
+    way.walls.insert(way.walls.end(), beyond.begin(), beyond.end());
+}
+
 } // namespace
 
 Result<MotionPatient> motionPatient(const Anatomy& anatomy, const RigidTransform& held)
@@ -207,19 +236,26 @@ Result<MotionPatient> motionPatient(const Anatomy& anatomy, const RigidTransform
     const auto upper = upperAirwayOf(anatomy.parts, l);
     if (!upper)
         return tl::unexpected(upper.error());
-    const TipWay trachea = tracheaWay(anatomy, *upper);
-    const auto right = bronchusWay(anatomy, trachea, Side::Right);
-    const auto left = bronchusWay(anatomy, trachea, Side::Left);
-    const auto oesophagus = oesophagusWay(anatomy, *upper, trachea);
+    TipWay trachea = tracheaWay(anatomy, *upper);
+    measureWalls(anatomy, *upper, trachea);
+    auto right = bronchusWay(anatomy, trachea, Side::Right);
+    auto left = bronchusWay(anatomy, trachea, Side::Left);
+    auto oesophagus = oesophagusWay(anatomy, *upper, trachea);
     for (const auto* way : {&right, &left, &oesophagus})
         if (!*way)
             return tl::unexpected(way->error());
-    return MotionPatient{
-        .airway = l,
-        .upper = *upper,
-        .throat = {l.p_A_carina, l.p_A_glottis, l.p_A_incisors},
-        .held = held,
-        .ways = {trachea, *right, *left, *oesophagus, arytenoidWay(*upper, trachea)}};
+    TipWay arytenoid = arytenoidWay(*upper, trachea);
+    const double size = upper->windpipeSize();
+    const double leaves = trachea.carina - kLeavesTrachea * (trachea.carina - trachea.gate);
+    for (TipWay* bronchus : {&*right, &*left})
+        takeWalls(*bronchus, trachea, leaves, size * kMainBronchus);
+    for (TipWay* behind : {&*oesophagus, &arytenoid})
+        takeWalls(*behind, trachea, trachea.fork, size * kOpenedOesophagus);
+    return MotionPatient{.airway = l,
+                         .upper = *upper,
+                         .throat = {l.p_A_carina, l.p_A_glottis, l.p_A_incisors},
+                         .held = held,
+                         .ways = {trachea, *right, *left, *oesophagus, arytenoid}};
 }
 
 Vec3 placeOnWay(const MotionPatient& patient, const TipWay& way, double along,

@@ -5,6 +5,7 @@
 #include "engine/anatomy/laryngoscopy/upper_airway.h"
 #include "engine/geometry/deformation/neck_field.h"
 #include "engine/geometry/deformation/throat_field.h"
+#include "evaluation/intubation/way_walls.h"
 
 #include <array>
 #include <cstdint>
@@ -27,6 +28,8 @@ struct TipWay {
     double gate = 0.0;  ///< at the level of the glottis, in it or behind; of the arytenoid: its end
     double carina = 0.0; ///< at the carina's level across the trachea, of the ways that pass it
     double end = 0.0;
+    /// Around it, from the teeth on, in ascending order; what a tube opens for itself is round.
+    std::vector<WallsAround> walls{};
 };
 inline constexpr Length kForkAboveGlottis = millimetres(15.0); ///< of ours
 
@@ -53,6 +56,10 @@ struct MotionPatient {
 /// - oesophagus: from the fork behind the arytenoids into the means of its sections, from its upper
 ///   end down;
 /// - arytenoid: from the fork onto the right one, beside the interarytenoid notch.
+///
+/// The walls around them are those of mouth, throat, larynx and trachea; main bronchi and
+/// oesophagus, of which surfaces tell the middle and not how far they let a tube, are of the usual
+/// width, as is what lies beside an arytenoid.
 ///
 /// @param held X_AJ of the mandible in the surfaces (heldJaw)
 /// @returns NoAirway with what is missing

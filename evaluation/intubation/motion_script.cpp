@@ -41,8 +41,12 @@ class MotionWriter
 {
 public:
     MotionWriter(const MotionParameters& parameters, const MotionPatient& patient,
-                 const TubeShape& tube, double slower)
-        : m_parameters{parameters}, m_patient{patient}, m_tube{tube}, m_slower{slower}
+                 const TubeShape& tube, TubeBending bending, double slower)
+        : m_parameters{parameters},
+          m_patient{patient},
+          m_tube{tube},
+          m_bending{bending},
+          m_slower{slower}
     {
         wait(kLook);
     }
@@ -161,7 +165,8 @@ public:
         const double sway = m_parameters[Sway_mm] * size();
         MotionGrip grip{.roll = degrees(m_parameters[Roll_deg]),
                         .corner_A = -size() * inMetres(m_parameters[Corner_mm]) * Vec3::UnitX(),
-                        .lift = m_parameters[Lift_share] * kUsualLift};
+                        .lift = m_parameters[Lift_share] * kUsualLift,
+                        .bending = m_bending};
         grip.tubeHand = {inMetres(share), inMetres(sway), random};
         grip.bladeHand = {inMetres(share), inMetres(sway), random};
         const Blade& blade = motionBlade(patient->upper);
@@ -185,7 +190,7 @@ private:
         constexpr double kEach = 1e-3;
         const Length most = lengthOf(m_tube.p_E_centre) - kConnectorOutside;
         const auto isPossible = [&] {
-            const auto inside = tubeInside(m_patient, m_tube, way, along);
+            const auto inside = tubeInside(m_patient, m_tube, m_bending, way, along);
             return inside && *inside <= most;
         };
         while (along > way.fork && !isPossible())
@@ -224,6 +229,7 @@ private:
     const MotionParameters& m_parameters;
     const MotionPatient& m_patient;
     const TubeShape& m_tube;
+    TubeBending m_bending;
     double m_slower;
     double m_now = 0.0;
     MotionTracks m_tracks;
@@ -318,12 +324,12 @@ std::mt19937 generatorOf(MotionKind kind, std::uint32_t seed)
 
 Result<IntubationMotion> scriptedMotion(MotionKind kind, const MotionParameters& parameters,
                                         std::shared_ptr<const MotionPatient> patient,
-                                        TubeShape tube, std::uint32_t seed)
+                                        TubeShape tube, std::uint32_t seed, TubeBending bending)
 {
     const double slower = kind == MotionKind::Slow ? parameters[Slower] : 1.0;
     const std::shared_ptr<const MotionPatient> kept = patient;
     const TubeShape shape = tube;
-    MotionWriter hands{parameters, *kept, shape, slower};
+    MotionWriter hands{parameters, *kept, shape, bending, slower};
     write(hands, kind, parameters);
     return std::move(hands).done(std::move(patient), std::move(tube), seed);
 }

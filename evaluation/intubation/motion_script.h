@@ -13,11 +13,13 @@ namespace carina
 /// and its ways are those of the patient's surfaces.
 ///
 /// @param seed of the hand's tremor
+/// @param bending of the tube between the walls of its way
 /// @returns the errors of IntubationMotion::make
 [[nodiscard]] Result<IntubationMotion> scriptedMotion(MotionKind kind,
                                                       const MotionParameters& parameters,
                                                       std::shared_ptr<const MotionPatient> patient,
-                                                      TubeShape tube, std::uint32_t seed);
+                                                      TubeShape tube, std::uint32_t seed,
+                                                      TubeBending bending = TubeBending::Rigid);
 
 /// The generator from which the parameters of a run are drawn, and what else it needs: another one
 /// for each motion and seed.

@@ -91,6 +91,8 @@ Result<QJsonObject> intubate(const Words& words)
     auto fits = isAll ? Result<void>{} : refuseAny(words, {kSeeds}, "--all-scripts");
     if (fits && !kind)
         fits = refuseAny(words, {kSeed, kSave}, "one motion");
+    if (fits && !isAll && !kind)
+        fits = refuseAny(words, {kElastic}, "motions");
     if (fits && (isAll || kind))
         fits = refuseAny(words, {kSite, kBlade, kTold}, "a recording");
     if (!fits)
@@ -142,15 +144,15 @@ std::vector<Key> andTheCourse(std::vector<Key> keys)
 Use intubateOnce()
 {
     static const std::string motions = namesOfMotions();
-    return {.lines = {"SCRIPT [--patient WHO] [--anatomy DIR] [--tube MM] [--seed N] "
-                      "[--save FILE]"},
+    return {.lines = {"SCRIPT [--patient WHO] [--anatomy DIR] [--tube MM] [--elastic]",
+                      "SCRIPT [--seed N] [--save FILE]"},
             .text = "Lets simulated hands intubate a patient, observes tube, laryngoscope and jaw "
                     "with the errors of a tracker and a registration, and prints what the monitor "
                     "of intubations makes of it beside what happened, what becomes of the patient, "
                     "and the score. The same words print the same.",
             .notes = {{"SCRIPT", motions.c_str()}},
-            .options = {kPatient, kAnatomy, intubate_option::kTube, intubate_option::kSeed,
-                        intubate_option::kSave},
+            .options = {kPatient, kAnatomy, intubate_option::kTube, intubate_option::kElastic,
+                        intubate_option::kSeed, intubate_option::kSave},
             .schema = intubate_key::kSchema,
             .keys = andTheCourse({intubate_key::kPatient,
                                   intubate_key::kTube,
@@ -201,12 +203,12 @@ Use intubateRecorded()
 
 Use intubateOften()
 {
-    return {.lines = {"--all-scripts [--seeds N] [--patient WHO] [--anatomy DIR] "
-                      "[--tube MM]"},
+    return {.lines = {"--all-scripts [--seeds N] [--patient WHO] [--anatomy DIR]",
+                      "--all-scripts [--tube MM] [--elastic]"},
             .text = "Runs each motion with the seeds 1 to N, without the patient's vital signs, "
                     "and prints how often and how far the monitor was wrong.",
             .options = {intubate_option::kAll, intubate_option::kSeeds, kPatient, kAnatomy,
-                        intubate_option::kTube},
+                        intubate_option::kTube, intubate_option::kElastic},
             .schema = intubate_all_key::kSchema,
             .keys = {intubate_all_key::kPatient,
                      intubate_all_key::kTube,

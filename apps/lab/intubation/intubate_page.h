@@ -13,6 +13,10 @@ inline constexpr Option kTube{
     "tube", "MM",
     "inner diameter of the tube, 2.5 to 9; the patient's usual one unless "
     "given"};
+inline constexpr Option kElastic{
+    "elastic", "",
+    "the hands move a tube that bends between the walls of the airway, and not a rigid one that "
+    "passes through them; the monitor is shown a rod"};
 inline constexpr Option kSeed{"seed", "N",
                               "of the motion, tracker and registration; 1 unless given"};
 inline constexpr Option kSave{"save", "FILE",
@@ -41,7 +45,7 @@ inline constexpr Key kPatient{"patient", "who is intubated"};
 inline constexpr Key kTube{"tube_mm", "inner diameter of the tube"};
 inline constexpr Key kShape{
     "tube", "how the monitor was shown it: rod, elastic in the patient's lumen, where it was "
-            "calibrated; else rigid"};
+            "calibrated, and with --elastic; else rigid"};
 inline constexpr Key kScript{"script", "the motion"};
 inline constexpr Key kSeed{"seed", "its seed"};
 inline constexpr Key kOutside{"outside",

@@ -96,7 +96,9 @@ Result<IntubationSubject> subjectOf(const Words& words, const Subject& subject)
 {
     return words.number(intubate_option::kTube, kSmallestTube_mm, kLargestTube_mm, 0.0)
         .and_then([&](double tube_mm) {
-            return intubationSubject(subject.anatomy, subject.build, millimetres(tube_mm));
+            return intubationSubject(subject.anatomy, subject.build, millimetres(tube_mm),
+                                     words.has(intubate_option::kElastic) ? TubeBending::Elastic
+                                                                          : TubeBending::Rigid);
         });
 }
 

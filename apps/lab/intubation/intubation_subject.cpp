@@ -3,7 +3,6 @@
 #include "engine/airway/lumen/measured_lumen.h"
 #include "engine/airway/tube/tube_size.h"
 #include "engine/anatomy/patient/builtin_patient.h"
-#include "evaluation/intubation/intubation_motion.h"
 
 #include <utility>
 
@@ -11,7 +10,7 @@ namespace carina::lab
 {
 
 Result<IntubationSubject> intubationSubject(const Anatomy& anatomy, const PatientBuild& build,
-                                            Length innerDiameter)
+                                            Length innerDiameter, TubeBending bending)
 {
     const auto motion = motionPatient(anatomy, heldJaw(anatomy.contentHash));
     if (!motion)
@@ -30,6 +29,7 @@ Result<IntubationSubject> intubationSubject(const Anatomy& anatomy, const Patien
                               .ways = patientWays(anatomy.landmarks, motion->upper, anatomy.parts),
                               .innerDiameter = {},
                               .tube = {},
+                              .bending = bending,
                               .lumen = {}};
     takeTube(subject, anatomy, *std::move(tube));
     return subject;
@@ -38,7 +38,7 @@ Result<IntubationSubject> intubationSubject(const Anatomy& anatomy, const Patien
 void takeTube(IntubationSubject& subject, const Anatomy& anatomy, TubeShape tube)
 {
     subject.lumen = nullptr;
-    if (!tube.fitsAirway)
+    if (!tube.fitsAirway || subject.bending == TubeBending::Elastic)
         if (auto lumen = measuredLumen(anatomy.parts, anatomy.landmarks, 0.5 * tube.outerDiameter))
             subject.lumen = std::make_shared<const AirwayLumen>(*std::move(lumen));
     subject.innerDiameter = tube.innerDiameter;

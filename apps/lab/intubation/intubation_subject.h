@@ -4,7 +4,7 @@
 #include "engine/airway/monitor/patient_ways.h"
 #include "engine/anatomy/patient/patient_build.h"
 #include "engine/anatomy/shapes/tube.h"
-#include "evaluation/intubation/motion_patient.h"
+#include "evaluation/intubation/intubation_motion.h"
 
 #include <memory>
 
@@ -19,8 +19,9 @@ struct IntubationSubject {
     PatientWays ways;                            ///< and as the monitor does
     Length innerDiameter{};
     TubeShape tube;
-    /// For tubes as thick as that, where it was touched; else null, and where it cannot be measured
-    /// (measuredLumen).
+    TubeBending bending = TubeBending::Rigid; ///< as the hands move it
+    /// For tubes as thick as that, where it bends or was touched; else null, and where it cannot be
+    /// measured (measuredLumen).
     std::shared_ptr<const AirwayLumen> lumen;
 };
 
@@ -30,7 +31,9 @@ void takeTube(IntubationSubject& subject, const Anatomy& anatomy, TubeShape tube
 
 /// @param innerDiameter of the tube; 0: the usual one
 /// @returns the errors of motionPatient, tubeOfSize and motionTube
-[[nodiscard]] Result<IntubationSubject>
-intubationSubject(const Anatomy& anatomy, const PatientBuild& build, Length innerDiameter);
+[[nodiscard]] Result<IntubationSubject> intubationSubject(const Anatomy& anatomy,
+                                                          const PatientBuild& build,
+                                                          Length innerDiameter,
+                                                          TubeBending bending = TubeBending::Rigid);
 
 } // namespace carina::lab

@@ -80,11 +80,11 @@ Result<IntubationTrial> runTrial(const IntubationSubject& subject, MotionKind ki
     std::mt19937 random = generatorOf(kind, seed);
     const MotionParameters parameters = drawnParameters(kind, random);
     const auto motion = scriptedMotion(kind, parameters, subject.motion, subject.tube,
-                                       static_cast<std::uint32_t>(random()));
+                                       static_cast<std::uint32_t>(random()), subject.bending);
     if (!motion)
         return tl::unexpected(motion.error());
     const ObservedMotion seen = observed(*motion, observation, SessionTime{}, random);
-    const auto headAt = [&motion](Duration t) { return motion->at(t).head; };
+    const auto headAt = [&motion](Duration t) { return motion->headAt(t); };
     auto watched = watchRecording(subject, recordingOf(seen),
                                   {.blade = motion->blade(),
                                    .commands = motion->commands(),

@@ -45,10 +45,7 @@ Result<IntubationMotion> motionWith(TubeShape tube, MotionKind kind)
                           1);
 }
 
-Vec3 tipBySight(const IntubationMotion& motion, Duration t)
-{
-    return motion.at(t).X_AE * motion.tube().p_E_tip;
-}
+Vec3 tipBySight(const IntubationMotion& motion, Duration t) { return motion.tubeLine(t).back(); }
 
 std::vector<TrueStep> passagesOf(const MotionTruth& truth)
 {
@@ -115,19 +112,22 @@ private Q_SLOTS:
         }
     }
 
-    /// By the connector's pose and the rest curve alone.
+    /// By the line of the tube alone, which begins at its connector.
     void hasTheTipWhereTheTruthSays()
     {
         for (const NamedMotion& named : kNamedMotions) {
             const IntubationMotion motion = motionOf(named.kind);
             for (Duration t{}; t < motion.length(); t += 217ms) {
-                if (motion.at(t).head.flexion.si > 0.0)
+                if (motion.headAt(t).flexion.si > 0.0)
                     break; // the tube bends with the neck from then on
                 const TrueTip tip = motion.tipAt(t);
                 QVERIFY((tipBySight(motion, t) - tip.p_A).norm() < 1e-9);
+                const MotionMoment moment = motion.at(t);
+                QVERIFY(
+                    (motion.tubeLine(t).front() - moment.X_AE * motion.tube().p_E_centre[0]).norm()
+                    < 1e-9);
                 const TipWay& way = motion.patient().way(tip.target);
-                QVERIFY((placeOnWay(motion.patient(), way, tip.along, {motion.at(t).X_AJ, {}})
-                         - tip.p_A)
+                QVERIFY((placeOnWay(motion.patient(), way, tip.along, {moment.X_AJ, {}}) - tip.p_A)
                             .norm()
                         < kTrembling);
             }
@@ -159,7 +159,8 @@ private Q_SLOTS:
         QVERIFY(std::abs(truth.tipAboveCarina->si + beyond) < kTrembling);
     }
 
-    /// The tube has the airway's form, so what of it is in the patient is as long as the way.
+    /// The tube has the airway's form at rest, and is not bent where it ends: what of it is in the
+    /// patient is about as long as the way.
     void tellsTheDepthAlongTheTube()
     {
         const IntubationMotion motion = motionOf(MotionKind::Good);
@@ -202,7 +203,8 @@ private Q_SLOTS:
             Vec3 speedBefore = Vec3::Zero();
             int samples = 0;
             for (Duration t{}; t < motion.length(); t += kStep, ++samples) {
-                const Vec3 blade = motion.at(t).X_AL * middleOfBlade(motion.blade().form, 1.0);
+                const Vec3 blade =
+                    motion.laryngoscopeAt(t) * middleOfBlade(motion.blade().form, 1.0);
                 const Vec3 speed = (blade - before) / toSeconds(kStep);
                 if (samples > 0)
                     QVERIFY(speed.norm() < kFastest);

@@ -185,6 +185,7 @@ private Q_SLOTS:
         };
         row("seed", "--seed 3", "--seed with one motion");
         row("saved", "--save a.csv", "--save with one motion");
+        row("elastic", "--elastic", "--elastic with motions");
         row("no step", "--told cough=3", "STEP=S");
         row("no time", "--told first_breath=soon", "STEP=S");
         row("no blade", "--blade sharp", "macintosh-3");

@@ -101,6 +101,16 @@ private Q_SLOTS:
         QVERIFY(fromTrachea(subject, end) > kInTrachea);
     }
 
+    void measuresTheLumenOfATubeThatBends()
+    {
+        const PatientDimensions dimensions = dimensionsOf(BuiltinPatient::TwelveYears);
+        const IntubationSubject subject =
+            intubationSubject(test::tubePatient(dimensions), buildOf(dimensions), {},
+                              TubeBending::Elastic)
+                .value();
+        QCOMPARE(subject.lumen->tubeRadius, 0.5 * subject.tube.outerDiameter);
+    }
+
     void measuresTheLumenOfATubeThatWasTouched()
     {
         const PatientDimensions dimensions = dimensionsOf(BuiltinPatient::TwelveYears);

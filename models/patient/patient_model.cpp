@@ -1,5 +1,6 @@
 #include "models/patient/patient_model.h"
 
+#include "engine/anatomy/airway/jaw_reach.h"
 #include "engine/anatomy/chest/chest_region.h"
 #include "engine/anatomy/events/mouth_opening.h"
 #include "engine/anatomy/laryngoscopy/upper_airway.h"
@@ -69,14 +70,24 @@ Result<PatientModel> PatientModel::of(Anatomy anatomy, Length innerDiameter)
     return model;
 }
 
+double PatientModel::size() const
+{
+    return (m_landmarks.p_A_glottis - m_landmarks.p_A_incisors).norm() / kReferenceWay.si;
+}
+
+bool PatientModel::reachesJaw(const RigidTransform& X_AJ) const
+{
+    return isInReachOfJaw(X_AJ, m_landmarks.p_A_incisors, size());
+}
+
 FollowingThroat PatientModel::throat(const std::optional<RigidTransform>& X_AJ,
                                      const HeadPosition& position, const AirwayEvents& events) const
 {
-    const Vec3 wayToGlottis = m_landmarks.p_A_glottis - m_landmarks.p_A_incisors;
-    const auto most = mostMouthOpening(events, wayToGlottis.norm() / kReferenceWay.si);
-    if (!X_AJ && !most)
+    const auto most = mostMouthOpening(events, size());
+    const bool isMeasured = X_AJ && reachesJaw(*X_AJ);
+    if (!isMeasured && !most)
         return {m_throat, {}, neck(position)};
-    const RigidTransform held = X_AJ.value_or(m_heldJaw);
+    const RigidTransform held = isMeasured ? *X_AJ : m_heldJaw;
     const RigidTransform within =
         most ? withinOpening(held, m_landmarks.p_A_incisors, *most) : held;
     return {m_throat, within * m_heldJaw.inverse(), neck(position)};

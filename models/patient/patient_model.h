@@ -51,12 +51,17 @@ public:
     [[nodiscard]] const LungPair& lungs() const { return *m_lungs; }
     /// The deformation of neck and throat, between head and carina, that follows head and jaw.
     /// @param X_AJ     pose of the mandible in the frame of the head, the identity with the mouth
-    ///                 closed; std::nullopt: as in the surfaces
+    ///                 closed; std::nullopt, and where no jaw can be (reachesJaw): as in the
+    ///                 surfaces
     /// @param position of head and neck; where it is out of reach the nearest is taken
     /// @param events   that limit how far the mouth opens (withinOpening), also as in the surfaces
     [[nodiscard]] FollowingThroat throat(const std::optional<RigidTransform>& X_AJ,
                                          const HeadPosition& position = {},
                                          const AirwayEvents& events = {}) const;
+    /// Of the way from incisors to glottis, kReferenceWay being 1.
+    [[nodiscard]] double size() const;
+    /// Whether its jaw can have this pose in the frame of the head (isInReachOfJaw).
+    [[nodiscard]] bool reachesJaw(const RigidTransform& X_AJ) const;
     /// How head and neck move to lie so.
     [[nodiscard]] NeckField neck(const HeadPosition& position) const
     {

@@ -60,6 +60,9 @@ public:
     {
         if (!sight.isOfWorker)
             return tr("Only the laryngoscope of who is at work is graded.");
+        if (sight.jaw == JawSight::Astray)
+            return tr("▲ The chin probe is where no jaw can be: fix it to the manikin's chin, and "
+                      "register again if it was moved.");
         return tr("▲ The chin probe is out of view: turn its markers to the tracker.");
     }
 
@@ -219,7 +222,7 @@ LaryngoscopeSight StationLaryngoscope::sightAt(const StationMoment& moment,
             .blade = blade,
             .isBladeKnown = knownBladeOf(*tool).has_value(),
             .isOfWorker = isOfWorker(*tool, moment),
-            .isJawLost = moment.jaw && moment.jaw->validity == Validity::Lost,
+            .jaw = jawSightAt(moment, *m_patient),
             .looseTeeth = laryngoscopy->canShow(AirwayEventKind::FragileTeeth)
                               ? severityOf(moment.airwayEvents, AirwayEventKind::FragileTeeth)
                               : 0.0};

@@ -48,15 +48,16 @@ struct LaryngoscopeSight {
     Blade blade{};
     bool isBladeKnown = false; ///< touched, or told by its name; else the usual one is taken
     bool isOfWorker = false;   ///< of who is at work, or the own one while nobody is
-    bool isJawLost = false;    ///< there is a probe on the chin, which is not seen
-    double looseTeeth = 0.0;   ///< severity of AirwayEventKind::FragileTeeth, where there are any
+    JawSight jaw = JawSight::NoProbe;
+    double looseTeeth = 0.0; ///< severity of AirwayEventKind::FragileTeeth, where there are any
     UpperTeeth teeth = UpperTeeth::Firm; ///< for Live only
 
     /// No other one is graded: whose it is has the tube, and the jaw is moved by their probe. And
     /// none is while the mouth is drawn as nobody holds it.
     [[nodiscard]] bool isGraded() const
     {
-        return state == LaryngoscopeState::Live && isOfWorker && !isJawLost;
+        const bool isMouthKnown = jaw == JawSight::NoProbe || jaw == JawSight::Seen;
+        return state == LaryngoscopeState::Live && isOfWorker && isMouthKnown;
     }
 };
 

@@ -6,6 +6,18 @@
 
 namespace carina
 {
+namespace
+{
+
+/// X_UJ of the mandible in the frame of the head, while the probe on it is seen.
+std::optional<RigidTransform> jawInHead(const StationMoment& moment, const PatientModel& patient)
+{
+    if (!moment.jaw || moment.jaw->validity == Validity::Lost)
+        return std::nullopt;
+    return patient.neck(moment.headPosition).X_AU().inverse() * moment.jaw->X_FO;
+}
+
+} // namespace
 
 AirwayEvents airwayEventsAt(const Station& station, const PatientRun& run, SessionTime t)
 {
@@ -19,12 +31,19 @@ bool isAway(const StationMoment& moment)
     return moment.patient && !isInItsPlace(moment.patient->acted);
 }
 
+JawSight jawSightAt(const StationMoment& moment, const PatientModel& patient)
+{
+    if (!moment.jaw)
+        return JawSight::NoProbe;
+    const auto X_UJ = jawInHead(moment, patient);
+    if (!X_UJ)
+        return JawSight::Lost;
+    return patient.reachesJaw(*X_UJ) ? JawSight::Seen : JawSight::Astray;
+}
+
 FollowingThroat throatAt(const StationMoment& moment, const PatientModel& patient)
 {
-    const bool hasJaw = moment.jaw && moment.jaw->validity != Validity::Lost;
-    const RigidTransform X_UA = patient.neck(moment.headPosition).X_AU().inverse();
-    return patient.throat(hasJaw ? std::optional{X_UA * moment.jaw->X_FO} : std::nullopt,
-                          moment.headPosition, moment.airwayEvents);
+    return patient.throat(jawInHead(moment, patient), moment.headPosition, moment.airwayEvents);
 }
 
 StationView::StationView(const SessionNode& node, StationId station, const LungPair& lungs,

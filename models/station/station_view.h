@@ -56,8 +56,17 @@ struct StationMoment {
 /// Whether the virtual patient is displaced from its original pose.
 [[nodiscard]] bool isAway(const StationMoment& moment);
 
-/// The deformation of a patient's throat by head, neck and jaw at a moment; while the chin probe is
-/// not seen, the mouth is drawn as in the surfaces. Either way it opens no farther than events let
+/// What the chin probe of who is at work tells of the jaw.
+enum class JawSight : std::uint8_t {
+    NoProbe, ///< none was ever seen
+    Lost,    ///< it is not seen
+    Astray,  ///< it is where no jaw can be (PatientModel::reachesJaw)
+    Seen,
+};
+[[nodiscard]] JawSight jawSightAt(const StationMoment& moment, const PatientModel& patient);
+
+/// The deformation of a patient's throat by head, neck and jaw at a moment; while the jaw is not
+/// Seen, the mouth is drawn as in the surfaces. Either way it opens no farther than events let
 /// it. The probe is on a manikin whose head lies as that of the patient.
 [[nodiscard]] FollowingThroat throatAt(const StationMoment& moment, const PatientModel& patient);
 

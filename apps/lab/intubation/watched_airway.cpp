@@ -1,6 +1,7 @@
 #include "apps/lab/intubation/watched_airway.h"
 
 #include "engine/anatomy/airway/centreline.h"
+#include "engine/anatomy/airway/jaw_reach.h"
 
 #include <utility>
 
@@ -34,8 +35,11 @@ AirwayMoment WatchedAirway::take(const SeenTools& tools)
 FollowingThroat WatchedAirway::throatOf(const SeenTools& tools) const
 {
     const MotionPatient& patient = *m_subject.motion;
-    return {patient.throat, tools.jaw.X_FO * patient.held.inverse(),
-            NeckField{patient.airway.p_A_glottis, patient.airway.p_A_incisors, tools.head}};
+    const Vec3& p_A_incisors = patient.airway.p_A_incisors;
+    const bool isMeasured = isInReachOfJaw(tools.jaw.X_FO, p_A_incisors, patient.upper.size());
+    const RigidTransform held = isMeasured ? tools.jaw.X_FO : patient.held;
+    return {patient.throat, held * patient.held.inverse(),
+            NeckField{patient.airway.p_A_glottis, p_A_incisors, tools.head}};
 }
 
 PatientWays WatchedAirway::waysAt(const FollowingThroat& throat) const

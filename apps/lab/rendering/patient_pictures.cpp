@@ -174,7 +174,7 @@ SceneFrame frameOf(const PatientModel& patient, const ChestPose& pose, const Pic
     StationMoment moment;
     moment.pose = pose;
     const auto X_AJ = [&](const PictureOrder::Jaw& jaw) {
-        return movedJaw(patient.landmarks().p_A_incisors, jaw.opening, jaw.forward);
+        return movedJaw(patient.landmarks().p_A_incisors, jaw.opening, jaw.forward, patient.size());
     };
     return sceneFrame(
         moment, patient.lungs().field(),

@@ -26,8 +26,9 @@ inline constexpr Option kJawOpening{
     "opens the mouth from being shut, so many degrees about the condyles; where neither this nor "
     "--jaw-forward-mm is given, the mouth is as the surfaces have it, held open in the built-in "
     "patients"};
-inline constexpr Option kJawForward{"jaw-forward-mm", "0..15",
-                                    "brings the jaw forward from a mouth that is shut"};
+inline constexpr Option kJawForward{
+    "jaw-forward-mm", "0..15",
+    "brings the jaw forward from a mouth that is shut, less in proportion in a smaller patient"};
 inline constexpr Option kLandmarks{
     "landmarks", "N", "registers on the first N landmarks of tre, 3 to 8; 4 unless given"};
 inline constexpr Option kTouchError{

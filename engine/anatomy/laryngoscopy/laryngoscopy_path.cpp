@@ -208,18 +208,22 @@ double pulledBy(const UpperAirway& moved, const Vec3& p_A_tip)
     return felt * kLever * std::max(forward, 0.0);
 }
 
-/// An epiglottis that has fallen back tilts wholly, too.
+/// An epiglottis that has fallen back tilts wholly, too. Its vallecula is above its base and its
+/// tip far above that, however a jaw has turned them.
 LarynxHinge hingeOf(const UpperAirway& moved)
 {
+    constexpr double kLeastRise = 0.1; // of its length
     const double size = moved.larynxSize();
     const Vec3 whole = moved.p_A_epiglottisTip - moved.p_A_epiglottisBase;
-    const double lean = -moved.forward_A().dot(whole) / moved.up_A.dot(whole);
+    const double rise = std::max(kLeastRise * whole.norm(), moved.up_A.dot(whole));
+    const double lean = -moved.forward_A().dot(whole) / rise;
     const Vec3 p_A_hinge = moved.p_A_epiglottisBase - size * kHingeBelow.si * moved.up_A
                            - size * kHingeBehind.si * moved.forward_A();
     return {.p_A = p_A_hinge,
             .up_A = moved.up_A,
             .forward_A = moved.forward_A(),
-            .height = metres(moved.up_A.dot(moved.p_A_vallecula - p_A_hinge)),
+            .height = metres(
+                std::max(size * kHingeBelow.si, moved.up_A.dot(moved.p_A_vallecula - p_A_hinge))),
             .behind = size * kFadesBehind,
             .slope = std::max(kHingeSlope, lean)};
 }

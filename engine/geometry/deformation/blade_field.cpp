@@ -3,6 +3,8 @@
 #include "engine/core/expects.h"
 #include "engine/geometry/deformation/moved_mesh.h"
 
+#include <algorithm>
+
 namespace carina
 {
 
@@ -28,13 +30,15 @@ BladeField::BladeField(const BladeForm& form, const RigidTransform& X_AL)
 
 void BladeField::tiltLarynx(const LarynxHinge& hinge, Length tilt)
 {
-    CARINA_EXPECTS(hinge.height.si > 0.0 && hinge.behind.si > 0.0 && tilt.si >= 0.0);
-    CARINA_EXPECTS(tilt.si <= 2.0 * hinge.behind.si);
+    m_frame.tilt = Vec3::Zero();
+    if (!(hinge.height.si > 0.0 && hinge.behind.si > 0.0))
+        return;
     m_frame.up = hinge.up_A / hinge.height.si;
     m_frame.upFrom = -m_frame.up.dot(hinge.p_A);
     m_frame.back = -(hinge.forward_A + hinge.slope * hinge.up_A) / hinge.behind.si;
     m_frame.backFrom = -m_frame.back.dot(hinge.p_A);
-    m_frame.tilt = tilt.si * hinge.forward_A;
+    const double within = std::min(std::max(0.0, tilt.si), 2.0 * hinge.behind.si); // 0 for NaN
+    m_frame.tilt = within * hinge.forward_A;
 }
 
 BladeFrame<float> inSingle(const BladeFrame<double>& frame)

@@ -67,8 +67,9 @@ public:
     /// A blade at a pose; the larynx is not tilted. @pre reach and width above 0
     BladeField(const BladeForm& form, const RigidTransform& X_AL);
 
-    /// Takes what lies at height 1 above the hinge so far forward. @pre lengths of the hinge above
-    /// 0, tilt at least 0 and at most twice its `behind`
+    /// Takes what lies at height 1 above the hinge so far forward: by 0 to twice its `behind`,
+    /// whatever is asked for. Nothing is tilted where a length of the hinge is not above 0, as
+    /// between places that lie so in no throat.
     void tiltLarynx(const LarynxHinge& hinge, Length tilt);
 
     [[nodiscard]] const BladeFrame<double>& frame() const { return m_frame; }

@@ -1,11 +1,13 @@
 #include "models/station/laryngoscope_sight.h"
 
 #include "engine/anatomy/patient/builtin_patient.h"
+#include "engine/geometry/rotation.h"
 #include "models/patient/patient_source.h"
 #include "tests/models/fake_session_node.h"
 #include "tests/support/test_class.h"
 
 #include <array>
+#include <random>
 #include <set>
 
 namespace carina::laryngoscope_sight_test
@@ -451,6 +453,57 @@ private Q_SLOTS:
         QCOMPARE(text.count(QLatin1Char{'.'}), 1);
         moment.jaw.reset(); // no probe: the mouth stays so, and whoever looks knows it
         QVERIFY(station.laryngoscope.at(moment, throat).isGraded());
+    }
+
+    /// As one that fell off, or whose trainee sends anything: the mouth is as in the surfaces.
+    void takesNoJawThatIsAstray()
+    {
+        constexpr int kJaws = 60;
+        Station station{"macintosh-3"};
+        station.node.decide(fact::ObjectShared{{}, kTom, ObjectKind::Jaw, "Chin"});
+        station.node.sees(kFirst, poseIn(LaryngoscopyStep::Full).X_AL, kNow);
+        const FollowingThroat held = patient().throat(std::nullopt);
+        std::mt19937 random{24};
+        std::uniform_real_distribution<double> share{-1.0, 1.0};
+        const auto vector = [&] { return Vec3{share(random), share(random), share(random)}; };
+        int astray = 0;
+        for (int n = 0; n < kJaws; ++n) {
+            const SessionTime t = kNow + n * 10ms;
+            const RigidTransform X_AJ =
+                n == 0 ? RigidTransform::translation({0.0, 0.0, -0.5})
+                       : RigidTransform{rotationFromVector(vector()), 0.5 * vector()};
+            station.node.sees(kFirst, poseIn(LaryngoscopyStep::Full).X_AL, t);
+            station.node.sees(kSecond, X_AJ, t);
+            const StationMoment moment = station.view.at(t, 0);
+            QVERIFY(moment.jaw.has_value());
+            const FollowingThroat throat = throatAt(moment, patient());
+            const LaryngoscopeSight sight = station.laryngoscope.at(moment, throat);
+            QVERIFY(sight.tissue.isThere());
+            QVERIFY(sight.tissue.frame().tilt.allFinite());
+            if (sight.jaw != JawSight::Astray)
+                continue;
+            ++astray;
+            QVERIFY(!sight.isGraded());
+            QCOMPARE((throat.X_AJ.translation() - held.X_AJ.translation()).norm(), 0.0);
+        }
+        QVERIFY(astray > kJaws / 2);
+    }
+
+    void saysThatAJawIsAstray()
+    {
+        const LaryngoscopyPose lifted = poseIn(LaryngoscopyStep::Full);
+        Station station{"macintosh-3"};
+        station.node.sees(kFirst, lifted.X_AL, kNow);
+        StationMoment moment = station.view.at(kNow, 0);
+        moment.jaw = PoseSample{.X_FO = lifted.X_AJ};
+        QCOMPARE(jawSightAt(moment, patient()), JawSight::Seen);
+        moment.jaw->X_FO = RigidTransform::translation({0.0, 0.0, -0.5});
+        const LaryngoscopeSight sight =
+            station.laryngoscope.at(moment, throatAt(moment, patient()));
+        QCOMPARE(sight.jaw, JawSight::Astray);
+        const QString text = laryngoscopeText(sight, GlotticView{});
+        QVERIFY(text.contains(QStringLiteral("where no jaw can be")));
+        QCOMPARE(text.count(QLatin1Char{'.'}), 1);
     }
 
     void saysWhichBladeItTakes()

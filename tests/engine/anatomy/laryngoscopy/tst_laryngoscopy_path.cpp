@@ -1,12 +1,17 @@
 #include "engine/anatomy/events/airway_changes.h"
 #include "engine/anatomy/laryngoscopy/laryngoscopy_path.h"
 #include "engine/anatomy/patient/builtin_patient.h"
+#include "engine/geometry/rotation.h"
 #include "tests/support/test_class.h"
+
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
+#include <random>
 
 namespace carina::laryngoscopy_path_test
 {
@@ -96,6 +101,8 @@ private Q_SLOTS:
     void leavesNoTongueDeepInsideTheBlade_data() { blades(); }
     void leavesNoTongueDeepInsideTheBlade();
     void takesAFallenEpiglottisAlongWithAStraightBlade();
+    void movesTissueWhereverAJawIs_data() { people(); }
+    void movesTissueWhereverAJawIs();
     void goesInThroughAMouthThatHasMoved_data() { blades(); }
     void goesInThroughAMouthThatHasMoved();
 
@@ -335,6 +342,33 @@ void TestLaryngoscopyPath::takesAFallenEpiglottisAlongWithAStraightBlade()
     QVERIFY(back_m > 0.01);
     QVERIFY2(taken_m(BladeKind::Miller2) > back_m,
              qPrintable(QString::number(taken_m(BladeKind::Miller2))));
+}
+
+// As far away and as much turned as other programs can say, and farther than any is drawn.
+void TestLaryngoscopyPath::movesTissueWhereverAJawIs()
+{
+    constexpr double kWay_m = 0.5;
+    constexpr int kJaws = 300;
+    QFETCH(const BuiltinPatient, who);
+    const Person person = personOf(who);
+    std::mt19937 random{24};
+    std::uniform_real_distribution<double> share{-1.0, 1.0};
+    const auto vector = [&] { return Vec3{share(random), share(random), share(random)}; };
+    std::vector<RigidTransform> jaws{RigidTransform::translation(-kWay_m * Vec3::UnitZ())};
+    while (jaws.size() < kJaws)
+        jaws.push_back({rotationFromVector(std::numbers::pi * vector()), kWay_m * vector()});
+    for (const RigidTransform& X_AJ : jaws) {
+        const UpperAirway moved = followed(person.airway, {person.throat, X_AJ});
+        for (const BladeKind kind : {BladeKind::Macintosh3, BladeKind::Miller2}) {
+            const Vec3 p_A_blade = moved.p_A_vallecula + 0.03 * vector();
+            const RigidTransform X_AL{rotationFromVector(vector()), p_A_blade};
+            const auto frame = bladeInTissue(moved, bladeOf(kind), X_AL).frame();
+            QVERIFY(frame.tilt.norm() * frame.back.norm() < 30.0);
+            const auto pull = larynxTilt<double>(frame, moved.p_A_epiglottisTip);
+            QVERIFY(pull.d.allFinite() && pull.gradient.allFinite());
+            QVERIFY((Mat3::Identity() + pull.gradient).determinant() > 1.0 - 1e-9);
+        }
+    }
 }
 
 // Past the teeth as they lie, into the vallecula as it lies, and no tongue stays in the blade.

@@ -5,6 +5,8 @@
 
 #include <Eigen/LU>
 
+#include <cmath>
+#include <limits>
 #include <random>
 
 namespace carina::blade_field_test
@@ -75,6 +77,8 @@ private Q_SLOTS:
     void leavesWhatIsFarAway();
     void pushesLessBesideANarrowBlade();
     void tiltsTheLarynxAboveItsHingeInProportion();
+    void tiltsNoFartherThanNothingFolds();
+    void tiltsNothingAboutNoHinge();
     void leavesTheBackOfTheLarynx();
     void takesThePharynxAlongWithTheLarynxBesideIt();
     void leavesTheBackOfThePharynx();
@@ -190,6 +194,37 @@ void TestBladeField::tiltsTheLarynxAboveItsHingeInProportion()
     QVERIFY(std::abs(forward_mm(0.02) - 6.0) < 1e-9);
     const double perHeight = forward_mm(0.04) - forward_mm(0.03);
     QVERIFY(std::abs(forward_mm(0.06) - forward_mm(0.05) - perHeight) < 1e-9);
+}
+
+// Whatever is asked for: 0 to twice the length over which it fades.
+void TestBladeField::tiltsNoFartherThanNothingFolds()
+{
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    const LarynxHinge hinge{.behind = millimetres(14.0)};
+    BladeField blade = plainBlade();
+    blade.tiltLarynx(hinge, millimetres(90.0));
+    QVERIFY(std::abs(blade.frame().tilt.norm() - 0.028) < 1e-12);
+    for (const double tilt : {-0.006, kNone}) {
+        blade.tiltLarynx(hinge, metres(tilt));
+        QCOMPARE(blade.frame().tilt.norm(), 0.0);
+    }
+}
+
+// As where a jaw has turned the vallecula to below the larynx: the tongue gives way all the same.
+void TestBladeField::tiltsNothingAboutNoHinge()
+{
+    for (const double length : {0.0, -0.02, std::numeric_limits<double>::quiet_NaN()})
+        for (const LarynxHinge& hinge :
+             {LarynxHinge{.height = metres(length)}, LarynxHinge{.behind = metres(length)}}) {
+            BladeField blade = plainBlade();
+            blade.tiltLarynx({}, millimetres(6.0));
+            blade.tiltLarynx(hinge, millimetres(6.0));
+            QVERIFY(blade.isThere());
+            for (const Vec3& p_A : places()) {
+                QCOMPARE(larynxTilt<double>(blade.frame(), p_A).d.norm(), 0.0);
+                QCOMPARE(pharynxShift<double>(blade.frame(), p_A).d.norm(), 0.0);
+            }
+        }
 }
 
 void TestBladeField::leavesTheBackOfTheLarynx()

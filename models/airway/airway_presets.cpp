@@ -164,10 +164,19 @@ QString conditionText(const AirwayPreset& preset)
     if (preset.grade == 0)
         return {};
     const UsualHeadPosition* usual = usualOf(preset.look.head);
+    const QString head = usual ? usualText(*usual) : headFiguresText(preset.look.head);
+    if (preset.look.eye == ScopeEye::Direct)
+        return QCoreApplication::translate(
+                   "Airway", "Grade %1 is promised only of an adult with the head in the position "
+                             "%2, to the eye that looks past a Macintosh 3 lifted as usual. The "
+                             "picture of the laryngoscope is of its camera, which sees more.")
+            .arg(preset.grade)
+            .arg(head);
     return QCoreApplication::translate(
-               "Airway", "Grade %1 is promised only with the head in the position %2.")
+               "Airway", "Grade %1 is promised only of an adult with the head in the position %2, "
+                         "in the camera of a Macintosh 3 lifted as usual.")
         .arg(preset.grade)
-        .arg(usual ? usualText(*usual) : headFiguresText(preset.look.head));
+        .arg(head);
 }
 
 AirwayEvents drawnFrom(const AirwayPreset& preset, std::mt19937& random)

@@ -50,8 +50,9 @@ struct AirwayPreset {
 /// Its name as shown: "Anaphylaxis".
 [[nodiscard]] QString presetText(const AirwayPreset& preset);
 
-/// In which position of the head it has the grade that it is named for: "Grade 4 is promised only
-/// with the head in the position Sniffing."; empty of one that is named for none.
+/// Of what patient, with which blade and by which eye it has the grade that it is named for:
+/// "Grade 1 is promised only of an adult with the head in the position Neutral, in the camera of a
+/// Macintosh 3 lifted as usual."; empty of one that is named for none.
 [[nodiscard]] QString conditionText(const AirwayPreset& preset);
 
 /// Another patient of the kind that a preset stands for: each severity is drawn evenly from its

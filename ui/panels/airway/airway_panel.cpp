@@ -348,8 +348,10 @@ void AirwayPanel::refreshPreset()
     const AirwayEvents set = m_model->events();
     const AirwayPreset* preset = presetOf(set);
     m_presets->setCurrentIndex(preset ? int(preset - airwayPresets().data()) : -1);
-    const bool isLaidOtherwise = preset && m_headModel->position() != preset->look.head;
-    sayOrHide(*m_condition, isLaidOtherwise ? conditionText(*preset) : QString{});
+    const bool isLookedAtOtherwise =
+        preset
+        && (m_headModel->position() != preset->look.head || preset->look.eye != ScopeEye::Video);
+    sayOrHide(*m_condition, isLookedAtOtherwise ? conditionText(*preset) : QString{});
     m_presets->setAccessibleDescription(
         QStringList{eventsText(set), m_condition->text()}.join(QLatin1Char{' '}).trimmed());
 }

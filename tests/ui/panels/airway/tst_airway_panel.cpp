@@ -57,7 +57,7 @@ private Q_SLOTS:
     void setsAPresetAsOneChange();
     void saysCustomWhereItIsNoPreset();
     void tellsWhatAPresetSets();
-    void saysHowTheHeadHasToLieForAPresetsGrade();
+    void saysOfWhatAPresetsGradeIsPromised();
     void laysTheHeadByKeyboardOverTheTimeOfAChange();
     void tellsHowTheHeadLies();
     void saysThatAnInfantsNeckFlexesNoFarther();
@@ -528,8 +528,9 @@ void TestAirwayPanel::tellsWhatAPresetSets()
     QCOMPARE(presets.accessibleDescription(), eventsText(bloody));
 }
 
-/// As long as the preset stands and the head does not lie so.
-void TestAirwayPanel::saysHowTheHeadHasToLieForAPresetsGrade()
+/// As long as the preset stands and the head does not lie so; of one that is named for the eye, as
+/// the live picture is the camera's.
+void TestAirwayPanel::saysOfWhatAPresetsGradeIsPromised()
 {
     Desk desk;
     const auto& condition = desk.find<QLabel>("airwayPresetCondition");
@@ -538,16 +539,22 @@ void TestAirwayPanel::saysHowTheHeadHasToLieForAPresetsGrade()
     desk.settle();
     QVERIFY(condition.isVisible());
     QCOMPARE(condition.text(),
-             QStringLiteral("Grade 4 is promised only with the head in the position Sniffing."));
+             QStringLiteral("Grade 4 is promised only of an adult with the head in the position "
+                            "Sniffing, to the eye that looks past a Macintosh 3 lifted as usual. "
+                            "The picture of the laryngoscope is of its camera, which sees more."));
     QVERIFY(
         desk.find<QComboBox>("airwayPreset").accessibleDescription().endsWith(condition.text()));
     desk.head.setPosition(kSniffing); // of which its stiff neck leaves little
     desk.settle();
-    QVERIFY(!condition.isVisible());
+    QVERIFY(condition.isVisible());
     desk.model.setEvents(presetNamed("cormack_lehane_1")->events);
     desk.settle();
     QCOMPARE(condition.text(),
-             QStringLiteral("Grade 1 is promised only with the head in the position Neutral."));
+             QStringLiteral("Grade 1 is promised only of an adult with the head in the position "
+                            "Neutral, in the camera of a Macintosh 3 lifted as usual."));
+    desk.head.setPosition({});
+    desk.settle();
+    QVERIFY(!condition.isVisible());
     desk.model.setEvents(presetNamed("spasm")->events); // promises none
     desk.settle();
     QVERIFY(!condition.isVisible());

@@ -62,6 +62,7 @@ const auto& presets()
         graded(
             2, "cormack_lehane_2", QT_TRANSLATE_NOOP("Airway", "Cormack-Lehane 2"),
             {{FloppyEpiglottis, 0.5, 0.7, kEpiglottisSource}, {AnteriorLarynx, 0.4, 0.6, kOfOurs}}),
+        // Fitted until no camera sees the glottis: four events, two nearly as severe as is drawn.
         graded(3, "cormack_lehane_3", QT_TRANSLATE_NOOP("Airway", "Cormack-Lehane 3"),
                {{Epiglottitis, 0.96, 1.0, kEpiglottisSource},
                 {FloppyEpiglottis, 0.96, 1.0, kEpiglottisSource},

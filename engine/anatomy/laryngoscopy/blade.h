@@ -45,9 +45,9 @@ struct Blade {
 
 /// Lengths are those that makers' catalogues call by these sizes (Macintosh 0, 1, 2, 3, 4: about
 /// 80, 90, 105, 130, 155 mm; Miller 0, 1, 2: 78, 102, 155 mm). The other sizes are of ours, as no
-/// published profiles were found: a Macintosh sags by 0.09 of its length, a hyperangulated blade
-/// turns by about 60 degrees (its makers' figure) within its middle half; cameras are about a third
-/// of the way from the tip.
+/// published profiles were found: a Macintosh sags by 0.09 of its length; a hyperangulated blade
+/// turns by 76 degrees from heel to tip, 42 of them within its middle half, as its makers say about
+/// 60; cameras are about a third of the way from the tip.
 [[nodiscard]] const Blade& bladeOf(BladeKind kind);
 
 /// The blade with this name; nothing for an unknown name.

@@ -14,7 +14,10 @@ class TestBlade : public QObject
 private Q_SLOTS:
     void isFoundByItsName_data() { blades(); }
     void isFoundByItsName();
+    void hasTheLengthOfItsSize_data();
     void hasTheLengthOfItsSize();
+    void hasASagOfAnEleventhWhereItIsAMacintosh();
+    void turnsAsMuchAsIsSaidWhereItIsHyperangulated();
     void seesItsTipInTheUpperHalfOfThePicture_data() { blades(); }
     void seesItsTipInTheUpperHalfOfThePicture();
     void looksBetweenTeethAndBlade();
@@ -35,12 +38,55 @@ void TestBlade::isFoundByItsName()
     QVERIFY(!bladeFromName("macintosh-7"));
 }
 
+// As catalogues of makers have them.
+void TestBlade::hasTheLengthOfItsSize_data()
+{
+    QTest::addColumn<BladeKind>("kind");
+    QTest::addColumn<double>("length_mm");
+    QTest::newRow("macintosh-0") << BladeKind::Macintosh0 << 80.0;
+    QTest::newRow("macintosh-1") << BladeKind::Macintosh1 << 90.0;
+    QTest::newRow("macintosh-2") << BladeKind::Macintosh2 << 105.0;
+    QTest::newRow("macintosh-3") << BladeKind::Macintosh3 << 130.0;
+    QTest::newRow("macintosh-4") << BladeKind::Macintosh4 << 155.0;
+    QTest::newRow("miller-0") << BladeKind::Miller0 << 78.0;
+    QTest::newRow("miller-1") << BladeKind::Miller1 << 102.0;
+    QTest::newRow("miller-2") << BladeKind::Miller2 << 155.0;
+}
+
 void TestBlade::hasTheLengthOfItsSize()
 {
-    QVERIFY(bladeOf(BladeKind::Macintosh2).form.reach < bladeOf(BladeKind::Macintosh3).form.reach);
-    QVERIFY(bladeOf(BladeKind::Macintosh3).form.reach < bladeOf(BladeKind::Macintosh4).form.reach);
-    QVERIFY(bladeOf(BladeKind::Miller2).form.sag
-            < 0.1 * bladeOf(BladeKind::Macintosh3).form.sag + 0.001);
+    QFETCH(const BladeKind, kind);
+    QFETCH(const double, length_mm);
+    QVERIFY(std::abs(1e3 * bladeOf(kind).form.reach - length_mm) < 1e-9);
+}
+
+void TestBlade::hasASagOfAnEleventhWhereItIsAMacintosh()
+{
+    constexpr double kTolerance = 0.001;
+    for (const BladeKind kind :
+         {BladeKind::Macintosh0, BladeKind::Macintosh1, BladeKind::Macintosh2,
+          BladeKind::Macintosh3, BladeKind::Macintosh4}) {
+        const BladeForm& form = bladeOf(kind).form;
+        QVERIFY(std::abs(form.sag / form.reach - 0.09) < kTolerance);
+    }
+    QVERIFY(bladeOf(BladeKind::Miller2).form.sag < 0.02 * bladeOf(BladeKind::Miller2).form.reach);
+}
+
+// Between the directions of short pieces of its middle line.
+void TestBlade::turnsAsMuchAsIsSaidWhereItIsHyperangulated()
+{
+    constexpr double kTolerance_deg = 1.0;
+    const BladeForm& form = bladeOf(BladeKind::Hyperangulated).form;
+    const auto direction_deg = [&form](double share) {
+        constexpr double kHalf = 1e-4;
+        const Vec3 piece = middleOfBlade(form, share + kHalf) - middleOfBlade(form, share - kHalf);
+        return inDegrees(radians(std::atan2(piece.y(), -piece.z())));
+    };
+    const double whole_deg = direction_deg(1.0) - direction_deg(0.0);
+    const double half_deg = direction_deg(0.75) - direction_deg(0.25);
+    qInfo("%.1f degrees, %.1f within its middle half", whole_deg, half_deg);
+    QVERIFY(std::abs(whole_deg - 76.0) < kTolerance_deg);
+    QVERIFY(std::abs(half_deg - 42.0) < kTolerance_deg);
 }
 
 void TestBlade::seesItsTipInTheUpperHalfOfThePicture()

@@ -13,8 +13,9 @@ inline constexpr Duration kLongestAirwayChange = std::chrono::minutes{10};
 /// @returns OutOfRange for a severity or time outside its range, and for events that are not in the
 ///          order of their kinds, each once; NotFinite.
 [[nodiscard]] Result<void> checkAirway(const fact::AirwayEventsSet& fact);
-/// @returns OutOfRange for an angle that is not drawn (withinReach), or a time outside its range;
-///          NotFinite.
+/// Each angle by itself: two that do not go together are permitted, and drawn as withinReach has
+/// them. So they are on the way from one position to another as well.
+/// @returns OutOfRange for an angle or a time outside its range; NotFinite.
 [[nodiscard]] Result<void> checkAirway(const fact::HeadPositionSet& fact);
 
 } // namespace carina

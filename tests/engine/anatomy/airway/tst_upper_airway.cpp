@@ -136,7 +136,7 @@ private Q_SLOTS:
     void larynxLiesHigherInAChild();
     void atlasLiesBehindThePalate_data() { people(); }
     void atlasLiesBehindThePalate();
-    void ringsOfTheTracheaAreSeenThroughTheCords();
+    void nothingClosesTheTracheaBelowTheCords();
     void upperTeethStandInTheMaxilla_data() { people(); }
     void upperTeethStandInTheMaxilla();
     void fatNarrowsTheThroat();
@@ -311,7 +311,7 @@ void TestUpperAirway::atlasLiesBehindThePalate()
 }
 
 /// From between the cords down to the carina nothing closes the trachea.
-void TestUpperAirway::ringsOfTheTracheaAreSeenThroughTheCords()
+void TestUpperAirway::nothingClosesTheTracheaBelowTheCords()
 {
     const Person& man = personCalled("man");
     const Axes axes{man};

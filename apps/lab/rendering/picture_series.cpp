@@ -6,6 +6,7 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <string>
 
 namespace carina::lab
 {
@@ -14,6 +15,13 @@ namespace
 
 constexpr std::size_t kWarmUp = 5;      ///< frames until shaders and buffers are there
 constexpr int kLongestWait_ms = 60'000; ///< for one picture
+
+std::string tooSlowly()
+{
+    return "render waited " + std::to_string(kLongestWait_ms / 1000)
+           + " s for a picture: run it again while less else runs, with smaller pictures (--size), "
+             "or on a computer that draws OpenGL 3.3 faster";
+}
 
 } // namespace
 
@@ -30,7 +38,7 @@ Result<void> drawSeries(const PictureSeries& series)
     view.resize(series.size);
     std::size_t next = 0;
     std::size_t drawn = 0;
-    Result<void> result = fail(Errc::NoGraphics, "render got no picture back from the view");
+    Result<void> result = fail(Errc::NoGraphics, tooSlowly());
     view.setFrameSource(
         [&](int, LocalTime) { return series.frame(view, std::min(next, series.count - 1)); });
     QEventLoop loop;
@@ -40,10 +48,11 @@ Result<void> drawSeries(const PictureSeries& series)
         patience.start(kLongestWait_ms);
         if (++drawn <= kWarmUp || view.isPreparing() || next == series.count)
             return;
-        if (const QImage picture = view.picture(); picture.isNull())
+        if (const QImage picture = view.picture(); picture.isNull()) {
+            result = fail(Errc::NoGraphics, "render got no picture back from the view");
             next = series.count;
-        else if (const auto taken = series.take(view, next, picture);
-                 !taken || ++next == series.count) {
+        } else if (const auto taken = series.take(view, next, picture);
+                   !taken || ++next == series.count) {
             result = taken;
             next = series.count;
         }

@@ -7,11 +7,18 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <array>
 
 namespace carina
 {
 namespace
 {
+
+/// What upperAirwayOf says is missing, for translators.
+[[maybe_unused]] constexpr std::array kMissing{
+    QT_TRANSLATE_NOOP("Airway", "the trachea is too short"),
+    QT_TRANSLATE_NOOP("Airway", "no epiglottis"), QT_TRANSLATE_NOOP("Airway", "no vocal cords"),
+    QT_TRANSLATE_NOOP("Airway", "no soft palate")};
 
 class LimitWords
 {
@@ -22,7 +29,7 @@ public:
     {
         return tr("This patient shows no event of the airway (%1): choose a patient with a whole "
                   "larynx.")
-            .arg(QString::fromStdString(missing.detail));
+            .arg(QCoreApplication::translate("Airway", missing.detail.c_str()));
     }
     static QString of(AirwayEventKind kind, const PatientModel& patient)
     {

@@ -59,7 +59,7 @@ public:
     static QString ungraded(const LaryngoscopeSight& sight)
     {
         if (!sight.isOfWorker)
-            return tr("Only the laryngoscope of who is at work is graded.");
+            return tr("Only the laryngoscope of whoever is at work is graded.");
         if (sight.jaw == JawSight::Astray)
             return tr("▲ The chin probe is where no jaw can be: fix it to the manikin's chin, and "
                       "register again if it was moved.");
@@ -75,8 +75,8 @@ private:
     static QString shownForce(Force force)
     {
         if (force >= kMostForce)
-            return tr("over %1 N").arg(std::lround(inNewtons(kMostForce)));
-        return tr("about %1 N").arg(std::lround(inNewtons(force)));
+            return tr("over %1 N (estimate)").arg(std::lround(inNewtons(kMostForce)));
+        return tr("about %1 N (estimate)").arg(std::lround(inNewtons(force)));
     }
 
     static QString tongue(const BladeEffort& effort)
@@ -104,7 +104,7 @@ private:
     {
         const std::optional<Length>& clearance = effort.contact.teethClearance;
         if (effort.teeth > Force{})
-            return tr("▲ Teeth pressed: %1 (estimate)").arg(shownForce(effort.teeth));
+            return tr("▲ Teeth pressed: %1").arg(shownForce(effort.teeth));
         if (effort.isOnTeeth)
             return tr("▲ Teeth touched");
         if (!clearance)
@@ -116,7 +116,7 @@ private:
     {
         const std::optional<Length>& clearance = effort.contact.teethClearance;
         if (effort.teeth > Force{})
-            return tr("▲ Loose teeth pressed: %1 (estimate)").arg(shownForce(effort.teeth));
+            return tr("▲ Loose teeth pressed: %1").arg(shownForce(effort.teeth));
         if (effort.isOnTeeth)
             return tr("▲ Loose teeth touched");
         if (!clearance)
@@ -127,9 +127,11 @@ private:
                                                  : tr("Loose teeth free (%1 mm)").arg(shown);
     }
 
-    /// "Macintosh 3" of "macintosh-3".
+    /// "Macintosh 3" of "macintosh-3": names of makers, but for one.
     static QString shownName(std::string_view name)
     {
+        if (bladeFromName(name) == BladeKind::Hyperangulated)
+            return tr("hyperangulated", "blade");
         QString shown = QString::fromUtf8(name.data(), qsizetype(name.size()));
         shown.replace(QLatin1Char{'-'}, QLatin1Char{' '});
         return shown.left(1).toUpper() + shown.mid(1);

@@ -152,8 +152,8 @@ inline constexpr Duration kCordsGo = std::chrono::milliseconds{150};
 [[nodiscard]] QString glotticViewText(const GlotticView& view);
 
 /// What the blade does to tongue, epiglottis and teeth, in two lines: "Lifting · tongue about 38 N
-/// · epiglottis not touched", and "Teeth free (4 mm)" or "▲ Teeth pressed: about 12 N (estimate)".
-/// Loose teeth are called so: "▲ Loose teeth near (2.4 mm)".
+/// (estimate) · epiglottis not touched", and "Teeth free (4 mm)" or "▲ Teeth pressed: about 12 N
+/// (estimate)". Loose teeth are called so: "▲ Loose teeth near (2.4 mm)".
 [[nodiscard]] QString bladeEffortText(const BladeEffort& effort,
                                       UpperTeeth teeth = UpperTeeth::Firm);
 

@@ -430,7 +430,7 @@ private Q_SLOTS:
         QCOMPARE(shown.state, LaryngoscopeState::Live);
         QVERIFY(!shown.isGraded());
         QCOMPARE(laryngoscopeText(shown, view),
-                 QStringLiteral("Only the laryngoscope of who is at work is graded."));
+                 QStringLiteral("Only the laryngoscope of whoever is at work is graded."));
     }
 
     /// The mouth is drawn as in the surfaces then, while the blade holds it open.
@@ -525,22 +525,24 @@ private Q_SLOTS:
         BladeEffort effort{.contact = {.teethClearance = millimetres(4.2), .tongue = newtons(37.8)},
                            .handling = BladeHandling::Lifting};
         QCOMPARE(bladeEffortText(effort),
-                 QStringLiteral("Lifting · tongue about 38 N · epiglottis not touched\n"
+                 QStringLiteral("Lifting · tongue about 38 N (estimate) · epiglottis not touched\n"
                                 "Teeth free (4 mm)"));
         effort.handling = BladeHandling::Levering;
         effort.isOnTeeth = true;
         effort.teeth = newtons(12.3);
         QCOMPARE(bladeEffortText(effort),
-                 QStringLiteral("Levering · tongue about 38 N · epiglottis not touched\n"
+                 QStringLiteral("Levering · tongue about 38 N (estimate) · epiglottis not touched\n"
                                 "▲ Teeth pressed: about 12 N (estimate)"));
         effort.teeth = kMostForce;
         effort.contact.epiglottis = newtons(37.8);
         QCOMPARE(bladeEffortText(effort),
-                 QStringLiteral("Levering · tongue about 38 N · epiglottis about 38 N\n"
-                                "▲ Teeth pressed: over 100 N (estimate)"));
-        QCOMPARE(bladeEffortText({}),
-                 QStringLiteral("Not lifting · tongue about 0 N · epiglottis not touched\n"
-                                "Teeth free"));
+                 QStringLiteral(
+                     "Levering · tongue about 38 N (estimate) · epiglottis about 38 N (estimate)\n"
+                     "▲ Teeth pressed: over 100 N (estimate)"));
+        QCOMPARE(
+            bladeEffortText({}),
+            QStringLiteral("Not lifting · tongue about 0 N (estimate) · epiglottis not touched\n"
+                           "Teeth free"));
     }
 
     void warnsEarlierOfLooseTeeth_data()

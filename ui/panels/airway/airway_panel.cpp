@@ -219,9 +219,9 @@ void AirwayPanel::addRows()
 void AirwayPanel::addSuction()
 {
     m_suction->setObjectName(QStringLiteral("suction"));
-    m_suction->setToolTip(tr("Secretions, blood and vomit go within 5 seconds, as when who works "
-                             "there uses suction; other events stay as they are set, and what of "
-                             "them is still on its way comes within that time, too"));
+    m_suction->setToolTip(tr("Clears secretions, blood and vomit within 5 seconds, as a helper "
+                             "with a suction catheter would. Other events stay as they are set; "
+                             "those that are still changing reach their setting within that time"));
     makeLow(*m_suction);
     auto* rows = static_cast<QGridLayout*>(m_events->layout());
     rows->addWidget(m_suction, rows->rowCount(), 1, 1, -1);

@@ -98,7 +98,8 @@ Centreline oesophagusOf(std::span<const AnatomyPart> parts, std::span<const Vec3
     return found.size() < kFewestSections ? behindTrachea(trachea, forward, size) : found;
 }
 
-/// The two halves of the path.
+/// The two halves of the path. Where the glottis is at an end of it, which a set that was sent may
+/// say, the landmark there is the other end of that half.
 void divide(PatientWays& ways, const AirwayLandmarks& landmarks)
 {
     const std::span<const Vec3> path = pathFromTeeth(landmarks);
@@ -106,7 +107,10 @@ void divide(PatientWays& ways, const AirwayLandmarks& landmarks)
         path, {}, [&](const Vec3& p) { return (p - landmarks.p_A_glottis).squaredNorm(); });
     ways.overTongue.assign(path.begin(), glottis + 1);
     ways.trachea.assign(glottis, path.end());
-    CARINA_EXPECTS(ways.overTongue.size() >= 2 && ways.trachea.size() >= 2);
+    if (ways.overTongue.size() < 2)
+        ways.overTongue.insert(ways.overTongue.begin(), landmarks.p_A_incisors);
+    if (ways.trachea.size() < 2)
+        ways.trachea.push_back(landmarks.p_A_carina);
 }
 
 } // namespace

@@ -58,7 +58,7 @@ inline constexpr Length kNotchToHypopharynx = millimetres(15.0);
 ///   is as long as kReferenceGlottis. Lengths of an adult are in proportion to the larynx or the
 ///   trachea.
 ///
-/// @pre the landmarks' path has two points at least, between incisors and glottis and below it.
+/// @pre the landmarks' path has a point
 [[nodiscard]] PatientWays patientWays(const AirwayLandmarks& landmarks,
                                       const std::optional<UpperAirway>& upper,
                                       std::span<const AnatomyPart> parts);

@@ -95,6 +95,19 @@ private Q_SLOTS:
         QVERIFY(std::abs(lengthOf(ways.trachea).si - 0.125) < kExact);
     }
 
+    /// As a set that another computer sent may say: no program ends by it.
+    void bothHalvesAreThereWhereverTheGlottisIs()
+    {
+        const AirwayLandmarks airway = test::drawnAirway();
+        for (const Vec3& p_A_glottis : {airway.p_A_incisors, airway.p_A_carina}) {
+            AirwayLandmarks other = airway;
+            other.p_A_glottis = p_A_glottis;
+            const PatientWays ways = patientWays(other, std::nullopt, {});
+            QVERIFY(ways.overTongue.size() >= 2 && ways.trachea.size() >= 2);
+            QVERIFY(nearestOnWay(ways.overTongue, airway.p_A_carina).along >= Length{});
+        }
+    }
+
     void oesophagusIsBehindTheTrachea()
     {
         const PatientWays ways = test::drawnWays();

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include <algorithm>
+
 namespace carina
 {
 

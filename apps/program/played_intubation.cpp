@@ -2,7 +2,9 @@
 
 #include "engine/airway/tube/tube_size.h"
 #include "engine/anatomy/patient/builtin_patient.h"
+#include "engine/io/anatomy_set/anatomy_cache.h"
 #include "evaluation/intubation/motion_script.h"
+#include "models/patient/resting_patient.h"
 
 #include <QStringList>
 
@@ -91,17 +93,19 @@ std::optional<FactBody> saidBy(MotionAct act)
 
 Result<IntubationMotion> motionFor(const PatientModel& patient, const PlayedIntubation& played)
 {
-    const auto ways = motionPatient(anatomyOf(patient), heldJaw(patient.contentHash()));
+    auto ways = motionPatient(anatomyOf(patient), heldJaw(patient.contentHash()));
     if (!ways)
         return tl::unexpected(ways.error());
+    if (const auto script = scriptAtRest(patient, AnatomyCache::defaultFolder()))
+        ways->forBlade = {script->airway, script->throat, script->held};
     const auto size = tubeOfSize(patient.tube().innerDiameter);
     if (!size)
         return tl::unexpected(size.error());
     std::mt19937 random = generatorOf(played.kind, played.seed);
     const MotionParameters parameters = drawnParameters(played.kind, random);
-    return scriptedMotion(played.kind, parameters, std::make_shared<const MotionPatient>(*ways),
-                          lengthened(patient.tube(), size->length),
-                          static_cast<std::uint32_t>(random()));
+    return scriptedMotion(
+        played.kind, parameters, std::make_shared<const MotionPatient>(*std::move(ways)),
+        lengthened(patient.tube(), size->length), static_cast<std::uint32_t>(random()));
 }
 
 PlayedMotion playedBy(const IntubationMotion& motion, Duration after)

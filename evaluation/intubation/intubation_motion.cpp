@@ -72,12 +72,11 @@ Result<IntubationMotion> IntubationMotion::make(std::shared_ptr<const MotionPati
     motion.m_commands = std::move(commands);
     motion.m_length = length;
     motion.tabulateBlade();
-    const UpperAirway& upper = motion.m_patient->upper;
-    const LaryngoscopyPose atTeeth =
-        laryngoscopyPose(upper, motion.m_patient->throat, blade, LaryngoscopyStep::Teeth, grip.lift,
-                         motion.m_patient->held);
+    const AirwayForBlade& airway = motion.m_patient->forBlade;
+    const LaryngoscopyPose atTeeth = laryngoscopyPose(
+        airway.upper, airway.throat, blade, LaryngoscopyStep::Teeth, grip.lift, airway.held);
     motion.m_X_AL_ready =
-        RigidTransform::translation(-upper.size() * kReadyBeforeTeeth.si * motion.inward_A())
+        RigidTransform::translation(-airway.upper.size() * kReadyBeforeTeeth.si * motion.inward_A())
         * atTeeth.X_AL;
     motion.m_X_AL_aside = RigidTransform::translation(kBladeAside_A) * motion.m_X_AL_ready;
     for (double t = 0.0; t <= toSeconds(length); t += kLookedAt_s)
@@ -171,10 +170,11 @@ Vec3 IntubationMotion::inward_A() const
 void IntubationMotion::tabulateBlade()
 {
     constexpr int kLast = 3 * kBladePoses; // LaryngoscopyStep::Full
+    const AirwayForBlade& airway = m_patient->forBlade;
     for (int i = 0; i <= kLast; ++i) {
         const LaryngoscopyPose pose =
-            laryngoscopyPose(m_patient->upper, m_patient->throat, m_blade,
-                             1.0 + double(i) / kBladePoses, m_grip.lift, m_patient->held);
+            laryngoscopyPose(airway.upper, airway.throat, m_blade, 1.0 + double(i) / kBladePoses,
+                             m_grip.lift, airway.held);
         m_inside.push_back({pose.X_AL, pose.X_AJ});
     }
 }
@@ -208,7 +208,7 @@ RigidTransform IntubationMotion::bladeAt(double seconds) const
     else if (value < 0.0)
         X_AL = interpolate(X_AL, m_X_AL_ready, -value);
     if (const double angle = m_tracks.lever.at(seconds); angle > 0.0)
-        X_AL = levered(m_blade.form, X_AL, m_patient->upper.p_A_edge(), radians(angle));
+        X_AL = levered(m_blade.form, X_AL, m_patient->forBlade.upper.p_A_edge(), radians(angle));
     return RigidTransform::translation(m_grip.bladeHand.at(seconds)) * X_AL;
 }
 

@@ -251,10 +251,12 @@ Result<MotionPatient> motionPatient(const Anatomy& anatomy, const RigidTransform
         takeWalls(*bronchus, trachea, leaves, size * kMainBronchus);
     for (TipWay* behind : {&*oesophagus, &arytenoid})
         takeWalls(*behind, trachea, trachea.fork, size * kOpenedOesophagus);
+    const ThroatField throat{l.p_A_carina, l.p_A_glottis, l.p_A_incisors};
     return MotionPatient{.airway = l,
                          .upper = *upper,
-                         .throat = {l.p_A_carina, l.p_A_glottis, l.p_A_incisors},
+                         .throat = throat,
                          .held = held,
+                         .forBlade = {*upper, throat, held},
                          .ways = {trachea, *right, *left, *oesophagus, arytenoid}};
 }
 

@@ -33,6 +33,13 @@ struct TipWay {
 };
 inline constexpr Length kForkAboveGlottis = millimetres(15.0); ///< of ours
 
+/// The airway that a laryngoscope is put into, and X_AJ of the mandible in its surfaces.
+struct AirwayForBlade {
+    UpperAirway upper;
+    ThroatField throat;
+    RigidTransform held;
+};
+
 /// A patient, as a motion of evaluation/intubation knows one: places and lines, found from the
 /// surfaces here and not by what is to be measured with the motion.
 struct MotionPatient {
@@ -40,6 +47,9 @@ struct MotionPatient {
     UpperAirway upper;
     ThroatField throat;
     RigidTransform held; ///< X_AJ of the mandible in the surfaces
+    /// That of these surfaces; where there are others, in which nothing holds tongue and larynx,
+    /// that of these.
+    AirwayForBlade forBlade;
     std::array<TipWay, kTipTargets.size()> ways;
 
     [[nodiscard]] const TipWay& way(TipTarget target) const

@@ -69,6 +69,8 @@ public:
     }
     /// The finest mesh of a surface with the mouth closed, as for landmarks touched on a manikin.
     [[nodiscard]] std::shared_ptr<const TriangleMesh> shutMesh(const PatientSurface& surface) const;
+    /// X_AJ of the mandible in the surfaces, the identity with the mouth closed.
+    [[nodiscard]] const RigidTransform& jawInSurfaces() const { return m_heldJaw; }
     [[nodiscard]] const TubeShape& tube() const { return m_tube; }
     /// The tube with which it was made, in every program the same: it fits the airway.
     [[nodiscard]] const TubeShape& ownTube() const { return m_ownTube; }

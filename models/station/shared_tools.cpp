@@ -1,12 +1,13 @@
 #include "models/station/shared_tools.h"
 
 #include "engine/core/expects.h"
+#include "engine/io/anatomy_set/anatomy_cache.h"
 #include "engine/io/site/site.h"
 #include "engine/session/participant_limits.h"
 #include "engine/session/simulated_station.h"
 #include "engine/tracking/reframed.h"
 #include "models/errors/error_text.h"
-#include "models/patient/laryngoscopy.h"
+#include "models/patient/resting_patient.h"
 #include "models/station/object_tool.h"
 
 #include <algorithm>
@@ -58,10 +59,8 @@ HeadPosition simulatedHead(const SessionNode& node)
 std::optional<LaryngoscopyScript> laryngoscopyOf(const PatientModel& patient,
                                                  const SimulatedTrackerSettings& device)
 {
-    if (!device.laryngoscope)
-        return std::nullopt;
-    const auto laryngoscopy = Laryngoscopy::of(patient, bladeOf(kUsualBlade));
-    return laryngoscopy ? std::optional{laryngoscopy->script()} : std::nullopt;
+    return device.laryngoscope ? scriptAtRest(patient, AnatomyCache::defaultFolder())
+                               : std::nullopt;
 }
 
 bool hasDevice(const TrackerChoice& tracker)

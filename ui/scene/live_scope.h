@@ -1,5 +1,6 @@
 #pragma once
 
+#include "models/station/flown_endoscope.h"
 #include "models/station/laryngoscope_sight.h"
 #include "ui/scene/scope_scene.h"
 #include "widgets/scene/view/scene_view.h"
@@ -15,6 +16,9 @@ class StationScene;
 /// The picture of the camera on the laryngoscope of a station, live, and what it shows of the
 /// larynx: a view draws the throat of the station's patient as that camera and its lamp have it
 /// (ScopeScene), and reads a few times a second which structure each pixel shows.
+///
+/// Or the picture of an endoscope that a person flies there, in the same light, with or without a
+/// laryngoscope: then nothing is read, as grades are of a laryngoscope's view.
 class LiveScope
 {
 public:
@@ -22,8 +26,9 @@ public:
     static constexpr std::chrono::milliseconds kDrawn{80};
     static constexpr Duration kRead = std::chrono::milliseconds{300};
 
-    /// @pre both outlive this; the view's frames are nobody else's
-    LiveScope(SceneView& view, StationScene& station);
+    /// @param endoscope whose picture it is while it is flown
+    /// @pre all outlive this; the view's frames are nobody else's
+    LiveScope(SceneView& view, StationScene& station, FlownEndoscope& endoscope);
 
     /// As of the latest frame.
     [[nodiscard]] const LaryngoscopeSight& sight() const { return m_sight; }
@@ -38,8 +43,10 @@ private:
         const PatientModel* patient = nullptr;
         std::string contentHash;
         Blade blade{};
+        bool isFlown = false; ///< and so it is lit
 
-        [[nodiscard]] bool is(const PatientModel& other, const Blade& otherBlade) const;
+        [[nodiscard]] bool is(const PatientModel& other, const Blade& otherBlade,
+                              bool isOtherFlown) const;
     };
 
     struct Measured {
@@ -48,12 +55,18 @@ private:
     };
 
     [[nodiscard]] SceneFrame frameOf(int level, LocalTime lit);
+    void addBlade(SceneFrame& frame) const;
+    void addEye(SceneFrame& frame, const RigidTransform& X_AD) const;
+    [[nodiscard]] bool isFlown() const;
+    [[nodiscard]] bool isGraded() const { return !isFlown() && m_sight.isGraded(); }
+    [[nodiscard]] Blade blade() const;
     void prepare();
     void ask(SessionTime now);
     void measure(const IdPicture& ids, const SceneFrame& frame);
 
     SceneView& m_view;
     StationScene& m_station;
+    FlownEndoscope& m_endoscope;
     Shown m_shown;
     TissueColors m_colors;
     ScopeScene m_scene;

@@ -9,37 +9,6 @@
 
 namespace carina
 {
-namespace
-{
-
-/// The triangles with a corner near the line.
-TriangleMesh near(const TriangleMesh& mesh, std::span<const Vec3> line, double reach)
-{
-    std::vector<bool> isNear(mesh.positions.size());
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-        const Vec3 p = mesh.positions[i].cast<double>();
-        isNear[i] = std::ranges::any_of(
-            line, [&](const Vec3& on) { return (p - on).squaredNorm() < reach * reach; });
-    }
-    TriangleMesh part;
-    part.positions = mesh.positions;
-    for (const Triangle& t : mesh.triangles)
-        if (isNear[t[0]] || isNear[t[1]] || isNear[t[2]])
-            part.triangles.push_back(t);
-    return part;
-}
-
-AirwayTissue tissueOfWall(const AnatomyPart& part)
-{
-    if (part.role == PartRole::Mandible || movesWithMandible(part))
-        return AirwayTissue::Throat;
-    const ChestRegion region = regionOf(part);
-    return region == ChestRegion::Bronchi ? AirwayTissue::Windpipe
-                                          : airwayTissueOf(region).value_or(AirwayTissue::Pharynx);
-}
-
-} // namespace
-
 bool isAirwayWall(PartRole role)
 {
     constexpr std::array kWalls{PartRole::Trachea,
@@ -57,6 +26,36 @@ bool isAirwayWall(PartRole role)
     return std::ranges::find(kWalls, role) != kWalls.end();
 }
 
+AirwayTissue tissueOfWall(const AnatomyPart& part)
+{
+    if (part.role == PartRole::Mandible || movesWithMandible(part))
+        return AirwayTissue::Throat;
+    const ChestRegion region = regionOf(part);
+    return region == ChestRegion::Bronchi ? AirwayTissue::Windpipe
+                                          : airwayTissueOf(region).value_or(AirwayTissue::Pharynx);
+}
+
+TriangleMesh trianglesNear(const TriangleMesh& mesh, std::span<const Vec3> line, Length reach)
+{
+    const double squared = reach.si * reach.si;
+    Box around;
+    for (const Vec3& on : line)
+        around.include(on);
+    std::vector<bool> isNear(mesh.positions.size());
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        const Vec3 p = mesh.positions[i].cast<double>();
+        isNear[i] = (p - p.cwiseMax(around.min).cwiseMin(around.max)).squaredNorm() < squared
+                    && std::ranges::any_of(
+                        line, [&](const Vec3& on) { return (p - on).squaredNorm() < squared; });
+    }
+    TriangleMesh part;
+    part.positions = mesh.positions;
+    for (const Triangle& t : mesh.triangles)
+        if (isNear[t[0]] || isNear[t[1]] || isNear[t[2]])
+            part.triangles.push_back(t);
+    return part;
+}
+
 WallSurfaces::WallSurfaces(std::span<const AnatomyPart> parts, std::span<const Vec3> line,
                            Length reach)
 {
@@ -68,7 +67,7 @@ WallSurfaces::WallSurfaces(std::span<const AnatomyPart> parts, std::span<const V
         TriangleMesh whole;
         for (const AnatomyPart& part : parts)
             if (isAirwayWall(part.role) && tissueOfWall(part) == tissue)
-                append(whole, near(part.levels.front(), line, reach.si));
+                append(whole, trianglesNear(part.levels.front(), line, reach));
         if (!whole.empty())
             m_walls.push_back({SurfaceTree{whole}, tissue});
     }

@@ -15,6 +15,11 @@ namespace carina
 /// Whether a part lines an airway; bones, cartilages and muscles lie behind that, but they alone
 /// are there in sets without mucosa.
 [[nodiscard]] bool isAirwayWall(PartRole role);
+/// As which tissue a part moves where it is a wall: what is fixed to the lower jaw as the throat.
+[[nodiscard]] AirwayTissue tissueOfWall(const AnatomyPart& part);
+/// The triangles with a corner that is less than `reach` from a point of the line.
+[[nodiscard]] TriangleMesh trianglesNear(const TriangleMesh& mesh, std::span<const Vec3> line,
+                                         Length reach);
 
 /// The surfaces that a tube meets in an airway, near a line; in A.
 class WallSurfaces

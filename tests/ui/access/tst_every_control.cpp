@@ -30,7 +30,7 @@ constexpr std::array kChange{"breathingDock", "conditionDock", "gasDock",    "ai
                              "actionsDock",   "partsDock",     "trackerDock"};
 constexpr std::array kPeople{"waveformDock", "monitorDock", "participantsDock", "invitationDock",
                              "networkDock"};
-constexpr std::array kLookedAt{"laryngoscopeDock", "tryDock"}; ///< they have no control to use
+constexpr std::array kLookedAt{"laryngoscopeDock", "tryDock"}; ///< beside the others
 
 /// While a patient is ventilated that can be moved.
 void runSession(ConsoleDesk& desk)
@@ -49,7 +49,8 @@ void runSession(ConsoleDesk& desk)
 void nameTraineesPanels()
 {
     QTest::addColumn<QString>("panel");
-    for (const char* title : {"Actions", "Parts", "Tracker", "Bedside monitor", "Hands"})
+    for (const char* title :
+         {"Actions", "Parts", "Tracker", "Laryngoscope", "Bedside monitor", "Hands"})
         QTest::newRow(title) << QString::fromLatin1(title);
 }
 

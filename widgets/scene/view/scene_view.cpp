@@ -205,6 +205,14 @@ void SceneView::setSpotlight(std::optional<Length> trueColorAt)
     m_renderer->setSpotlight(trueColorAt);
 }
 
+void SceneView::setNearest(std::optional<Length> nearest)
+{
+    if (nearest == m_nearest)
+        return;
+    m_rest.stir();
+    m_nearest = nearest;
+}
+
 void SceneView::setFixedLevel(std::optional<int> level)
 {
     m_rest.stir();
@@ -312,6 +320,8 @@ std::vector<SceneCamera> SceneView::camerasOf(const SceneFrame& frame) const
             pixelsOf(eye.part, m_window->pixels().width, m_window->pixels().height);
         const PlacedPicture placed = letterboxed(eye.frustum, area);
         cameras.push_back({camera.poseOf(eye.X_AD), placed.frustum, placed.pixels});
+        if (m_nearest)
+            cameras.back().pose.nearPlane = m_nearest->si;
     }
     return cameras;
 }

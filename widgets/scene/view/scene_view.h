@@ -99,6 +99,10 @@ public:
     /// is as bright as its colour. std::nullopt ends this.
     void setSpotlight(std::optional<Length> trueColorAt);
 
+    /// What is nearer than this to the plane of an eye of a frame is not drawn; std::nullopt: a
+    /// share of the distance of what is farthest.
+    void setNearest(std::optional<Length> nearest);
+
     void setFrameSource(FrameSource source) { m_source = std::move(source); }
     /// The listener is called after each frame, when its buffers were swapped; also after one that
     /// is like the picture that rests in the window, and so is not drawn again.
@@ -248,6 +252,7 @@ private:
     TimeOfLight m_timeOfLight;
     std::vector<DetailEye> m_eyes; ///< of the latest frame
     QTimer m_tick;
+    std::optional<Length> m_nearest;
 };
 
 } // namespace carina

@@ -1,17 +1,24 @@
 #include "ui/panels/airway/laryngoscope_panel.h"
 
+#include "ui/panels/airway/scope_canvas.h"
+#include "ui/panels/airway/scope_window.h"
+
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "models/patient/patient_source.h"
 #include "tests/models/fake_session_node.h"
+#include "tests/models/lacking_patient.h"
 #include "tests/support/soon.h"
 #include "tests/support/test_class.h"
 #include "ui/scene/station_scene.h"
 #include "widgets/inside_window.h"
 #include "widgets/scene/view/graphics.h"
 
+#include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
 #include <QMainWindow>
+#include <QStandardItemModel>
+#include <QToolButton>
 
 namespace carina::laryngoscope_panel_test
 {
@@ -104,6 +111,29 @@ struct Desk {
         return soon([&] { return picture().statistics().frames >= target; }, kDrawn);
     }
 };
+
+QComboBox& cameraOf(const LaryngoscopePanel& panel)
+{
+    return *panel.findChild<QComboBox*>(QStringLiteral("scopeCamera"));
+}
+
+ScopeCanvas& canvasOf(const LaryngoscopePanel& panel) { return *panel.findChild<ScopeCanvas*>(); }
+
+/// Chooses the camera that is flown by hand, as a person does.
+void chooseFlown(const LaryngoscopePanel& panel)
+{
+    cameraOf(panel).setCurrentIndex(1);
+    Q_EMIT cameraOf(panel).activated(1);
+}
+
+/// The number in "Camera 84 mm past the teeth", below 0 in front of them; nothing without one.
+std::optional<int> depthIn(const QString& told)
+{
+    const QStringList words = told.split(QLatin1Char{' '});
+    if (words.size() < 3 || words[0] != QStringLiteral("Camera"))
+        return std::nullopt;
+    return (told.contains(QStringLiteral("in front of")) ? -1 : 1) * words[1].toInt();
+}
 
 /// The share of pixels that differ by more than a little.
 double difference(const QImage& a, const QImage& b)
@@ -251,6 +281,112 @@ private Q_SLOTS:
         QVERIFY(desk.patient.frame().blade.isThere());
         desk.validity = Validity::Lost;
         QVERIFY(soon([&] { return !desk.patient.frame().blade.isThere(); }, kDrawn));
+    }
+
+    void fliesAnEndoscopeByKeysWithoutALaryngoscope()
+    {
+        const Desk desk{heldOpen()};
+        QVERIFY(desk.hasPicture());
+        chooseFlown(desk.panel);
+        QVERIFY(soon([&] { return depthIn(desk.told()).has_value(); }, kDrawn));
+        const int before = *depthIn(desk.told());
+        QVERIFY(before < -20 && before > -40);
+        QVERIFY(!desk.panel.seen());
+        QVERIFY(desk.drawsMore(8));
+        const QImage mouth = desk.picture().picture();
+        ScopeCanvas& canvas = canvasOf(desk.panel);
+        for (int i = 0; i < 5; ++i)
+            QTest::keyClick(&canvas, Qt::Key_W);
+        const auto isAt = [&](int depth) {
+            return soon(
+                [&] {
+                    const auto told = depthIn(desk.told());
+                    return told && std::abs(*told - depth) <= 1;
+                },
+                kDrawn);
+        };
+        QVERIFY(isAt(before + 10)); // 5 times 2 mm
+        QTest::keyClick(&canvas, Qt::Key_PageDown);
+        QVERIFY(isAt(before + 8));
+        for (int i = 0; i < 4; ++i)
+            QTest::keyClick(&canvas, Qt::Key_Left);
+        QVERIFY(desk.drawsMore(8));
+        QVERIFY(difference(mouth, desk.picture().picture()) > 0.1);
+        QTest::keyClick(&canvas, Qt::Key_Home);
+        QVERIFY(isAt(before));
+        QVERIFY(desk.drawsMore(8));
+        QVERIFY(difference(mouth, desk.picture().picture()) < 0.05);
+    }
+
+    void fliesByButtonsThatHaveNames()
+    {
+        const Desk desk{heldOpen()};
+        QVERIFY(desk.hasPicture());
+        const auto buttons = desk.panel.findChildren<QToolButton*>();
+        for (const QToolButton* button : buttons)
+            if (button->objectName().startsWith(QStringLiteral("fly"))) {
+                QVERIFY(!button->isVisible());
+                QVERIFY(button->accessibleName().size() > 5);
+                QVERIFY(!button->toolTip().isEmpty());
+            }
+        chooseFlown(desk.panel);
+        QVERIFY(soon([&] { return depthIn(desk.told()).has_value(); }, kDrawn));
+        const int before = *depthIn(desk.told());
+        auto& advance = *desk.panel.findChild<QToolButton*>(QStringLiteral("flyAdvance"));
+        QVERIFY(advance.isVisible());
+        for (int i = 0; i < 3; ++i)
+            advance.click();
+        QVERIFY(soon(
+            [&] {
+                const auto told = depthIn(desk.told());
+                return told && std::abs(*told - before - 6) <= 1;
+            },
+            kDrawn));
+        QVERIFY(canvasOf(desk.panel).hasFocus() || !desk.panel.isActiveWindow());
+    }
+
+    void isNotFlownWhereThereIsNoAirway()
+    {
+        const auto lacking = test::childWithout(PartRole::Trachea);
+        const Desk desk{*lacking};
+        const auto& rows = *qobject_cast<QStandardItemModel*>(cameraOf(desk.panel).model());
+        QVERIFY(!rows.item(1)->isEnabled());
+        QVERIFY(cameraOf(desk.panel).toolTip().contains(QStringLiteral("no trachea")));
+        const Desk whole;
+        const auto& choices = *qobject_cast<QStandardItemModel*>(cameraOf(whole.panel).model());
+        QVERIFY(choices.item(1)->isEnabled());
+    }
+
+    void isNotGradedWhileAnEndoscopeIsFlown()
+    {
+        Desk desk;
+        desk.pose = poseIn(LaryngoscopyStep::Full);
+        QVERIFY(soon([&] { return desk.panel.seen().has_value(); }, kDrawn));
+        chooseFlown(desk.panel);
+        QVERIFY(soon([&] { return !desk.panel.seen().has_value(); }, kDrawn));
+        QVERIFY(desk.drawsMore(4));
+        QVERIFY(!desk.panel.seen().has_value());
+        QVERIFY(desk.panel.effort().has_value()); // what the blade does is estimated nevertheless
+    }
+
+    void showsItsPictureOnTheWholeScreen()
+    {
+        Desk desk;
+        desk.pose = poseIn(LaryngoscopyStep::Full);
+        QVERIFY(soon([&] { return desk.panel.seen().has_value(); }, kDrawn));
+        QTest::keyClick(&canvasOf(desk.panel), Qt::Key_F11);
+        auto* window = desk.panel.findChild<ScopeWindow*>();
+        QVERIFY(window && window->isFullScreen());
+        QVERIFY(!desk.picture().isVisible());
+        QVERIFY(soon([&] { return pictureOf(window->panel()) != nullptr; }, kDrawn));
+        QVERIFY(soon([&] { return desk.panel.seen().has_value(); }, kDrawn)); // that which is there
+        const SceneView& large = *pictureOf(window->panel());
+        QCOMPARE(large.width() * 3, large.height() * 4);
+        QVERIFY(large.width() > 640);
+        QTest::keyClick(window, Qt::Key_Escape);
+        QVERIFY(soon([&] { return desk.panel.findChild<ScopeWindow*>() == nullptr; }));
+        QVERIFY(soon([&] { return desk.picture().isVisible(); }));
+        QVERIFY(soon([&] { return desk.told().startsWith(QStringLiteral("Grade ")); }, kDrawn));
     }
 };
 

@@ -184,8 +184,8 @@ private:
             before = p_E;
         }
         const Vec3 chord_A = m_nodes.back() - m_nodes.front();
-        const auto axes_A = axesAlong(chord_A);
-        const auto axes_E = axesAlong(m_rest.tip() - p_E_held);
+        const auto axes_A = acrossAxesOf(chord_A);
+        const auto axes_E = acrossAxesOf(m_rest.tip() - p_E_held);
         m_axes.clear();
         if (!axes_A || !axes_E)
             return;

@@ -243,8 +243,8 @@ std::optional<BentTube> IntubationMotion::rigidTubeAt(double seconds) const
     const auto p_E_second = centreAtDistance(m_tube.p_E_centre, chord_A.norm());
     if (!p_E_second)
         return std::nullopt;
-    const auto axes_A = axesAlong(chord_A);
-    const auto axes_E = axesAlong(m_tube.p_E_tip - *p_E_second);
+    const auto axes_A = acrossAxesOf(chord_A);
+    const auto axes_E = acrossAxesOf(m_tube.p_E_tip - *p_E_second);
     if (!axes_A || !axes_E)
         return std::nullopt;
     const Quat roll = rotationFromVector(m_grip.roll.si * chord_A.normalized());

@@ -134,7 +134,7 @@ TubeCorridor tubeCorridor(const MotionPatient& patient, const TipWay& way,
     for (std::size_t i = 0; i < line.size(); ++i) {
         const Vec3 direction = line[std::min(i + 1, line.size() - 1)] - line[i > 0 ? i - 1 : 0];
         CorridorPlace place{.p_A = line[i],
-                            .axes = axesAlong(direction).value_or(Mat3::Identity())};
+                            .axes = acrossAxesOf(direction).value_or(Mat3::Identity())};
         const WallsAround around = walls.at(std::max(steps[i], way.teeth));
         const double less = tubeRadius.si - kFunnel * std::max(way.teeth - steps[i], 0.0);
         const auto roomTo = [&](WallSide side, const Vec3& axis) {

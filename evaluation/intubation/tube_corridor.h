@@ -12,7 +12,7 @@ namespace carina
 /// A place of the corridor in which a tube lies.
 struct CorridorPlace {
     Vec3 p_A = Vec3::Zero();
-    Mat3 axes = Mat3::Identity(); ///< axesAlong the corridor
+    Mat3 axes = Mat3::Identity(); ///< acrossAxesOf the corridor
     /// How far aside of p_A its centre line may be along the first two axes, metres; least is at
     /// most 0, and most at least.
     std::array<double, 2> least{};

@@ -75,7 +75,7 @@ WallsAround wallsAround(std::span<const Vec3> line, double along, const WayTo& w
     const Vec3 p_A = pointAlong(line, metres(along));
     const Vec3 before = pointAlong(line, metres(along) - kWallsEach);
     const Vec3 behind = pointAlong(line, metres(along) + kWallsEach);
-    const Mat3 axes = axesAlong(behind - before).value_or(Mat3::Identity());
+    const Mat3 axes = acrossAxesOf(behind - before).value_or(Mat3::Identity());
     WallsAround walls{.along = along, .p_A_walls = {}};
     for (const WallSide side : kWallSides) {
         const auto s = static_cast<Eigen::Index>(side);
@@ -87,7 +87,7 @@ WallsAround wallsAround(std::span<const Vec3> line, double along, const WayTo& w
 
 } // namespace
 
-std::optional<Mat3> axesAlong(const Vec3& direction)
+std::optional<Mat3> acrossAxesOf(const Vec3& direction)
 {
     const Vec3 along = direction.stableNormalized();
     const Vec3 across = Vec3::UnitX() - along.x() * along;

@@ -13,7 +13,7 @@ namespace carina
 {
 
 /// The directions across a way in which its walls are looked for: along the first axis of
-/// axesAlong and against it, then along the second and against that.
+/// acrossAxesOf and against it, then along the second and against that.
 enum class WallSide : std::uint8_t { Left, Right, Front, Back };
 inline constexpr std::array kWallSides{WallSide::Left, WallSide::Right, WallSide::Front,
                                        WallSide::Back};
@@ -31,7 +31,7 @@ struct WallsAround {
 
 /// The axes (across, front, direction) of a direction: across as nearly to the patient's left (+x)
 /// as can be; nothing where there is no direction or it is that of x.
-[[nodiscard]] std::optional<Mat3> axesAlong(const Vec3& direction);
+[[nodiscard]] std::optional<Mat3> acrossAxesOf(const Vec3& direction);
 
 /// The walls of mouth, throat, larynx and trachea along a line, every kWallsEach. Where nothing is
 /// nearer than `most` a wall is taken to be there. Places that lie inside of something, as where

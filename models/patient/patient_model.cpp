@@ -8,6 +8,7 @@
 #include "engine/lungs/drawing/chest_drawing.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace carina
 {
@@ -143,10 +144,21 @@ PatientModel PatientModel::withTube(std::span<const Vec3> p_E_centre, Length out
 {
     PatientModel model = *this;
     model.m_tube = tubeAlong(m_tube, p_E_centre, outerDiameter);
-    std::erase_if(model.m_surfaces,
-                  [](const PatientSurface& surface) { return surface.body == SurfaceBody::Tube; });
-    model.m_tubeBounds = {};
+    model.takeTubeAway();
     model.addTube();
+    return model;
+}
+
+PatientModel PatientModel::withTubeOf(const PatientModel& other) const
+{
+    PatientModel model = *this;
+    model.takeTubeAway();
+    model.m_tube = other.m_tube;
+    model.m_ownTube = other.m_ownTube;
+    model.m_tubeBounds = other.m_tubeBounds;
+    std::ranges::copy_if(
+        other.m_surfaces, std::back_inserter(model.m_surfaces),
+        [](const PatientSurface& surface) { return surface.body == SurfaceBody::Tube; });
     return model;
 }
 
@@ -175,6 +187,13 @@ void PatientModel::addAnatomy(std::vector<AnatomyPart> parts)
             m_surfaces[breathing.index].levels.emplace_back(m_lungs, &level);
     for (const PatientSurface& surface : m_surfaces)
         m_groups[groupOf(surface.description.role)].include(boundsOf(*surface.levels.front()));
+}
+
+void PatientModel::takeTubeAway()
+{
+    std::erase_if(m_surfaces,
+                  [](const PatientSurface& surface) { return surface.body == SurfaceBody::Tube; });
+    m_tubeBounds = {};
 }
 
 void PatientModel::addTube()

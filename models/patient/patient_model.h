@@ -77,6 +77,8 @@ public:
     /// The same patient with a tube of another shape (tubeAlong), as it was touched.
     [[nodiscard]] PatientModel withTube(std::span<const Vec3> p_E_centre,
                                         Length outerDiameter) const;
+    /// The same patient with the tube of another one.
+    [[nodiscard]] PatientModel withTubeOf(const PatientModel& other) const;
     /// The groups of organs that it has.
     [[nodiscard]] std::vector<OrganGroup> groups() const;
     /// The centre in A of a group's bounds at rest, about which it is turned and scaled when it is
@@ -94,6 +96,7 @@ private:
     PatientModel() = default;
     void addAnatomy(std::vector<AnatomyPart> parts);
     void addTube();
+    void takeTubeAway();
 
     std::string m_name;
     std::string m_contentHash;

@@ -15,7 +15,7 @@ constexpr Length kTrueColorFlown = millimetres(25.0);
 } // namespace
 
 LiveScope::LiveScope(SceneView& view, StationScene& station, FlownEndoscope& endoscope)
-    : m_view{view}, m_station{station}, m_endoscope{endoscope}
+    : m_view{view}, m_station{station}, m_endoscope{endoscope}, m_laryngoscope{station.patient()}
 {
     m_view.drawEvery(kDrawn);
     m_view.setFrameSource([this](int level, LocalTime lit) { return frameOf(level, lit); });
@@ -29,11 +29,37 @@ LiveScope::LiveScope(SceneView& view, StationScene& station, FlownEndoscope& end
 }
 
 /// Another patient can be where one was before.
-bool LiveScope::Shown::is(const PatientModel& other, const Blade& otherBlade,
-                          bool isOtherFlown) const
+bool LiveScope::Shown::is(const Shown& other) const
 {
-    return patient == &other && contentHash == other.contentHash() && blade.name == otherBlade.name
-           && blade.form == otherBlade.form && isFlown == isOtherFlown;
+    return laid == other.laid && contentHash == other.contentHash && blade.name == other.blade.name
+           && blade.form == other.blade.form && isFlown == other.isFlown;
+}
+
+LiveScope::Shown LiveScope::toBeShown() const
+{
+    return {&m_station.patient(), m_patient->contentHash(), blade(), isFlown()};
+}
+
+/// An endoscope flies in the patient that all others see.
+void LiveScope::findPatient()
+{
+    const PatientModel& laid = m_station.patient();
+    const PatientModel* patient = isFlown() ? &laid : m_resting.of(laid);
+    if (patient != m_patient)
+        m_laryngoscope.lieIn(patient ? *patient : laid);
+    m_patient = patient;
+    m_laryngoscope.takeOwnBlade(m_station.laryngoscope().ownBlade());
+}
+
+/// Without a probe on the chin the mouth is open as in the surfaces that all others see.
+FollowingThroat LiveScope::throatIn(const StationMoment& moment) const
+{
+    const PatientModel& laid = m_station.patient();
+    const FollowingThroat throat = throatAt(moment, laid);
+    if (m_patient == nullptr || m_patient == &laid)
+        return throat;
+    return m_patient->throat(throat.X_AJ * laid.jawInSurfaces(), moment.headPosition,
+                             moment.airwayEvents);
 }
 
 /// One that is chosen in a patient without an airway shows what the blade does.
@@ -63,25 +89,25 @@ void LiveScope::addEye(SceneFrame& frame, const RigidTransform& X_AD) const
 /// Of the throat of another patient, or before another blade, nothing is drawn.
 SceneFrame LiveScope::frameOf(int level, LocalTime lit)
 {
-    const PatientModel& patient = m_station.patient();
+    findPatient();
+    const PatientModel& laid = m_station.patient();
     const StationMoment moment = m_station.momentAt(lit, level);
-    const FollowingThroat throat = throatAt(moment, patient);
-    m_sight = m_station.laryngoscope().at(moment, throat);
-    SceneFrame frame = sceneFrame(moment, patient.lungs().field(), throat);
-    bendTube(frame, patient);
-    frame.airway = m_station.laryngoscope().changesAt(moment);
+    const FollowingThroat throat = throatIn(moment);
+    m_sight = m_laryngoscope.at(moment, throat);
+    SceneFrame frame = sceneFrame(moment, laid.lungs().field(), throat);
+    bendTube(frame, laid);
+    frame.airway = m_laryngoscope.changesAt(moment);
     frame.eyes.emplace();
     if (!isGraded())
         m_seen.reset();
-    const bool isShown = isFlown() || m_sight.state == LaryngoscopeState::Live;
-    if (!isShown || !m_shown.is(patient, blade(), isFlown()))
+    if (!isSeen() || !m_shown.is(toBeShown()))
         return frame;
     frame.blade = m_sight.tissue;
     addBlade(frame);
     m_station.bendTubeAtWork(frame, moment);
-    addContents(frame, m_station.laryngoscope().contentsIn(moment, throat, m_sight.tissue));
+    addContents(frame, m_laryngoscope.contentsIn(moment, throat, m_sight.tissue));
     if (isFlown()) {
-        m_endoscope.follow(patient, frame.airway, throat, m_sight.tissue);
+        m_endoscope.follow(laid, frame.airway, throat, m_sight.tissue);
         if (const auto lies = placeOf(frame, kPatientBody, {}))
             addEye(frame, (*lies * PlacedBody{*m_endoscope.pose()}).X_AF);
     } else {
@@ -94,12 +120,10 @@ SceneFrame LiveScope::frameOf(int level, LocalTime lit)
 void LiveScope::prepare()
 {
     m_view.setNearest(isFlown() ? m_endoscope.nearest() : std::nullopt);
-    const PatientModel& patient = m_station.patient();
-    const bool isShown = isFlown() || m_sight.state == LaryngoscopeState::Live;
-    if (!isShown || m_shown.is(patient, blade(), isFlown()))
+    if (!isSeen() || m_shown.is(toBeShown()))
         return;
-    m_shown = {&patient, patient.contentHash(), blade(), isFlown()};
-    m_scene = scopeScene(patient, m_shown.blade, m_colors);
+    m_shown = toBeShown();
+    m_scene = scopeScene(m_patient->withTubeOf(m_station.patient()), m_shown.blade, m_colors);
     m_seen.reset();
     showScope(m_view, m_scene, ScopeEye::Video);
     if (isFlown())
@@ -119,9 +143,8 @@ void LiveScope::measure(const IdPicture& ids, const SceneFrame& frame)
 {
     if (!isGraded() || !frame.eyes || frame.eyes->empty())
         return;
-    const GlotticView view =
-        measuredView(ids, m_scene, frame.eyes->front(),
-                     m_station.laryngoscope().glottisAt(frame.throat, frame.blade));
+    const GlotticView view = measuredView(ids, m_scene, frame.eyes->front(),
+                                          m_laryngoscope.glottisAt(frame.throat, frame.blade));
     m_seen = view.isTelling() ? std::optional{Measured{view, frame.time}} : std::nullopt;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "models/patient/resting_patient.h"
 #include "models/station/flown_endoscope.h"
 #include "models/station/laryngoscope_sight.h"
 #include "ui/scene/scope_scene.h"
@@ -15,7 +16,10 @@ class StationScene;
 
 /// The picture of the camera on the laryngoscope of a station, live, and what it shows of the
 /// larynx: a view draws the throat of the station's patient as that camera and its lamp have it
-/// (ScopeScene), and reads a few times a second which structure each pixel shows.
+/// (ScopeScene), and reads a few times a second which structure each pixel shows. Whoever was made
+/// is seen there as at rest, but for what jaw and blade do: elsewhere tongue and larynx are drawn
+/// as a blade holds them, and would be lifted twice. While the patient at rest is made nothing is
+/// drawn.
 ///
 /// Or the picture of an endoscope that a person flies there, in the same light, with or without a
 /// laryngoscope: then nothing is read, as grades are of a laryngoscope's view.
@@ -40,13 +44,12 @@ public:
 private:
     /// Of what the scene is made.
     struct Shown {
-        const PatientModel* patient = nullptr;
-        std::string contentHash;
+        const PatientModel* laid = nullptr; ///< whose tube it has
+        std::string contentHash;            ///< of the patient that is drawn
         Blade blade{};
         bool isFlown = false; ///< and so it is lit
 
-        [[nodiscard]] bool is(const PatientModel& other, const Blade& otherBlade,
-                              bool isOtherFlown) const;
+        [[nodiscard]] bool is(const Shown& other) const;
     };
 
     struct Measured {
@@ -55,10 +58,21 @@ private:
     };
 
     [[nodiscard]] SceneFrame frameOf(int level, LocalTime lit);
+    void findPatient();
+    [[nodiscard]] FollowingThroat throatIn(const StationMoment& moment) const;
+    [[nodiscard]] Shown toBeShown() const;
     void addBlade(SceneFrame& frame) const;
     void addEye(SceneFrame& frame, const RigidTransform& X_AD) const;
     [[nodiscard]] bool isFlown() const;
-    [[nodiscard]] bool isGraded() const { return !isFlown() && m_sight.isGraded(); }
+    [[nodiscard]] bool isGraded() const
+    {
+        return m_patient != nullptr && !isFlown() && m_sight.isGraded();
+    }
+    /// Whether there is something to be drawn.
+    [[nodiscard]] bool isSeen() const
+    {
+        return m_patient != nullptr && (isFlown() || m_sight.state == LaryngoscopeState::Live);
+    }
     [[nodiscard]] Blade blade() const;
     void prepare();
     void ask(SessionTime now);
@@ -67,6 +81,9 @@ private:
     SceneView& m_view;
     StationScene& m_station;
     FlownEndoscope& m_endoscope;
+    RestingPatient m_resting;
+    const PatientModel* m_patient = nullptr; ///< that is drawn; nullptr while it is made
+    StationLaryngoscope m_laryngoscope;      ///< in that patient
     Shown m_shown;
     TissueColors m_colors;
     ScopeScene m_scene;

@@ -39,7 +39,7 @@ TubeCorridor straightCorridor(double length, double wide)
     TubeCorridor corridor;
     for (int i = 0; i <= kPieces; ++i)
         corridor.push_back({.p_A = length * i / kPieces * Vec3::UnitY(),
-                            .axes = axesAlong(Vec3::UnitY()).value(),
+                            .axes = acrossAxesOf(Vec3::UnitY()).value(),
                             .least = {-wide, -wide},
                             .most = {wide, wide}});
     return corridor;

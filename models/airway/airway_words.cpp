@@ -155,7 +155,7 @@ QString eventEffect(AirwayEventKind kind)
     case AirwayEventKind::Swallowing:
         return airwayWords(QT_TRANSLATE_NOOP(
             "Airway", "Every 8 seconds the patient swallows: the vocal cords shut, the larynx "
-                      "rises, at 100 % by 14 mm, and the epiglottis falls back over it; not while "
+                      "rises, at 100 % by 15 mm, and the epiglottis falls back over it; not while "
                       "drugs relax the muscles or keep the patient deeply asleep"));
     }
     return {};

@@ -150,15 +150,15 @@ void pressLarynx(AirwayField& field, const UpperAirway& airway, double severity)
                                + 6.0 * patientsRightOf(airway))});
 }
 
-/// About the hyoid bone, with all that surrounds it but bones.
+/// With all that surrounds it but spine and jaw.
 void raiseLarynx(AirwayField& field, const UpperAirway& airway, double rise)
 {
     const double size = airway.glottis() / kMansGlottis;
     const Vec3 p_A_middle = 0.5 * (airway.p_A_commissure + airway.p_A_notch);
-    field.swell({.p_A_centre = p_A_middle + size * 8e-3 * airway.up_A,
+    field.swell({.p_A_centre = p_A_middle + size * 6e-3 * airway.forward_A(),
                  .axis_A = airway.up_A,
-                 .across = size * millimetres(48.0),
-                 .along = size * millimetres(48.0),
+                 .across = size * millimetres(70.0),
+                 .along = size * millimetres(60.0),
                  .shift_A = rise * size * 1e-3 * (17.0 * airway.up_A + 7.0 * airway.forward_A()),
                  .tissues = kThroatAndNeck});
 }

@@ -103,7 +103,7 @@ void TestAirwayReflexes::swallowsUnlessRelaxedOrDeeplyAsleep()
     awake.run(1.0);
     QCOMPARE(awake.body.swallowingLeft(), 1.0);
     Bed light{test::kLeanAdult};
-    light.body.give({DrugKind::Propofol, 40.0});
+    light.body.give({DrugKind::Propofol, 60.0});
     light.run(60.0);
     QVERIFY(light.body.isAnaesthetised());
     QVERIFY2(light.body.swallowingLeft() > 0.9,

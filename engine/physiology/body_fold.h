@@ -51,6 +51,11 @@ public:
     }
     /// How far the cords are shut by spasm (stimulated in too light a sleep), 0 to 1.
     [[nodiscard]] double spasm() const { return m_state.spasm; }
+    /// Share of a swallow that drugs leave, 0 to 1; 0 once the heart has stopped.
+    [[nodiscard]] double swallowingLeft() const
+    {
+        return m_state.circulation.arrested ? 0.0 : carina::swallowingLeft(m_effect);
+    }
     /// Whether the patient coughs against blade or tube.
     [[nodiscard]] bool coughs() const;
     /// Whether a hypnotic or a relaxant acts now (isAnaesthetised).

@@ -128,4 +128,12 @@ double spasmAt(double stimulus, const DrugEffect& effect, TubeSeat seat)
     return sleeps * light * (1.0 - effect.relaxation);
 }
 
+double swallowingLeft(const DrugEffect& effect)
+{
+    constexpr double kBegins = 0.5; // to be lost, by hypnosis
+    constexpr double kLost = 0.8;
+    const double awake = std::clamp((kLost - effect.hypnosis) / (kLost - kBegins), 0.0, 1.0);
+    return awake * (1.0 - effect.relaxation);
+}
+
 } // namespace carina

@@ -78,7 +78,10 @@ double AirwayEventModel::present(AirwayEventKind kind) const
 
 double AirwayEventModel::drawn(AirwayEventKind kind) const
 {
-    const auto shows = [this](AirwayEventKind each) { return m_limits.canShow(each); };
+    const auto shows = [this, kind](AirwayEventKind each) {
+        const bool comesAndGoes = each == AirwayEventKind::Swallowing && each != kind;
+        return !comesAndGoes && m_limits.canShow(each);
+    };
     return severityOf(asDrawn(presentValue(), shows), kind);
 }
 

@@ -38,7 +38,7 @@ public:
     /// The severity that is to be seen now, while it changes.
     [[nodiscard]] double present(AirwayEventKind kind) const;
     /// The severity with which it is drawn now in the patient of the station: less than that where
-    /// it shares the room of the throat (asDrawn); 0 where it is not shown.
+    /// it shares the room of the throat (asDrawn), between swallows; 0 where it is not shown.
     [[nodiscard]] double drawn(AirwayEventKind kind) const;
     /// All that was set likewise, without those of severity 0.
     [[nodiscard]] AirwayEvents events() const { return decided(); }

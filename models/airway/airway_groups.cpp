@@ -15,7 +15,8 @@ constexpr std::array kMouth{AirwayEventKind::TongueOedema, AirwayEventKind::Angi
                             AirwayEventKind::Trismus};
 /// With the epiglottis, which is seen before the larynx is.
 constexpr std::array kThroat{AirwayEventKind::PharyngealSwelling, AirwayEventKind::Epiglottitis,
-                             AirwayEventKind::FloppyEpiglottis, AirwayEventKind::Burn};
+                             AirwayEventKind::FloppyEpiglottis, AirwayEventKind::Burn,
+                             AirwayEventKind::Swallowing};
 constexpr std::array kLarynx{AirwayEventKind::LaryngealOedema, AirwayEventKind::Laryngospasm,
                              AirwayEventKind::AnteriorLarynx, AirwayEventKind::LaryngealWeb,
                              AirwayEventKind::ForeignBody};

@@ -61,6 +61,8 @@ QString eventText(AirwayEventKind kind)
         return airwayWords(QT_TRANSLATE_NOOP("Airway", "Foreign body"));
     case AirwayEventKind::FragileTeeth:
         return airwayWords(QT_TRANSLATE_NOOP("Airway", "Loose teeth"));
+    case AirwayEventKind::Swallowing:
+        return airwayWords(QT_TRANSLATE_NOOP("Airway", "Swallowing"));
     }
     return {};
 }
@@ -150,6 +152,11 @@ QString eventEffect(AirwayEventKind kind)
             "Airway", "An upper incisor leans out of the row, at 100 % by 1.5 mm; beneath the "
                       "laryngoscope's picture the teeth are called loose, and a blade near them is "
                       "warned of, at 100 % from 3 mm on"));
+    case AirwayEventKind::Swallowing:
+        return airwayWords(QT_TRANSLATE_NOOP(
+            "Airway", "Every 8 seconds the patient swallows: the vocal cords shut, the larynx "
+                      "rises, at 100 % by 15 mm, and the epiglottis falls back over it; not while "
+                      "drugs relax the muscles or keep the patient deeply asleep"));
     }
     return {};
 }

@@ -1,5 +1,6 @@
 #include "models/intubation/intubation_watch.h"
 
+#include "engine/anatomy/events/swallow.h"
 #include "engine/session/news_rules.h"
 #include "engine/session/respiration/respiration_timeline.h"
 #include "models/intubation/sent_shape.h"
@@ -189,10 +190,13 @@ bool IntubationWatch::tellsWhereItLies() const
     return m_tube && m_tube->isLaid() && !m_patient->tube().fitsAirway;
 }
 
-/// To this tube: by a spasm, or by whatever stops it above the cords.
+/// To this tube: by a spasm, by a swallow, or by whatever stops it above the cords.
 bool IntubationWatch::isShut(const StationMoment& moment) const
 {
-    if (severityOf(moment.airwayEvents, AirwayEventKind::Laryngospasm) >= kShutSpasm)
+    const AirwayEvents& events = moment.airwayEvents;
+    const double swallow = severityOf(events, AirwayEventKind::Swallowing);
+    if (std::max(severityOf(events, AirwayEventKind::Laryngospasm), cordsInSwallow(swallow))
+        >= kShutSpasm)
         return true;
     return tellsWhereItLies() && m_tube->isStoppedAtCords();
 }

@@ -1,8 +1,11 @@
 #include "models/station/station_view.h"
 
+#include "engine/anatomy/events/swallow.h"
 #include "engine/lungs/drawing/chest_drawing.h"
 #include "engine/session/lesson_rules.h"
 #include "models/patient/shared_patient.h"
+
+#include <algorithm>
 
 namespace carina
 {
@@ -22,6 +25,10 @@ std::optional<RigidTransform> jawInHead(const StationMoment& moment, const Patie
 AirwayEvents airwayEventsAt(const Station& station, const PatientRun& run, SessionTime t)
 {
     AirwayEvents events = station.airwayEvents.at(t);
+    const auto swallowing =
+        std::ranges::find(events, AirwayEventKind::Swallowing, &AirwayEvent::kind);
+    if (swallowing != events.end())
+        swallowing->severity *= swallowAt(t) * run.body().swallowingLeft();
     worsen(events, {AirwayEventKind::Laryngospasm, run.spasm()});
     return events;
 }

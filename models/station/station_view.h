@@ -47,8 +47,9 @@ struct StationMoment {
     TubeDrawing tubeDrawing = TubeDrawing::AsMeasured; ///< set by who draws it
 };
 
-/// The events of a patient's airway at a time: those that are decided, and a laryngospasm that is
-/// at least as severe as that by which the patient answers blade or tube.
+/// The events of a patient's airway at a time: those that are decided, but of Swallowing as much as
+/// the swallow of then has come to (swallowAt) and drugs leave of it, 0 between swallows; and a
+/// laryngospasm that is at least as severe as that by which the patient answers blade or tube.
 /// @param run of the patient, at that time
 [[nodiscard]] AirwayEvents airwayEventsAt(const Station& station, const PatientRun& run,
                                           SessionTime t);

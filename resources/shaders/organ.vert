@@ -48,7 +48,7 @@ uniform mat4 windpipeDepth;
 struct Swelling {
     mat4 form;
 };
-uniform Swelling swellings[17];
+uniform Swelling swellings[19];
 // Columns: centre and perAcross2; axis and perAlong2; light and share; tissues.
 struct Tint {
     mat4 place;
@@ -400,7 +400,7 @@ void changeAirway(inout vec3 position, inout vec3 normal)
         narrow(windpipeDepth, position, normal);
     }
     int tissue = 1 << int(vertexPart.y - kLooseTooth);
-    for (int i = 0; i < 17; ++i)
+    for (int i = 0; i < 19; ++i)
         if ((int(swellings[i].form[3].z) & tissue) != 0)
             swell(swellings[i].form, position, normal);
 }

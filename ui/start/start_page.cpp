@@ -137,6 +137,7 @@ void StartPage::addPatient(QFormLayout& form, const SessionPlan& begin)
     m_who->addItem(tr("Girl of 12 years, 150 cm"), QStringLiteral("child, girl"));
     m_who->addItem(tr("Man of 30 years, 175 cm"), QStringLiteral("adult"));
     m_who->addItem(tr("Woman of 30 years, 175 cm"), QStringLiteral("adult, woman"));
+    m_who->addItem(tr("Infant: boy of 1 year, 75 cm"), QStringLiteral("1 year, 75 cm, boy"));
     m_who->addItem(tr("From figures"), kFigures);
     m_who->addItem(tr("From a folder of surfaces"), kFolder);
     const int known =

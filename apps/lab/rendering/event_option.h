@@ -11,8 +11,9 @@ inline constexpr Option kEvent{
     "what makes the airway difficult: tongue_oedema, pharyngeal_swelling, epiglottitis, "
     "laryngeal_oedema, laryngospasm, floppy_epiglottis, anterior_larynx, angio_oedema, "
     "laryngeal_web, tracheal_stenosis, tracheal_deviation, goitre, neck_obesity, "
-    "prominent_incisors, trismus, stiff_neck, burn, secretions, blood, vomit, foreign_body or "
-    "fragile_teeth, or external_pressure (BURP), with its severity; may be given once for each",
+    "prominent_incisors, trismus, stiff_neck, burn, secretions, blood, vomit, foreign_body, "
+    "fragile_teeth or swallowing (so much of a swallow), or external_pressure (BURP), with its "
+    "severity; may be given once for each",
     true};
 inline constexpr Option kEventSeverity{"severity", "0..1",
                                        "of each event that is given without one; 1 unless given"};

@@ -5,6 +5,7 @@
 #include "engine/anatomy/events/larynx_changes.h"
 #include "engine/anatomy/events/mouth_changes.h"
 #include "engine/anatomy/events/neck_changes.h"
+#include "engine/anatomy/events/swallow.h"
 #include "engine/anatomy/events/throat_room.h"
 #include "engine/core/expects.h"
 
@@ -21,7 +22,10 @@ AirwayField airwayChanges(const UpperAirway& airway, const AirwayEvents& events,
     const AirwayEvents drawn = asDrawn(events, shows);
     const auto drawnSeverity = [&drawn](AirwayEventKind kind) { return severityOf(drawn, kind); };
     AirwayField field;
-    const double closing = cordsClosing(drawnSeverity(AirwayEventKind::Laryngospasm), inspiration);
+    const double swallow = drawnSeverity(AirwayEventKind::Swallowing);
+    const double shut =
+        std::max(drawnSeverity(AirwayEventKind::Laryngospasm), cordsInSwallow(swallow));
+    const double closing = cordsClosing(shut, inspiration);
     if (closing != 0.0 && shows(AirwayEventKind::Laryngospasm))
         moveCords(field, airway, closing);
     const auto change = [&](double severity, auto how) {
@@ -49,6 +53,8 @@ AirwayField airwayChanges(const UpperAirway& airway, const AirwayEvents& events,
     change(drawnSeverity(AirwayEventKind::NeckObesity), thickenNeck);
     change(drawnSeverity(AirwayEventKind::ProminentIncisors), protrudeIncisors);
     change(drawnSeverity(AirwayEventKind::FragileTeeth), loosenIncisor);
+    change(riseInSwallow(swallow), raisePalate);
+    change(riseInSwallow(swallow), raiseLarynx); // with all that was changed before
     change(drawnSeverity(AirwayEventKind::AngioOedema), makePale);
     if (shows(AirwayEventKind::Epiglottitis)) // as red as it was set
         change(severityOf(events, AirwayEventKind::Epiglottitis), reddenEpiglottis);
@@ -88,6 +94,7 @@ bool canShow(const UpperAirway& airway, AirwayEventKind kind)
     case AirwayEventKind::Blood:
     case AirwayEventKind::Vomit:
     case AirwayEventKind::ForeignBody:
+    case AirwayEventKind::Swallowing:
         return hasWay && hasGlottis;
     case AirwayEventKind::LaryngealOedema:
     case AirwayEventKind::Laryngospasm:

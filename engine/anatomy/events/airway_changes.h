@@ -49,6 +49,9 @@ inline constexpr double kInspirationAsMade = 0.75;
 ///   red, and black with soot in places;
 /// - Secretions, Blood, Vomit and ForeignBody: nothing of this; they lie in the throat
 ///   (airway_contents.h);
+/// - Swallowing, of so much of a swallow (swallow.h): the cords shut first, whatever the breath;
+///   then larynx, hyoid bone and trachea go up and to the front, the epiglottis falls back, pharynx
+///   and entrance of the larynx narrow, and the palate goes up and back;
 /// - FragileTeeth: one upper incisor leans out of the row; and who presses them is warned earlier.
 ///
 /// Three also change colours: AngioOedema makes pale what it swells, Epiglottitis reddens, and so

@@ -30,7 +30,8 @@ constexpr std::array<const char*, kAirwayEventKinds> kNames{"tongue_oedema",
                                                             "blood",
                                                             "vomit",
                                                             "foreign_body",
-                                                            "fragile_teeth"};
+                                                            "fragile_teeth",
+                                                            "swallowing"};
 
 } // namespace
 

@@ -33,8 +33,9 @@ enum class AirwayEventKind : std::uint8_t {
     Vomit,              ///< the same, what came up from the stomach
     ForeignBody,        ///< a solid lies beside or over the glottis
     FragileTeeth,       ///< the upper incisors are loose, one leans: a warning comes earlier
+    Swallowing, ///< the patient swallows again and again; 1: with a whole rise of the larynx
 };
-inline constexpr int kAirwayEventKinds = 23;
+inline constexpr int kAirwayEventKinds = 24;
 
 /// One of them, and how severe it is.
 struct AirwayEvent {

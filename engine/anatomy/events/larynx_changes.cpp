@@ -27,6 +27,9 @@ constexpr double kMostOfVestibule = 0.55; ///< that the folds come together
 /// Both tissues that the tongue's base and the epiglottis before it are of.
 constexpr auto kThroatAndLarynx =
     AirwayTissues(only(AirwayTissue::Throat) | only(AirwayTissue::Larynx));
+/// And what the larynx takes along.
+constexpr auto kThroatAndNeck =
+    AirwayTissues(kThroatTissues | only(AirwayTissue::Windpipe) | only(AirwayTissue::Skin));
 
 } // namespace
 
@@ -145,6 +148,19 @@ void pressLarynx(AirwayField& field, const UpperAirway& airway, double severity)
                  .shift_A = severity * size * 1e-3
                             * (-8.0 * airway.forward_A() + 4.0 * airway.up_A
                                + 6.0 * patientsRightOf(airway))});
+}
+
+/// With all that surrounds it but spine and jaw.
+void raiseLarynx(AirwayField& field, const UpperAirway& airway, double rise)
+{
+    const double size = airway.glottis() / kMansGlottis;
+    const Vec3 p_A_middle = 0.5 * (airway.p_A_commissure + airway.p_A_notch);
+    field.swell({.p_A_centre = p_A_middle + size * 6e-3 * airway.forward_A(),
+                 .axis_A = airway.up_A,
+                 .across = size * millimetres(70.0),
+                 .along = size * millimetres(60.0),
+                 .shift_A = rise * size * 1e-3 * (17.0 * airway.up_A + 7.0 * airway.forward_A()),
+                 .tissues = kThroatAndNeck});
 }
 
 } // namespace carina::airway_change

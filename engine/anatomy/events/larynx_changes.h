@@ -28,4 +28,7 @@ void moveLarynxForward(AirwayField& field, const UpperAirway& airway, double sev
 /// By a helper: to the back, up and to the patient's right.
 void pressLarynx(AirwayField& field, const UpperAirway& airway, double severity);
 
+/// In a swallow: up and to the front, with hyoid bone, tongue's base, trachea and skin.
+void raiseLarynx(AirwayField& field, const UpperAirway& airway, double rise);
+
 } // namespace carina::airway_change

@@ -87,6 +87,17 @@ void narrowPharynx(AirwayField& field, const UpperAirway& airway, double swellin
                  .shift_A = size * 1e-3 * (6.0 * swelling + 3.0 * fat) * airway.forward_A()});
 }
 
+/// Its reach ends at the tonsils.
+void raisePalate(AirwayField& field, const UpperAirway& airway, double rise)
+{
+    const double size = airway.size();
+    field.swell({.p_A_centre = airway.p_A_uvula + size * 8e-3 * airway.up_A,
+                 .across = size * millimetres(18.0),
+                 .along = size * millimetres(18.0),
+                 .shift_A = rise * size * 5e-3 * (airway.up_A - airway.forward_A()),
+                 .tissues = only(AirwayTissue::Pharynx)});
+}
+
 void protrudeIncisors(AirwayField& field, const UpperAirway& airway, double severity)
 {
     const double size = airway.size();

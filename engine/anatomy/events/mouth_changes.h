@@ -16,6 +16,9 @@ void swellMouth(AirwayField& field, const UpperAirway& airway, double severity);
 /// By swelling, and by fat.
 void narrowPharynx(AirwayField& field, const UpperAirway& airway, double swelling, double fat);
 
+/// Palate and uvula up and to the back, towards the wall of the pharynx, as in a swallow.
+void raisePalate(AirwayField& field, const UpperAirway& airway, double rise);
+
 /// To the front and down as the face has it. Roots and jaw stay.
 void protrudeIncisors(AirwayField& field, const UpperAirway& airway, double severity);
 

@@ -1,9 +1,11 @@
 #include "engine/anatomy/events/throat_room.h"
 
+#include "engine/anatomy/events/swallow.h"
 #include "engine/core/expects.h"
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 namespace carina
 {
@@ -15,6 +17,11 @@ constexpr std::array kSwollenByBurn{AirwayEvent{AirwayEventKind::TongueOedema, 0
                                     AirwayEvent{AirwayEventKind::PharyngealSwelling, 0.7},
                                     AirwayEvent{AirwayEventKind::Epiglottitis, 0.4},
                                     AirwayEvent{AirwayEventKind::LaryngealOedema, 0.7}};
+
+/// What comes together in a swallow while the larynx rises, likewise.
+constexpr std::array kMovedBySwallow{AirwayEvent{AirwayEventKind::PharyngealSwelling, 0.5},
+                                     AirwayEvent{AirwayEventKind::LaryngealOedema, 0.6},
+                                     AirwayEvent{AirwayEventKind::FloppyEpiglottis, 0.8}};
 
 constexpr std::array kInThroat{AirwayEventKind::TongueOedema, AirwayEventKind::PharyngealSwelling,
                                AirwayEventKind::Epiglottitis, AirwayEventKind::FloppyEpiglottis};
@@ -32,10 +39,13 @@ AirwayEvents asDrawn(const AirwayEvents& events, const ShowsEvent& shows)
     CARINA_EXPECTS(areProper(events));
     AirwayEvents drawn = events;
     std::erase_if(drawn, [&shows](const AirwayEvent& event) { return !shows(event.kind); });
-    const double burn = severityOf(drawn, AirwayEventKind::Burn);
-    for (const AirwayEvent& ofBurn : kSwollenByBurn)
-        if (shows(ofBurn.kind))
-            worsen(drawn, {ofBurn.kind, ofBurn.severity * burn});
+    const auto worsenAll = [&](std::span<const AirwayEvent> by, double severity) {
+        for (const AirwayEvent& each : by)
+            if (shows(each.kind))
+                worsen(drawn, {each.kind, each.severity * severity});
+    };
+    worsenAll(kSwollenByBurn, severityOf(drawn, AirwayEventKind::Burn));
+    worsenAll(kMovedBySwallow, riseInSwallow(severityOf(drawn, AirwayEventKind::Swallowing)));
     double together = 0.0;
     for (const AirwayEventKind kind : kInThroat)
         together += severityOf(drawn, kind);

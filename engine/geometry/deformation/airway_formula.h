@@ -40,7 +40,7 @@ template <class T> struct NarrowingFrame {
     T outer{};   ///< in half widths: beyond, nothing moves
 };
 
-inline constexpr std::size_t kMostSwellings = 17;
+inline constexpr std::size_t kMostSwellings = 19;
 
 /// Tissue of another colour, in A, metres. With all zeros it keeps its own.
 template <class T> struct TintFrame {

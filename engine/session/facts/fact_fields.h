@@ -295,7 +295,7 @@ template <>
 inline constexpr ConditionKind kLastEnumerator<ConditionKind> = ConditionKind::StiffChest;
 template <> inline constexpr ConditionSide kLastEnumerator<ConditionSide> = ConditionSide::Left;
 template <>
-inline constexpr AirwayEventKind kLastEnumerator<AirwayEventKind> = AirwayEventKind::FragileTeeth;
+inline constexpr AirwayEventKind kLastEnumerator<AirwayEventKind> = AirwayEventKind::Swallowing;
 template <> inline constexpr BodyPosition kLastEnumerator<BodyPosition> = BodyPosition::LeftLateral;
 template <> inline constexpr DrugKind kLastEnumerator<DrugKind> = DrugKind::Ephedrine;
 template <> inline constexpr TubeSeat kLastEnumerator<TubeSeat> = TubeSeat::Oesophagus;

@@ -29,6 +29,7 @@ private Q_SLOTS:
     void toleratesABladeInDeepSleep();
     void shutsTheCordsInLightSleep();
     void doesNothingWhenRelaxed();
+    void swallowsUnlessRelaxedOrDeeplyAsleep();
     void coughsAgainstATubeAsItWakes();
     void stopsBreathingAfterInduction();
 };
@@ -93,6 +94,30 @@ void TestAirwayReflexes::doesNothingWhenRelaxed()
     QVERIFY(bed.body.spasm() < 0.01);
     QVERIFY(bed.body.tone() < 0.01);
     QCOMPARE(bed.body.breathingLeft(), 0.0);
+}
+
+// All of a swallow without drugs and in light sleep.
+void TestAirwayReflexes::swallowsUnlessRelaxedOrDeeplyAsleep()
+{
+    Bed awake{test::kLeanAdult};
+    awake.run(1.0);
+    QCOMPARE(awake.body.swallowingLeft(), 1.0);
+    Bed light{test::kLeanAdult};
+    light.body.give({DrugKind::Propofol, 60.0});
+    light.run(60.0);
+    QVERIFY(light.body.isAnaesthetised());
+    QVERIFY2(light.body.swallowingLeft() > 0.9,
+             qPrintable(QString::number(light.body.swallowingLeft())));
+    Bed deep{test::kLeanAdult};
+    deep.body.give({DrugKind::Propofol, 190.0});
+    deep.run(75.0);
+    QVERIFY2(deep.body.swallowingLeft() < 0.05,
+             qPrintable(QString::number(deep.body.swallowingLeft())));
+    Bed relaxed{test::kLeanAdult};
+    relaxed.body.give({DrugKind::Suxamethonium, 77.0});
+    relaxed.run(75.0);
+    QVERIFY2(relaxed.body.swallowingLeft() < 0.05,
+             qPrintable(QString::number(relaxed.body.swallowingLeft())));
 }
 
 void TestAirwayReflexes::coughsAgainstATubeAsItWakes()

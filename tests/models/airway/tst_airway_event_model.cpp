@@ -199,6 +199,11 @@ void TestAirwayEventModel::tellsWhatIsDrawnInAFullThroat()
     QCOMPARE(console.model.present(Epiglottitis), 1.0);
     QVERIFY(std::abs(console.model.drawn(Epiglottitis) - 2.0 / 3.0) < kRounding);
     QCOMPARE(console.model.drawn(Laryngospasm), 0.0);
+    console.model.setSeverity(Swallowing, 1.0); // which takes room for a second of eight
+    console.settle();
+    QVERIFY(std::abs(console.model.drawn(Epiglottitis) - 2.0 / 3.0) < kRounding);
+    QCOMPARE(console.model.drawn(LaryngealOedema), 0.0);
+    QCOMPARE(console.model.drawn(Swallowing), 1.0);
     Console mute{tongueless()};
     mute.model.setEvents(three);
     mute.settle();

@@ -1,3 +1,4 @@
+#include "engine/anatomy/events/swallow.h"
 #include "engine/lungs/drawing/chest_drawing.h"
 #include "models/errors/error_text.h"
 #include "models/station/station_notice.h"
@@ -68,6 +69,7 @@ private Q_SLOTS:
     void nobodysTubeIsThePatientsWhileNobodyIsAtWork();
     void breathesAtTheTimeOfLight();
     void hasTheAirwayOfTheTimeOfLight();
+    void swallowsAgainAndAgainAtEverySiteAlike();
     void shutsTheCordsOfWhoSleepsTooLightly();
     void hasTheHeadAsItLiesAtTheTimeOfLight();
     void exaggeratesOnlyWhereAsked();
@@ -161,6 +163,43 @@ void TestStationView::hasTheAirwayOfTheTimeOfLight()
     QVERIFY(view.at(effect + std::chrono::seconds{5}, 0).airwayEvents == half);
     const AirwayEvents all{{AirwayEventKind::TongueOedema, 0.5}};
     QVERIFY(view.at(effect + std::chrono::seconds{20}, 0).airwayEvents == all);
+}
+
+/// By as much of the severity as the swallow has come to, also for who looks later; a relaxed
+/// patient does not.
+void TestStationView::swallowsAgainAndAgainAtEverySiteAlike()
+{
+    constexpr double kSeverity = 0.8;
+    FakeSessionNode node;
+    const LungPair pair = lungs();
+    const StationView first{node, FakeSessionNode::kStation, pair};
+    node.decide(fact::PhaseChanged{SessionPhase::Running});
+    node.decide(fact::AirwayEventsSet{{{AirwayEventKind::Swallowing, kSeverity}}, {}});
+    node.advance(std::chrono::seconds{1});
+    const auto next = [&] { // at the height of the next swallow
+        const Duration since = node.now()->time_since_epoch();
+        node.advance(kSwallowEvery - since % kSwallowEvery + milliseconds{1000});
+        return *node.now();
+    };
+    const auto amount = [&](const StationView& view, SessionTime t) {
+        return severityOf(view.at(t, 0).airwayEvents, AirwayEventKind::Swallowing);
+    };
+    for (int swallow = 0; swallow < 3; ++swallow) {
+        const SessionTime height = next();
+        const StationView late{node, FakeSessionNode::kStation, pair};
+        for (const int ms : {-1200, -900, -700, -300, 0, 200, 500, 900, 1300, 3000}) {
+            const SessionTime t = height + milliseconds{ms};
+            QCOMPARE(amount(first, t), kSeverity * swallowAt(t));
+            QCOMPARE(amount(late, t), amount(first, t));
+        }
+        QCOMPARE(amount(first, height), kSeverity);
+    }
+    node.decide(fact::DrugGiven{{DrugKind::Suxamethonium, 60.0}});
+    for (int second = 0; second < 60; ++second) {
+        node.advance(std::chrono::seconds{1});
+        amount(first, *node.now());
+    }
+    QVERIFY(amount(first, next()) < 0.1);
 }
 
 /// Half of the way to the sniffing position after half of 10 s; a neck that is half as stiff as can

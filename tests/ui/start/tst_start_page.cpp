@@ -1,3 +1,4 @@
+#include "engine/anatomy/patient/patient_name.h"
 #include "engine/io/anatomy_set/anatomy_cache.h"
 #include "engine/io/fact_store/sql_fact_store.h"
 #include "engine/session/facts/fact_codec.h"
@@ -125,6 +126,19 @@ private Q_SLOTS:
         find<QLineEdit>(shown.page, "name").clear();
         QVERIFY(!find<QPushButton>(shown.page, "begin").isEnabled());
         QVERIFY(find<QLabel>(shown.page, "missing").text().contains(QStringLiteral("name")));
+    }
+
+    void offersAnInfant()
+    {
+        Shown shown;
+        auto& who = find<QComboBox>(shown.page, "patient");
+        const int infant = who.findText(QStringLiteral("Infant"), Qt::MatchStartsWith);
+        QVERIFY(infant >= 0);
+        who.setCurrentIndex(infant);
+        const auto patient = patientFromWords(shown.page.plan().patient.toStdString());
+        QVERIFY(patient && patient->ageInYears <= 1.0);
+        QVERIFY(shown.isMade());
+        QVERIFY(find<QPushButton>(shown.page, "begin").isEnabled());
     }
 
     void takesAPatientFromFigures()

@@ -151,8 +151,10 @@ void AirwayPanel::addPresets(QBoxLayout& column)
 {
     m_presets->setObjectName(QStringLiteral("airwayPreset"));
     m_presets->setAccessibleName(tr("Preset of the airway"));
-    m_presets->setToolTip(tr("Sets all events as one change, over the time of a change; Custom "
-                             "stands here where the severities are of no preset"));
+    m_presets->setToolTip(
+        tr("Sets all events as one change, over the time of a change; Custom "
+           "stands here where the severities are of no preset. An infant is another "
+           "patient: chosen on the start page, or when a station is added"));
     m_presets->setPlaceholderText(tr("Custom"));
     m_presets->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_presets->setMinimumContentsLength(kPresetLetters);

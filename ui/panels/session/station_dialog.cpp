@@ -38,7 +38,8 @@ StationDialog::StationDialog(const StationsModel& stations, StationId station, Q
     m_patient->setEditable(true);
     // Words that patientFromWords reads, in English whatever the language.
     m_patient->addItems({QStringLiteral("adult"), QStringLiteral("child"),
-                         QStringLiteral("child, girl"), QStringLiteral("45 years, 182 cm, man")});
+                         QStringLiteral("child, girl"), QStringLiteral("1 year, 75 cm, boy"),
+                         QStringLiteral("45 years, 182 cm, man")});
     m_patient->setToolTip(
         tr("adult, child, or figures: age in years, or of a small child as “newborn” or “3 "
            "months”, height in cm, man, woman, boy or girl, and slim or obese"));

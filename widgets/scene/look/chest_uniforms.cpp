@@ -132,7 +132,7 @@ std::array<NamedUniform, kAirwayUniforms> airwayUniforms(const AirwayField& fiel
         "swellings[4].form",  "swellings[5].form",  "swellings[6].form",  "swellings[7].form",
         "swellings[8].form",  "swellings[9].form",  "swellings[10].form", "swellings[11].form",
         "swellings[12].form", "swellings[13].form", "swellings[14].form", "swellings[15].form",
-        "swellings[16].form"};
+        "swellings[16].form", "swellings[17].form", "swellings[18].form"};
     static_assert(kSwellings.size() == kMostSwellings);
     constexpr std::array kTints{"tints[0].place", "tints[1].place", "tints[2].place",
                                 "tints[3].place", "tints[4].place", "tints[5].place",

@@ -153,7 +153,8 @@ void TestEventPairs::events()
                              "blood",
                              "vomit",
                              "foreign_body",
-                             "fragile_teeth"})
+                             "fragile_teeth",
+                             "swallowing"})
         QTest::newRow(name) << QString::fromLatin1(name);
 }
 
@@ -168,7 +169,7 @@ QJsonValue TestEventPairs::pairOf(const QString& event) const
 void TestEventPairs::drawsEveryEventAtItsWorst()
 {
     const QJsonArray pairs = m_drawn[QStringLiteral("pairs")].toArray();
-    QCOMPARE(pairs.size(), 23);
+    QCOMPARE(pairs.size(), 24);
     QVERIFY(m_drawn[QStringLiteral("left_out")].toArray().isEmpty());
     for (const QJsonValue pair : pairs) {
         QCOMPARE(pair[QStringLiteral("severity")].toDouble(), 1.0);

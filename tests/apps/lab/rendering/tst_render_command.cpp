@@ -179,7 +179,8 @@ void TestRenderCommand::refusesWhatItDoesNotKnow_data()
         "tongue_oedema, pharyngeal_swelling, epiglottitis, laryngeal_oedema, laryngospasm, "
         "floppy_epiglottis, anterior_larynx, angio_oedema, laryngeal_web, external_pressure, "
         "tracheal_stenosis, tracheal_deviation, goitre, neck_obesity, prominent_incisors, trismus, "
-        "stiff_neck, burn, secretions, blood, vomit, foreign_body, fragile_teeth");
+        "stiff_neck, burn, secretions, blood, vomit, foreign_body, fragile_teeth, "
+        "swallowing");
     row("an event twice", "--laryngoscopy . --event epiglottitis --event epiglottitis=0.5", "once");
     row("an event too severe", "--laryngoscopy . --event epiglottitis=1.5", "0 to 1");
     row("a severity that is none", "--laryngoscopy . --event epiglottitis=", "0 to 1");

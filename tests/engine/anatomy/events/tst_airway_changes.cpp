@@ -2,6 +2,7 @@
 
 #include "engine/anatomy/chest/chest_region.h"
 #include "engine/anatomy/events/airway_contents.h"
+#include "engine/anatomy/events/swallow.h"
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "tests/support/deformed_tissue.h"
 #include "tests/support/test_class.h"
@@ -218,6 +219,10 @@ private Q_SLOTS:
     void swellsReddensAndBlackensByABurn_data() { people(); }
     void swellsReddensAndBlackensByABurn();
     void burnsNoTongueWhereThereIsNone();
+    void shutsTheCordsAloneAsASwallowBegins_data() { people(); }
+    void shutsTheCordsAloneAsASwallowBegins();
+    void raisesTheLarynxInASwallow_data() { people(); }
+    void raisesTheLarynxInASwallow();
     void sharesTheRoomOfTheThroat();
     void movesMoreWithTheSeverity_data();
     void movesMoreWithTheSeverity();
@@ -760,6 +765,53 @@ void TestAirwayChanges::burnsNoTongueWhereThereIsNone()
     QVERIFY(canShow(person.airway, AirwayEventKind::Burn));
     const AirwayField field = person.field(AirwayEventKind::Burn, 1.0);
     QVERIFY(mostOf(person, field, "Epiglottis") > 1.0 * kMillimetre);
+}
+
+// As in a spasm; what lies above stays.
+void TestAirwayChanges::shutsTheCordsAloneAsASwallowBegins()
+{
+    QFETCH(QString, name);
+    const Person person{name};
+    const AirwayField begun = person.field(AirwayEventKind::Swallowing, kCordsShutInSwallow);
+    const AirwayField spasm = person.field(AirwayEventKind::Laryngospasm, 1.0);
+    QVERIFY(person.verticesOf("Left vocal fold", begun)
+            == person.verticesOf("Left vocal fold", spasm));
+    for (const char* part : {"Uvula", "Tongue", "Hyoid bone", "Trachea", "Skin"})
+        QCOMPARE(mostOf(person, begun, part), 0.0);
+}
+
+// In shares of a man's glottis, up and to the front; the epiglottis falls back on the way, palate
+// and uvula go up and back, and the bones of head and spine stay.
+void TestAirwayChanges::raisesTheLarynxInASwallow()
+{
+    QFETCH(QString, name);
+    const Person person{name};
+    const UpperAirway& a = person.airway;
+    const double size = a.glottis() / millimetres(24.5);
+    const AirwayField field = person.field(AirwayEventKind::Swallowing, 1.0);
+    const UpperAirway moved = changed(a, field);
+    const auto up_mm = [&](const Vec3& way) { return 1e3 * way.dot(a.up_A); };
+    const auto forward_mm = [&](const Vec3& way) { return 1e3 * way.dot(a.forward_A()); };
+    const Vec3 glottis =
+        0.5 * (moved.p_A_commissure + moved.p_A_notch) - 0.5 * (a.p_A_commissure + a.p_A_notch);
+    const Vec3 hyoid = meanWayOf(person, field, "Hyoid bone");
+    QVERIFY2(up_mm(glottis) > 10.0 * size && up_mm(glottis) < 18.0 * size,
+             qPrintable(QString::number(up_mm(glottis) / size)));
+    QVERIFY2(forward_mm(glottis) > 4.0 * size && forward_mm(glottis) < 10.0 * size,
+             qPrintable(QString::number(forward_mm(glottis) / size)));
+    QVERIFY2(up_mm(hyoid) > 5.0 * size && forward_mm(hyoid) > 1.0 * size,
+             qPrintable(QString::number(up_mm(hyoid) / size)));
+    const auto leaning = [&](const UpperAirway& of) {
+        const Vec3 leaf = of.p_A_epiglottisTip - of.p_A_epiglottisBase;
+        return std::atan2(-leaf.dot(a.forward_A()), leaf.dot(a.up_A));
+    };
+    QVERIFY2(inDegrees(radians(leaning(moved) - leaning(a))) > 15.0,
+             qPrintable(QString::number(inDegrees(radians(leaning(moved) - leaning(a))))));
+    const Vec3 palate = moved.p_A_uvula - a.p_A_uvula;
+    QVERIFY(up_mm(palate) > 2.0 * a.size() && forward_mm(palate) < -1.0 * a.size());
+    QVERIFY(widthOfGlottis(person, field, 0.45) < 0.5 * kMillimetre);
+    QVERIFY(mostOf(person, field, "Trachea") > 4.0 * kMillimetre * size);
+    QVERIFY(mostOf(person, field, "Left upper central secondary incisor tooth") == 0.0);
 }
 
 // Two at their worst are drawn as they are, and of four each as one of half the severity; what is

@@ -1,5 +1,6 @@
 #include "engine/anatomy/events/throat_room.h"
 
+#include "engine/anatomy/events/swallow.h"
 #include "tests/support/test_class.h"
 
 #include <algorithm>
@@ -72,6 +73,18 @@ private Q_SLOTS:
                                                                    {Epiglottitis, 0.3},
                                                                    {LaryngealOedema, 0.35},
                                                                    {Burn, 0.5}}));
+    }
+
+    /// By 0.5, 0.6 and 0.8 of what has risen, and not while the cords alone have moved.
+    void movesInASwallowWhatIsNotMovedMore()
+    {
+        QVERIFY(
+            isNear(drawn({{FloppyEpiglottis, 0.9}, {Swallowing, 1.0}}), {{PharyngealSwelling, 0.5},
+                                                                         {LaryngealOedema, 0.6},
+                                                                         {FloppyEpiglottis, 0.9},
+                                                                         {Swallowing, 1.0}}));
+        const AirwayEvents begun{{Swallowing, kCordsShutInSwallow}};
+        QVERIFY(drawn(begun) == begun);
     }
 
     /// Without a tongue a burn swells none, which leaves its room to the others: 0.7, 1 and 1 are

@@ -273,7 +273,8 @@ void TestAirwayEvents::areCheckedByTheHost_data()
          {Blood, 1.0},
          {Vomit, 1.0},
          {ForeignBody, 1.0},
-         {FragileTeeth, 1.0}},
+         {FragileTeeth, 1.0},
+         {Swallowing, 1.0}},
         minutes{10}, "fine");
     row("worse than the worst", {{TongueOedema, 1.0 + 1e-9}}, {}, "out of range");
     row("negative", {{TongueOedema, -1e-9}}, {}, "out of range");

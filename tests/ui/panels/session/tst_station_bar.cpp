@@ -28,6 +28,7 @@ private Q_SLOTS:
     void hasATabForEachStation();
     void choosesTheStationByKeyboard();
     void addsAStationByKeyboard();
+    void offersPatientsFromInfantToAdult();
     void takesNoNameThatIsThereAndNoUnknownPatient();
     void namesAStationAnew();
     void closesOnTheSecondPressOnly();
@@ -129,6 +130,19 @@ void TestStationBar::addsAStationByKeyboard()
     QCOMPARE(state->stations().at(kRoom).name, std::string{"Room 5"});
     QCOMPARE(state->stations().at(kRoom).anatomyName, std::string{"8 years, 128 cm, girl"});
     QCOMPARE(bar.tabs.currentIndex(), 1);
+}
+
+void TestStationBar::offersPatientsFromInfantToAdult()
+{
+    Bar bar;
+    Bar::press(bar.button("add"));
+    auto& patient = bar.field<QComboBox>("patient");
+    bar.field<QLineEdit>("name").setText(QStringLiteral("Room 5"));
+    for (int place = 0; place < patient.count(); ++place) {
+        patient.setCurrentIndex(place);
+        QVERIFY2(bar.field<QPushButton>("accept").isEnabled(), qPrintable(patient.currentText()));
+    }
+    QVERIFY(patient.findText(QStringLiteral("1 year"), Qt::MatchStartsWith) >= 0);
 }
 
 void TestStationBar::takesNoNameThatIsThereAndNoUnknownPatient()

@@ -48,7 +48,7 @@ public:
     void follow(const PatientModel& patient, const AirwayField& changes,
                 const FollowingThroat& throat, const BladeField& blade);
 
-    /// As FlownScope; without effect before the first follow(). In the time of the arguments alone.
+    /// As FlownScope; without effect before the first follow().
     void turn(Angle right, Angle up);
     void roll(Angle clockwise);
     void advance(Length way);

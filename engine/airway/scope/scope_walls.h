@@ -26,7 +26,8 @@ public:
 
     [[nodiscard]] bool isEmpty() const { return m_patches.empty(); }
 
-    /// The tissue moves so from now on. @pre the motion outlives its use here
+    /// The tissue is moved so from now on. @pre what the motion reads outlives this, or lives until
+    /// the next move()
     void move(const TissueMotion& motion);
     /// How the tissue around a place of the moment before has moved since: the rigid motion that
     /// fits the middles of patches there best. The identity at the first moment.

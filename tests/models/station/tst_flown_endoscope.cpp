@@ -86,7 +86,6 @@ private Q_SLOTS:
     void reachesTheCarina_data();
     void reachesTheCarina();
     void isStoppedByShutCords();
-    void goesAlongAsTheHeadIsLaidOtherwise();
     void comesBackInFrontOfTheMouth();
     void isNotFlownWithoutAnAirway();
     void tellsHowDeepItIs();
@@ -128,22 +127,6 @@ void TestFlownEndoscope::isStoppedByShutCords()
     flight.lie({});
     flight.along(flight.toCarina());
     QVERIFY(flight.pastGlottis() > millimetres(50.0));
-}
-
-void TestFlownEndoscope::goesAlongAsTheHeadIsLaidOtherwise()
-{
-    constexpr double kNear = 0.006;    // metres
-    constexpr double kAtLeast = 0.008; // metres, that the larynx goes
-    Flight flight{patientBy(BuiltinPatient::Adult)};
-    flight.along(flight.toCarina());
-    flight.scope.advance(millimetres(-115.0)); // to the larynx
-    const Vec3 before = flight.p_A();
-    const Centreline then = flight.toCarina();
-    const Length at = nearestOnWay(then, before).along;
-    flight.lie({}, {.flexion = degrees(35.0), .extension = degrees(24.0)});
-    const Vec3 went = pointAlong(flight.toCarina(), at) - pointAlong(then, at);
-    QVERIFY(went.norm() > kAtLeast);
-    QVERIFY((flight.p_A() - before - went).norm() < kNear);
 }
 
 void TestFlownEndoscope::comesBackInFrontOfTheMouth()

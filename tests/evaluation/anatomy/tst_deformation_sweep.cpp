@@ -20,7 +20,7 @@ constexpr double kTolerance = 1e-4;    ///< of a determinant from differences
 /// The surfaces as they are; 8 positions of the head; 4 of the jaw in 5 of the head; 9 blades in 5
 /// steps, and 4 ways to lift in 5 positions of the head; 23 events, and all of them, with a blade
 /// and without. docs/deformation.md has the number.
-constexpr std::size_t kLimits = 1 + 8 + 4 * 5 + 9 * 5 + 4 * 5 + 2 * (23 + 1);
+constexpr std::size_t kLimits = 1 + 8 + 4 * 5 + 9 * 5 + 4 * 5 + 2 * (24 + 1);
 
 /// The child as if his surfaces had been made with the mouth shut, so that nothing moves while no
 /// part of a combination does.

@@ -118,7 +118,8 @@ private Q_SLOTS:
         const auto plain = bentTube(wide, rest, {});
         const auto rolled = bentTube(wide, rest, degrees(40.0));
         QVERIFY(plain && rolled);
-        const RigidTransform turn{rotationFromVector(degrees(40.0).si * Vec3::UnitY()), {}};
+        const RigidTransform turn{rotationFromVector(degrees(40.0).si * Vec3::UnitY()),
+                                  Vec3::Zero()};
         QVERIFY(((turn * plain->X_AE).translation() - rolled->X_AE.translation()).norm()
                 < kOutOfPieces);
     }

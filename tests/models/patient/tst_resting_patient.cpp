@@ -22,6 +22,17 @@ const PatientModel& child()
     return *made;
 }
 
+const QTemporaryDir& cache()
+{
+    static const QTemporaryDir folder;
+    return folder;
+}
+
+Result<SharedPatientModel> childAtRest()
+{
+    return restingPatient(child().contentHash(), cache().path().toStdString());
+}
+
 UpperAirway airwayOf(const PatientModel& patient)
 {
     return Laryngoscopy::of(patient, bladeOf(kUsualBlade)).value().script().airway;
@@ -37,8 +48,7 @@ private Q_SLOTS:
     /// The same bones, and a larynx that is not held: y is to the patient's back.
     void liesAsNoBladeHoldsIt()
     {
-        const QTemporaryDir cache;
-        const auto made = restingPatient(child().contentHash(), cache.path().toStdString());
+        const auto made = childAtRest();
         QVERIFY(made.has_value());
         const PatientModel& resting = **made;
         QCOMPARE(resting.landmarks().p_A_incisors, child().landmarks().p_A_incisors);
@@ -50,8 +60,7 @@ private Q_SLOTS:
     /// A jaw probe tells how far the mouth is from being shut: these surfaces are.
     void hasItsMouthShut()
     {
-        const QTemporaryDir cache;
-        const auto made = restingPatient(child().contentHash(), cache.path().toStdString()).value();
+        const auto made = childAtRest().value();
         const RigidTransform X_AJ{Quat{Eigen::AngleAxisd{0.2, Vec3::UnitX()}}, Vec3::Zero()};
         QVERIFY(made->throat(X_AJ).X_AJ.translation().isZero(0.0));
         QVERIFY(made->throat(X_AJ).X_AJ.rotation().isApprox(X_AJ.rotation(), 0.0));
@@ -60,9 +69,8 @@ private Q_SLOTS:
 
     void isNotMadeTwice()
     {
-        const QTemporaryDir cache;
-        const auto first = restingPatient(child().contentHash(), cache.path().toStdString());
-        const auto kept = restingPatient(child().contentHash(), cache.path().toStdString());
+        const auto first = childAtRest();
+        const auto kept = childAtRest();
         QVERIFY(first && kept);
         QCOMPARE((*first)->contentHash(), (*kept)->contentHash());
         QVERIFY((*first)->contentHash() != child().contentHash());

@@ -185,9 +185,9 @@ void TestFactCodec::refusesBadBytes_data()
     row("object kind 11", "06 0100 0100 0b 00", "fact of kind 6: enumerator");
     row("locked twice", "17 02", "fact of kind 23: flag");
     row("code of role 3", "18 03", "fact of kind 24: enumerator");
-    row("airway event 23", "26 01 17 0000000000000000 0000000000000000",
+    row("airway event 24", "26 01 18 0000000000000000 0000000000000000",
         "fact of kind 38: enumerator");
-    row("24 airway events", "26 18", "fact of kind 38: number of airway events");
+    row("25 airway events", "26 19", "fact of kind 38: number of airway events");
     row("neck flexed without end", "27 000000000000f07f 0000000000000000 0000000000000000",
         "fact of kind 39: finite number");
     row("head not a number", "27 0000000000000000 000000000000f87f 0000000000000000",

@@ -59,6 +59,7 @@ const PatientModel* RestingPatient::of(const PatientModel& patient)
     if (m_wanted != hash) {
         m_wanted = hash;
         m_made.reset();
+        m_isImpossible = false;
         m_maker.clear(); // who lay there before is not waited for
         m_maker.start([this, hash] {
             auto patientAtRest =
@@ -68,13 +69,14 @@ const PatientModel* RestingPatient::of(const PatientModel& patient)
                 Qt::QueuedConnection);
         });
     }
-    return m_made.get();
+    return m_isImpossible ? &patient : m_made.get();
 }
 
 void RestingPatient::take(const std::string& contentHash, SharedPatientModel patient)
 {
     if (m_wanted != contentHash)
         return;
+    m_isImpossible = patient == nullptr;
     m_made = std::move(patient);
     Q_EMIT made();
 }

@@ -39,8 +39,8 @@ public:
     RestingPatient();
     ~RestingPatient() override;
 
-    /// The patient at rest, or the patient itself where there is no other one; nullptr while it is
-    /// made, which begins with the first call, and where it cannot be.
+    /// The patient at rest, or the patient itself where there is no other one or it cannot be made;
+    /// nullptr while it is made, which begins with the first call.
     /// @pre the patient outlives what is returned
     [[nodiscard]] const PatientModel* of(const PatientModel& patient);
 
@@ -53,6 +53,7 @@ private:
 
     std::string m_wanted;
     SharedPatientModel m_made;
+    bool m_isImpossible = false;
     QThreadPool m_maker;
 };
 

@@ -40,14 +40,18 @@ LiveScope::Shown LiveScope::toBeShown() const
     return {&m_station.patient(), m_patient->contentHash(), blade(), isFlown()};
 }
 
-/// An endoscope flies in the patient that all others see.
+/// An endoscope flies in the patient that all others see. While that at rest is made the
+/// laryngoscope is in the one that is laid, who may give way to another one meanwhile.
 void LiveScope::findPatient()
 {
     const PatientModel& laid = m_station.patient();
-    const PatientModel* patient = isFlown() ? &laid : m_resting.of(laid);
-    if (patient != m_patient)
-        m_laryngoscope.lieIn(patient ? *patient : laid);
-    m_patient = patient;
+    m_patient = isFlown() ? &laid : m_resting.of(laid);
+    const PatientModel* lying = m_patient ? m_patient : &laid;
+    const bool isAnother = lying != m_lying || laid.contentHash() != m_laidHash;
+    m_lying = lying;
+    m_laidHash = laid.contentHash();
+    if (isAnother)
+        m_laryngoscope.lieIn(*lying);
     m_laryngoscope.takeOwnBlade(m_station.laryngoscope().ownBlade());
 }
 

@@ -36,6 +36,11 @@ public:
 
     /// As of the latest frame.
     [[nodiscard]] const LaryngoscopeSight& sight() const { return m_sight; }
+    /// Whether the patient at rest is being made, so that a blade shows nothing yet.
+    [[nodiscard]] bool isPreparing() const
+    {
+        return m_patient == nullptr && m_sight.state == LaryngoscopeState::Live;
+    }
     /// What was read last; nothing while the laryngoscope is not graded, and once that is of a
     /// frame kMostAge before the latest.
     [[nodiscard]] std::optional<GlotticView> seen() const;
@@ -83,7 +88,9 @@ private:
     FlownEndoscope& m_endoscope;
     RestingPatient m_resting;
     const PatientModel* m_patient = nullptr; ///< that is drawn; nullptr while it is made
-    StationLaryngoscope m_laryngoscope;      ///< in that patient
+    const PatientModel* m_lying = nullptr;   ///< in whom the laryngoscope is
+    std::string m_laidHash;                  ///< another patient can be where one was before
+    StationLaryngoscope m_laryngoscope;
     Shown m_shown;
     TissueColors m_colors;
     ScopeScene m_scene;

@@ -101,6 +101,8 @@ QString LaryngoscopePanel::text() const
         const auto place = m_endoscope->place();
         return place ? endoscopeText(*place) : QString{};
     }
+    if (m_scope && m_scope->isPreparing())
+        return tr("The picture is being made. This takes some seconds, the first time only.");
     return m_scope ? laryngoscopeText(m_scope->sight(), m_scope->seen())
                    : laryngoscopeText(LaryngoscopeState::None);
 }

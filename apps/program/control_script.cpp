@@ -14,6 +14,7 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <cstdio>
 #include <utility>
 
 namespace carina::program
@@ -24,6 +25,7 @@ namespace
 const QString kScript = QStringLiteral("script");
 constexpr int kScriptInterval_ms = 200; ///< of the lines: what one opens is there for the next
 constexpr double kLongestPause_s = 60.0;
+constexpr int kTriesUntilTold = 50; ///< times that a line was tried, until that is told
 
 template <class Control> Control* usable(const QWidget& in, const QString& name)
 {
@@ -126,8 +128,13 @@ void ControlScript::goOn()
     const QByteArray line = m_file.readLine();
     const bool isWhole = line.endsWith('\n'); // the rest may be being written
     m_timer.setInterval(isWhole ? std::max(kScriptInterval_ms, pauseIn(line)) : kScriptInterval_ms);
-    if (!isWhole || !perform(QString::fromUtf8(line).trimmed()))
-        m_file.seek(begin);
+    if (isWhole && perform(QString::fromUtf8(line).trimmed())) {
+        m_waits = 0;
+        return;
+    }
+    m_file.seek(begin);
+    if (isWhole && ++m_waits == kTriesUntilTold)
+        std::fprintf(stderr, "script: waits for what this needs: %s\n", line.trimmed().constData());
 }
 
 bool ControlScript::perform(const QString& line) const

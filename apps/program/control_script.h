@@ -29,7 +29,8 @@ template <class Control> Control* fetched(Control* control)
 
 /// Works a program's controls as the lines of a file say, which may be appended meanwhile. A
 /// control is meant by its object name, in the dialog that is open or else in the window that is
-/// shown; as long as there is none that can be used, the script waits.
+/// shown; as long as there is none that can be used, the script waits, and tells on stderr after
+/// 10 s for what.
 ///
 /// - `press CONTROL` presses a button, a check box or a command of the tool bar.
 /// - `choose LIST TEXT` chooses the row of a table whose first cell has this text, the row of a
@@ -55,6 +56,7 @@ private:
     Window m_window;
     QFile m_file;
     QTimer m_timer;
+    int m_waits = 0; ///< of the next line
 };
 
 /// Adds `--script FILE`.

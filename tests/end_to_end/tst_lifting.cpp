@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <ranges>
 
 namespace carina::lifting_test
 {
@@ -56,11 +57,14 @@ double secondsOf(const QJsonObject& frame)
     return 1e-9 * double(frame[QStringLiteral("session_ns")].toInteger());
 }
 
-/// The last frame of a journal's line.
-QJsonObject lastFrame(const QJsonObject& line)
+/// The last frame a program drew: on a busy computer a line of its journal may have none.
+QJsonObject lastFrame(const Program& program)
 {
-    const QJsonArray frames = line[QStringLiteral("frames")].toArray();
-    return frames.isEmpty() ? QJsonObject{} : frames.last().toObject();
+    const std::vector<QJsonObject> lines = program.allShown();
+    for (const QJsonObject& line : std::views::reverse(lines))
+        if (const QJsonArray frames = line[QStringLiteral("frames")].toArray(); !frames.isEmpty())
+            return frames.last().toObject();
+    return {};
 }
 
 /// All frames of a journal in which both groups are lifted out, by session time in seconds.
@@ -226,15 +230,15 @@ private:
                 script->write(QByteArray{line} + '\n');
             QVERIFY(script->flush());
         }
-        [[nodiscard]] Groups drawn() const { return groupsIn(lastFrame(program->shown())); }
-        [[nodiscard]] double time() const { return secondsOf(lastFrame(program->shown())); }
+        [[nodiscard]] Groups drawn() const { return groupsIn(lastFrame(*program)); }
+        [[nodiscard]] double time() const { return secondsOf(lastFrame(*program)); }
         [[nodiscard]] QJsonObject holders() const
         {
             return program->shown()[QStringLiteral("holders")].toObject();
         }
         [[nodiscard]] bool hasNothingOut() const
         {
-            const QJsonObject frame = lastFrame(program->shown());
+            const QJsonObject frame = lastFrame(*program);
             return !frame.isEmpty() && groupsIn(frame).empty() && holders().isEmpty();
         }
     };

@@ -23,15 +23,12 @@ QFileInfoList carried(const QString& cache, const QString& ending)
     return folder.entryInfoList({QStringLiteral("*.") + ending}, QDir::Files);
 }
 
-/// Environment variables as QProcess hands them on, for the time of a block.
-class CacheAt
+QProcessEnvironment withCacheAt(const QString& folder)
 {
-public:
-    explicit CacheAt(const QString& folder) { qputenv("XDG_CACHE_HOME", folder.toLocal8Bit()); }
-    ~CacheAt() { qunsetenv("XDG_CACHE_HOME"); }
-    CacheAt(const CacheAt&) = delete;
-    CacheAt& operator=(const CacheAt&) = delete;
-};
+    QProcessEnvironment around = QProcessEnvironment::systemEnvironment();
+    around.insert(QStringLiteral("XDG_CACHE_HOME"), folder);
+    return around;
+}
 
 } // namespace
 
@@ -56,7 +53,7 @@ private Q_SLOTS:
                         QStringLiteral("--anatomy"), QString::fromStdString(m_set->string()),
                         QStringLiteral("--start")},
             m_hostFolder->filePath(QStringLiteral("instructor.jsonl")));
-        const CacheAt cache{m_hostFolder->filePath(QStringLiteral("cache"))};
+        m_instructor->setEnvironment(withCacheAt(m_hostFolder->filePath(QStringLiteral("cache"))));
         m_instructor->start();
         QTRY_VERIFY_WITH_TIMEOUT(!drawn(*m_instructor).isEmpty(), kPatience_ms);
     }
@@ -123,7 +120,7 @@ private:
                         codes()}
                 + more,
             m_folder->filePath(QStringLiteral("trainee.jsonl")));
-        const CacheAt here{cache()};
+        m_trainee->setEnvironment(withCacheAt(cache()));
         m_trainee->start();
     }
 

@@ -151,7 +151,8 @@ private:
         for (int i = 0; i < kTimes; ++i)
             for (const BuiltinPatient who : {BuiltinPatient::TwelveYears, BuiltinPatient::Adult}) {
                 const PatientParameters patient = parametersOf(who);
-                for (const auto& [station, laid] : m_node->state()->stations())
+                for (const auto state = m_node->state();
+                     const auto& [station, laid] : state->stations())
                     m_instructor->propose(station,
                                           fact::AnatomyChosen{madeHash(patient), nameOf(patient)});
             }
@@ -160,7 +161,7 @@ private:
     /// The first time the programs make a shader for it, and keep it.
     void changeAirway(const AirwayEvents& events)
     {
-        for (const auto& [station, laid] : m_node->state()->stations())
+        for (const auto state = m_node->state(); const auto& [station, laid] : state->stations())
             m_instructor->propose(station, fact::AirwayEventsSet{events, {}});
     }
 
@@ -195,7 +196,8 @@ private:
         std::set<std::string> names{StartedSession::kTrainee};
         for (int i = 0; i < m_settings.guests; ++i)
             names.insert(Guests::nameOf(i));
-        for (const auto& [id, participant] : m_node->state()->participants())
+        for (const auto state = m_node->state();
+             const auto& [id, participant] : state->participants())
             if (names.contains(participant.name))
                 all.push_back(id);
         return all;

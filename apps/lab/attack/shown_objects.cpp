@@ -24,7 +24,7 @@ bool isSame(const std::optional<ActedPose>& a, const std::optional<ActedPose>& b
 
 ShownObjects::ShownObjects(const SessionNode& node)
 {
-    for (const auto& [id, object] : node.state()->objects())
+    for (const auto state = node.state(); const auto& [id, object] : state->objects())
         m_before.emplace(id, shownBy(node, id));
 }
 

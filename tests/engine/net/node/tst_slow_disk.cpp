@@ -13,7 +13,8 @@ const FactBody kVolume = fact::TidalVolumeSet{millilitres(300.0)};
 
 double rateOf(const NodeBoard& board)
 {
-    const auto& patient = board.state()->stations().at(kStation).respiration;
+    const auto state = board.state();
+    const auto& patient = state->stations().at(kStation).respiration;
     return inPerMinute(patient.settingsAt(SessionTime::max()).pattern.rate);
 }
 

@@ -93,7 +93,7 @@ void BedsideMonitorPanel::addControls()
     m_silence->setAccessibleName(tr("Silence the alarms for two minutes"));
     m_silence->setToolTip(tr("For two minutes, or until another alarm begins or one becomes more "
                              "urgent; they stay on the screen"));
-    m_muteButton->setObjectName(QStringLiteral("mute"));
+    m_muteButton->setObjectName(QStringLiteral("soundsButton"));
     m_muteButton->setDefaultAction(m_mute);
     m_muteButton->setAccessibleName(tr("Mute all sounds of this program"));
     m_muteButton->setFocusPolicy(Qt::StrongFocus);

@@ -21,7 +21,7 @@ namespace carina::test
 {
 
 /// Whether a person works with it, and it is no part of another control.
-inline bool isControl(const QWidget& widget)
+inline bool isWorkedWith(const QWidget& widget)
 {
     const bool isOne =
         qobject_cast<const QAbstractButton*>(&widget) || qobject_cast<const QComboBox*>(&widget)
@@ -35,7 +35,24 @@ inline bool isControl(const QWidget& widget)
         || qobject_cast<const QComboBox*>(around) || qobject_cast<const QAbstractSpinBox*>(around)
         || qobject_cast<const QLineEdit*>(around) || qobject_cast<const QAbstractItemView*>(around)
         || (around && around->inherits("QTabBar"));
-    return isOne && !isPart && widget.isVisible() && widget.isEnabled();
+    return isOne && !isPart;
+}
+
+/// Likewise, now.
+inline bool isControl(const QWidget& widget)
+{
+    return isWorkedWith(widget) && widget.isVisible() && widget.isEnabled();
+}
+
+/// Names that two controls of a window have, in sight or not: a script would work the wrong one.
+inline QStringList namesUsedTwice(const QWidget& window)
+{
+    QStringList once;
+    QStringList twice;
+    for (const QWidget* widget : window.findChildren<QWidget*>())
+        if (const QString name = widget->objectName(); isWorkedWith(*widget) && !name.isEmpty())
+            (once.contains(name) ? twice : once) << name;
+    return twice;
 }
 
 /// A table in which nothing is chosen: it is looked at, as a label is.

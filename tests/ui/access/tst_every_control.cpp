@@ -23,6 +23,7 @@ using test::awaitLayout;
 using test::ConsoleDesk;
 using test::FakeSessionNode;
 using test::faultsOfControls;
+using test::namesUsedTwice;
 using test::soon;
 using test::verifyControls;
 
@@ -143,6 +144,17 @@ private Q_SLOTS:
             desk.find<QDockWidget>(dock.constData()).raise();
         awaitLayout();
         verifyControls(desk.window);
+    }
+
+    void hasANameOfItsOwn()
+    {
+        const test::ScratchFolder kept;
+        ConsoleDesk console{kept};
+        const QStringList twice = namesUsedTwice(console.window);
+        QVERIFY2(twice.isEmpty(), qPrintable(twice.join(u' ')));
+        test::TraineeDesk trainee;
+        const QStringList twiceThere = namesUsedTwice(trainee.window);
+        QVERIFY2(twiceThere.isEmpty(), qPrintable(twiceThere.join(u' ')));
     }
 
     void ofTheConsoleWhereTwoMattersNeedAttention()

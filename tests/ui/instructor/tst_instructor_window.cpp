@@ -1222,7 +1222,7 @@ private Q_SLOTS:
         QVERIFY(projector());
         auto& picture = *projector()->findChild<SceneView*>();
         QVERIFY(soon([&] { return picture.statistics().frames > 2; }));
-        shown.find<QToolButton>("side").click();
+        shown.find<QToolButton>("rightSide").click();
         const auto seenFrom = [](const SceneView& scene) {
             const CameraPose pose = scene.camera().pose();
             return Vec3{(pose.p_A_eye - pose.p_A_target).normalized()};

@@ -106,7 +106,7 @@ private Q_SLOTS:
         Desk desk;
         desk.pass(0.5);
         desk.model.setLoudness(SoundKind::Heart, {70, true});
-        auto& mute = desk.control<QAbstractButton>("mute");
+        auto& mute = desk.control<QAbstractButton>("soundsButton");
         mute.click();
         QVERIFY(desk.model.isMuted());
         QVERIFY(mute.isChecked() && mute.text().contains(QStringLiteral("■")));

@@ -81,7 +81,7 @@ void SectionPanel::fillChoices()
     m_what->setObjectName(QStringLiteral("what"));
     m_what->setAccessibleName(tr("What is cut"));
     m_what->addItems({tr("Nothing"), tr("Structures around the airway"), tr("Everything")});
-    m_side->setObjectName(QStringLiteral("side"));
+    m_side->setObjectName(QStringLiteral("cutFrom"));
     m_side->setAccessibleName(tr("Cut from"));
     for (const CutSide& side : kSides)
         m_side->addItem(tr(side.name));

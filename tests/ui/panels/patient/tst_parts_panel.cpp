@@ -321,7 +321,7 @@ private Q_SLOTS:
         panel.setScene(*shown.view);
         QVERIFY(history.isEmpty()); // nobody cut
         auto* what = panel.findChild<QComboBox*>(QStringLiteral("what"));
-        auto* side = panel.findChild<QComboBox*>(QStringLiteral("side"));
+        auto* side = panel.findChild<QComboBox*>(QStringLiteral("cutFrom"));
         auto* depth = panel.findChild<QSpinBox*>();
         what->setCurrentIndex(2);
         panel.findChild<QSlider*>()->setValue(60);
@@ -379,7 +379,7 @@ private Q_SLOTS:
         SectionPanel panel;
         panel.setScene(*shown.view);
         auto* what = panel.findChild<QComboBox*>(QStringLiteral("what"));
-        auto* side = panel.findChild<QComboBox*>(QStringLiteral("side"));
+        auto* side = panel.findChild<QComboBox*>(QStringLiteral("cutFrom"));
         auto* depth = panel.findChild<QSpinBox*>();
         QVERIFY(!panel.section());
         QVERIFY(!depth->isEnabled());

@@ -28,7 +28,8 @@ public:
             return tr("No laryngoscope is tracked at this station: connect a tracker that has a "
                       "tool for the use Laryngoscope.");
         case LaryngoscopeState::Lost:
-            return tr("▲ The laryngoscope is out of view: turn its markers to the tracker.");
+            return tr("▲ Nothing is seen of the laryngoscope: turn its markers to the tracker, or "
+                      "see whether the tracker still delivers.");
         case LaryngoscopeState::Away:
             return tr("▲ The patient is not in its original place: put it back, so that the "
                       "laryngoscope is in its mouth.");

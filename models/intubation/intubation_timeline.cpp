@@ -132,7 +132,7 @@ QString intubationText(const IntubationEvent& event)
         text = IntubationTimeline::tr("%1, %2 at the teeth", "what happened; a length")
                    .arg(text, centimetresText(event.depthAtTeeth));
     if (event.confidence < IntubationTimeline::kUncertain)
-        text = IntubationTimeline::tr("%1 (uncertain: %2 %)", "what happened; a confidence")
+        text = IntubationTimeline::tr("%1 (%2 % sure)", "what happened; a confidence")
                    .arg(text)
                    .arg(std::lround(100.0 * event.confidence));
     return text;

@@ -27,7 +27,7 @@ public:
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
 
-    /// A step with less confidence is told as uncertain. Of ours.
+    /// Of a step with less confidence it is told: "(64 % sure)". Of ours.
     static constexpr double kUncertain = 0.8;
 
 private:

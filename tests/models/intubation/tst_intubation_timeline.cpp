@@ -82,7 +82,7 @@ private Q_SLOTS:
     void saysWhatIsUncertain()
     {
         IntubationEvent event{.step = IntubationStep::InOesophagus, .confidence = 0.64};
-        QCOMPARE(intubationText(event), QStringLiteral("▲ In the oesophagus (uncertain: 64 %)"));
+        QCOMPARE(intubationText(event), QStringLiteral("▲ In the oesophagus (64 % sure)"));
         event.confidence = 0.9;
         QCOMPARE(intubationText(event), QStringLiteral("▲ In the oesophagus"));
     }

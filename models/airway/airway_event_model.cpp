@@ -3,7 +3,7 @@
 #include "engine/anatomy/events/airway_contents.h"
 #include "engine/anatomy/events/throat_room.h"
 #include "engine/core/expects.h"
-#include "models/airway/airway_words.h"
+#include "models/airway/airway_presets.h"
 #include "models/patient/session_patient.h"
 
 #include <algorithm>
@@ -52,7 +52,7 @@ AirwayEventModel::Kind AirwayEventModel::howDecided()
             return fact::AirwayEventsSet{events, over};
         },
         .textOf =
-            [](const AirwayEvents& events) { return tr("Airway → %1").arg(eventsText(events)); }};
+            [](const AirwayEvents& events) { return tr("Airway → %1").arg(airwayText(events)); }};
 }
 
 void AirwayEventModel::setForAll(bool all)
@@ -117,7 +117,7 @@ void AirwayEventModel::suction()
     requestEach(withoutFluids, kSuction, tr("Airway → suction of all fluids"));
 }
 
-QString AirwayEventModel::inForceText() const { return eventsText(presentValue()); }
+QString AirwayEventModel::inForceText() const { return shortAirwayText(presentValue()); }
 
 void AirwayEventModel::setEvents(const AirwayEvents& events)
 {

@@ -66,7 +66,7 @@ public:
     /// stay as they are set there; what of them is still on its way comes within kSuction, too.
     void suction();
 
-    /// The events to be seen now: "Tongue oedema 60 %"; "Clear".
+    /// The events to be seen now, in few words: "Tongue oedema 60 %", "Anaphylaxis"; "Clear".
     [[nodiscard]] QString inForceText() const;
 
 private:

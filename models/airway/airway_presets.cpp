@@ -1,5 +1,6 @@
 #include "models/airway/airway_presets.h"
 
+#include "models/airway/airway_words.h"
 #include "models/airway/head_positions.h"
 
 #include <QCoreApplication>
@@ -16,6 +17,8 @@ namespace
 {
 
 using enum AirwayEventKind;
+
+constexpr std::size_t kMostNamed = 2; ///< where there is little room
 
 /// Whole per cents, as the console sets them: who sets one otherwise and back has the preset again.
 AirwayEvents middlesOf(const std::vector<SeverityRange>& ranges)
@@ -158,6 +161,22 @@ const AirwayPreset* presetOf(const AirwayEvents& events)
 QString presetText(const AirwayPreset& preset)
 {
     return QCoreApplication::translate("Airway", preset.text);
+}
+
+QString airwayText(const AirwayEvents& events)
+{
+    const AirwayPreset* preset = events.size() > 1 ? presetOf(events) : nullptr;
+    return preset ? presetText(*preset) : eventsText(events);
+}
+
+QString shortAirwayText(const AirwayEvents& events)
+{
+    if (events.size() <= kMostNamed || presetOf(events))
+        return airwayText(events);
+    const auto worst = std::ranges::max_element(events, {}, &AirwayEvent::severity);
+    return QCoreApplication::translate("Airway", "%1 + %2 more", "an event; how many others")
+        .arg(eventsText({*worst}))
+        .arg(events.size() - 1);
 }
 
 QString conditionText(const AirwayPreset& preset)

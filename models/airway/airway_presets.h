@@ -49,6 +49,11 @@ struct AirwayPreset {
 [[nodiscard]] const AirwayPreset* presetOf(const AirwayEvents& events);
 /// Its name as shown: "Anaphylaxis".
 [[nodiscard]] QString presetText(const AirwayPreset& preset);
+/// Events that are set: "Anaphylaxis" where several are those of a preset, else eventsText().
+[[nodiscard]] QString airwayText(const AirwayEvents& events);
+/// The same for a line with little room: of more than two that are of no preset the most severe one
+/// and how many more there are, "Angio-oedema 35 % + 3 more".
+[[nodiscard]] QString shortAirwayText(const AirwayEvents& events);
 
 /// Of what patient, with which blade and by which eye it has the grade that it is named for:
 /// "Grade 1 is promised only of an adult with the head in the position Neutral, in the camera of a

@@ -94,14 +94,13 @@ QString happenedText(const IntubationEvent& event)
     return {};
 }
 
-/// Of a tip that came to a place in the airway or left it.
+/// Of a tip that came to a place behind the cords. At the cords a depth would be none that anybody
+/// reads at the teeth: a tube that was not touched is rigid, and goes from teeth to cords straight
+/// and not along the way (9 instead of 11 cm in the adult); one that is first seen in its place has
+/// the depth at which it lies.
 bool hasDepth(IntubationStep step)
 {
     switch (step) {
-    case IntubationStep::ThroughCords:
-    case IntubationStep::BackAboveCords:
-    case IntubationStep::InOesophagus:
-    case IntubationStep::OutOfOesophagus:
     case IntubationStep::PastCarina:
     case IntubationStep::BackAboveCarina:
     case IntubationStep::CuffInflated:
@@ -114,6 +113,10 @@ bool hasDepth(IntubationStep step)
     case IntubationStep::GlottisSeen:
     case IntubationStep::TubePastTeeth:
     case IntubationStep::TubeOut:
+    case IntubationStep::ThroughCords:
+    case IntubationStep::BackAboveCords:
+    case IntubationStep::InOesophagus:
+    case IntubationStep::OutOfOesophagus:
     case IntubationStep::CuffDeflated:
     case IntubationStep::ShapesApart:
     case IntubationStep::ShapesTogether:
@@ -132,7 +135,7 @@ QString intubationText(const IntubationEvent& event)
         text = IntubationTimeline::tr("%1, %2 at the teeth", "what happened; a length")
                    .arg(text, centimetresText(event.depthAtTeeth));
     if (event.confidence < IntubationTimeline::kUncertain)
-        text = IntubationTimeline::tr("%1 (uncertain: %2 %)", "what happened; a confidence")
+        text = IntubationTimeline::tr("%1 (%2 % sure)", "what happened; a confidence")
                    .arg(text)
                    .arg(std::lround(100.0 * event.confidence));
     return text;

@@ -11,7 +11,7 @@ namespace carina
 {
 
 /// The steps of the intubations at one station, as its monitor noted them, in the order in which
-/// they happened, one in a line: "00:42  Through the cords, 12.1 cm at the teeth". The time is the
+/// they happened, one in a line: "00:48  Tube at rest, 20.1 cm at the teeth". The time is the
 /// session's running time. Lives on the GUI thread.
 class IntubationTimeline : public QAbstractListModel
 {
@@ -27,7 +27,7 @@ public:
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
 
-    /// A step with less confidence is told as uncertain. Of ours.
+    /// Of a step with less confidence it is told: "(64 % sure)". Of ours.
     static constexpr double kUncertain = 0.8;
 
 private:

@@ -58,7 +58,7 @@ QString depthText(const TryReport& report)
         return measuredText(metrics, Metric::DepthError);
     QString depth = centimetresText(metrics.depth->atTeeth);
     if (metrics.depth->confidence < IntubationTimeline::kUncertain)
-        depth = tryWords(QT_TRANSLATE_NOOP("Try", "%1 (uncertain: %2\u00a0%)"))
+        depth = tryWords(QT_TRANSLATE_NOOP("Try", "%1 (%2\u00a0% sure)"))
                     .arg(depth)
                     .arg(std::lround(100.0 * metrics.depth->confidence));
     if (!metrics.depthWanted)
@@ -186,7 +186,7 @@ QString outcomeText(const TryMetrics& metrics)
     const QString outcome = placeText(metrics.outcome);
     if (metrics.confidence >= IntubationTimeline::kUncertain)
         return outcome;
-    return tryWords(QT_TRANSLATE_NOOP("Try", "%1 (uncertain: %2\u00a0%)"))
+    return tryWords(QT_TRANSLATE_NOOP("Try", "%1 (%2\u00a0% sure)"))
         .arg(outcome)
         .arg(std::lround(100.0 * metrics.confidence));
 }

@@ -28,7 +28,8 @@ public:
             return tr("No laryngoscope is tracked at this station: connect a tracker that has a "
                       "tool for the use Laryngoscope.");
         case LaryngoscopeState::Lost:
-            return tr("▲ The laryngoscope is out of view: turn its markers to the tracker.");
+            return tr("▲ Nothing is seen of the laryngoscope: turn its markers to the tracker, or "
+                      "see whether the tracker still delivers.");
         case LaryngoscopeState::Away:
             return tr("▲ The patient is not in its original place: put it back, so that the "
                       "laryngoscope is in its mouth.");
@@ -54,6 +55,17 @@ public:
     {
         return tr("%1 · %2").arg(tongue(effort), epiglottis(effort.contact)) + QLatin1Char{'\n'}
                + (upper == UpperTeeth::Firm ? teeth(effort) : looseTeeth(effort, upper));
+    }
+
+    static QString gradeOf(const std::optional<GlotticView>& read)
+    {
+        if (!read)
+            return tr("No grade yet: wait a second, and close other views if it stays away.");
+        if (read->isTelling())
+            return of(*read);
+        return read->underTube > GlotticView::kMostUnderTube
+                   ? tr("No grade: the tube hides the glottis, so look past it.")
+                   : tr("No grade: the camera sees no tissue, so draw the blade back.");
     }
 
     static QString ungraded(const LaryngoscopeSight& sight)
@@ -296,17 +308,15 @@ QString bladeEffortText(const BladeEffort& effort, UpperTeeth teeth)
     return LaryngoscopeWords::of(effort, teeth);
 }
 
-QString laryngoscopeText(const LaryngoscopeSight& sight, const std::optional<GlotticView>& seen)
+QString laryngoscopeText(const LaryngoscopeSight& sight, const std::optional<GlotticView>& read)
 {
     if (sight.state != LaryngoscopeState::Live)
         return laryngoscopeText(sight.state);
     QStringList lines;
-    if (!sight.isGraded())
-        lines.append(LaryngoscopeWords::ungraded(sight));
-    else if (seen)
-        lines.append(glotticViewText(*seen));
     if (sight.isGraded())
-        lines.append(bladeEffortText(sight.effort, sight.teeth));
+        lines << LaryngoscopeWords::gradeOf(read) << bladeEffortText(sight.effort, sight.teeth);
+    else
+        lines.append(LaryngoscopeWords::ungraded(sight));
     if (!sight.isBladeKnown)
         lines.append(LaryngoscopeWords::assumed(sight.blade));
     return lines.join(QLatin1Char{'\n'});

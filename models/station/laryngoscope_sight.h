@@ -157,10 +157,11 @@ inline constexpr Duration kCordsGo = std::chrono::milliseconds{150};
 [[nodiscard]] QString bladeEffortText(const BladeEffort& effort,
                                       UpperTeeth teeth = UpperTeeth::Firm);
 
-/// What stands beneath the picture: why there is none; or its grade, if it was measured, and what
-/// the blade does, or why it has none, and in a last line which blade is assumed, where none is
-/// known.
+/// What stands beneath the picture: why there is none; or its grade, or why it has none and what to
+/// do, and what the blade does; and in a last line which blade is assumed, where none is known.
+/// @param read in the picture last, whether or not it tells of the glottis; nothing while there is
+///             nothing recent
 [[nodiscard]] QString laryngoscopeText(const LaryngoscopeSight& sight,
-                                       const std::optional<GlotticView>& seen);
+                                       const std::optional<GlotticView>& read);
 
 } // namespace carina

@@ -103,7 +103,7 @@ SceneFrame LiveScope::frameOf(int level, LocalTime lit)
     frame.airway = m_laryngoscope.changesAt(moment);
     frame.eyes.emplace();
     if (!isGraded())
-        m_seen.reset();
+        m_read.reset();
     if (!isSeen() || !m_shown.is(toBeShown()))
         return frame;
     frame.blade = m_sight.tissue;
@@ -128,7 +128,7 @@ void LiveScope::prepare()
         return;
     m_shown = toBeShown();
     m_scene = scopeScene(m_patient->withTubeOf(m_station.patient()), m_shown.blade, m_colors);
-    m_seen.reset();
+    m_read.reset();
     showScope(m_view, m_scene, ScopeEye::Video);
     if (isFlown())
         m_view.setSpotlight(kTrueColorFlown);
@@ -147,16 +147,22 @@ void LiveScope::measure(const IdPicture& ids, const SceneFrame& frame)
 {
     if (!isGraded() || !frame.eyes || frame.eyes->empty())
         return;
-    const GlotticView view = measuredView(ids, m_scene, frame.eyes->front(),
-                                          m_laryngoscope.glottisAt(frame.throat, frame.blade));
-    m_seen = view.isTelling() ? std::optional{Measured{view, frame.time}} : std::nullopt;
+    m_read = {measuredView(ids, m_scene, frame.eyes->front(),
+                           m_laryngoscope.glottisAt(frame.throat, frame.blade)),
+              frame.time};
 }
 
 /// A session that begins anew has earlier times.
+std::optional<GlotticView> LiveScope::read() const
+{
+    const bool isRecent = m_read && m_read->time <= m_drawn && m_drawn - m_read->time <= kMostAge;
+    return isRecent ? std::optional{m_read->view} : std::nullopt;
+}
+
 std::optional<GlotticView> LiveScope::seen() const
 {
-    const bool isRecent = m_seen && m_seen->time <= m_drawn && m_drawn - m_seen->time <= kMostAge;
-    return isRecent ? std::optional{m_seen->view} : std::nullopt;
+    const std::optional<GlotticView> latest = read();
+    return latest && latest->isTelling() ? latest : std::nullopt;
 }
 
 } // namespace carina

@@ -43,6 +43,8 @@ public:
     }
     /// What was read last; nothing while the laryngoscope is not graded, and once that is of a
     /// frame kMostAge before the latest.
+    [[nodiscard]] std::optional<GlotticView> read() const;
+    /// The same, where it tells of the glottis.
     [[nodiscard]] std::optional<GlotticView> seen() const;
     static constexpr Duration kMostAge = std::chrono::seconds{1};
 
@@ -95,7 +97,7 @@ private:
     TissueColors m_colors;
     ScopeScene m_scene;
     LaryngoscopeSight m_sight;
-    std::optional<Measured> m_seen;
+    std::optional<Measured> m_read;
     SessionTime m_drawn{}; ///< time of the latest frame
     std::optional<SessionTime> m_asked;
 };

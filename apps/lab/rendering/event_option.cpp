@@ -1,6 +1,7 @@
 #include "apps/lab/rendering/event_option.h"
 
 #include "apps/lab/command/words.h"
+#include "models/airway/airway_presets.h"
 
 #include <algorithm>
 
@@ -35,10 +36,24 @@ Result<AirwayEvent> eventOf(const Words& words, const QString& given, double usu
     return AirwayEvent{*kind, severity};
 }
 
+Result<AirwayEvents> eventsOfPreset(const Words& words)
+{
+    if (words.has(kEvent) || words.has(kEventSeverity))
+        return words.refuse(QStringLiteral("takes --preset or --event, not both."));
+    if (const AirwayPreset* preset = presetNamed(words.text(kPreset).toStdString()))
+        return preset->events;
+    QStringList names;
+    for (const AirwayPreset& preset : airwayPresets())
+        names += QString::fromUtf8(preset.name.data(), qsizetype(preset.name.size()));
+    return words.unknownWord(kPreset, names);
+}
+
 } // namespace
 
 Result<AirwayEvents> eventsOption(const Words& words)
 {
+    if (words.has(kPreset))
+        return eventsOfPreset(words);
     if (words.has(kEventSeverity) && !words.has(kEvent))
         return words.refuse(QStringLiteral("takes --severity of an --event."));
     const auto usual = words.number(kEventSeverity, 0.0, 1.0, 1.0);

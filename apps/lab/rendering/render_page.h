@@ -80,8 +80,8 @@ inline constexpr std::array kOfPictures{kPictures,   kAnatomy,    kPatient,     
 inline constexpr std::array kOfErrorMap{kErrorMap, kAnatomy,   kPatient,
                                         kSize,     kLandmarks, kTouchError};
 inline constexpr std::array kOfLaryngoscopy{
-    kLaryngoscopy, kAnatomy,       kPatient,   kBlade,       kFrom,          kLift,    kLevering,
-    kEvent,        kEventSeverity, kScopeSize, kNeckFlexion, kHeadExtension, kCompared};
+    kLaryngoscopy, kAnatomy,       kPatient, kBlade,     kFrom,        kLift,          kLevering,
+    kEvent,        kEventSeverity, kPreset,  kScopeSize, kNeckFlexion, kHeadExtension, kCompared};
 inline constexpr std::array kOfPresetGrades{kPresetGrades, kDraws, kDrawSeed, kAnatomy,
                                             kPatient,      kBlade, kScopeSize};
 inline constexpr std::array kOfEventPairs{kEventPairs, kPairEvent, kPairSeverity, kAnatomy,

@@ -82,6 +82,7 @@ DriftSummary driftBetween(std::span<const LoggedFrame> owner, std::span<const Lo
             .mean_mm = distance.mean,
             .p95_mm = distance.p95,
             .largest_mm = distance.largest,
+            .clockInstants = static_cast<int>(clocks_ms.size()),
             .clockMean_ms = clock.mean,
             .clockLargest_ms = clock.largest};
 }

@@ -12,9 +12,10 @@ using LoggedPose = std::optional<RigidTransform> LoggedFrame::*;
 
 /// How far two processes of one machine showed an object apart at the same instant.
 struct DriftSummary {
-    int instants = 0; ///< at which both were drawing; 0 leaves the rest at 0
+    int instants = 0; ///< at which both were drawing it; 0 leaves what follows at 0
     double mean_deg = 0.0, p95_deg = 0.0, largest_deg = 0.0;
     double mean_mm = 0.0, p95_mm = 0.0, largest_mm = 0.0;
+    int clockInstants = 0; ///< at which the owner was drawing, seen or not; 0 likewise
     double clockMean_ms = 0.0, clockLargest_ms = 0.0; ///< difference of the session clocks
 };
 

@@ -8,6 +8,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QJsonArray>
 #include <QJsonDocument>
 
 #include <algorithm>
@@ -39,8 +40,10 @@ constexpr Key kTriangles{"triangles", "that were drawn", 1};
 constexpr Key kLevel{"level", "of detail that was drawn", 1};
 constexpr Key kFrames{"frames", "that were drawn", 1};
 constexpr Key kFramesPerSecond{"frames_per_second", "mean of all frames", 1};
-constexpr Key kSampleAge{"tracker_sample_age",
-                         "age of the newest sample of the tube when a frame was lit (latency):", 1};
+constexpr Key kSampleAge{
+    "tracker_sample_age",
+    "age of the newest sample of the tube when a frame was lit (latency), null where none came:",
+    1};
 constexpr Key kMedianAge{"median_ms", "median", 2};
 constexpr Key kPercentileAge{"p95_ms", "95th percentile", 2};
 constexpr Key kVisiblePixels{"visible_pixels",
@@ -65,7 +68,7 @@ constexpr Key kRegistration{
     "overlay_error_mm is how far the stored registration lies from the truth of the simulator"};
 constexpr Key kDrift{"drift", "the tube in the console against the tube at the trainee, for the "
                               "same session time:"};
-constexpr Key kInstants{"instants", "that were compared", 1};
+constexpr Key kInstants{"instants", "that were compared; without any the figures are null", 1};
 constexpr Key kMeanAngle{"mean_deg", "mean of the angle between them", 1};
 constexpr Key kPercentileAngle{"p95_deg", "95th percentile", 1};
 constexpr Key kLargestAngle{"largest_deg", "the largest", 1};
@@ -80,7 +83,7 @@ constexpr Key kVolumeDifference{"lung_volume_difference",
                                 "by the trainee:"};
 constexpr Key kSameSessionTime{"same_session_time",
                                "at the same time by the session clock of each, an object:", 1};
-constexpr Key kVolumeInstants{"instants", "that were compared", 2};
+constexpr Key kVolumeInstants{"instants", "that were compared; likewise", 2};
 constexpr Key kMeanVolume{"mean_ml", "mean of the difference", 2};
 constexpr Key kPercentileVolume{"p95_ml", "95th percentile", 2};
 constexpr Key kLargestVolume{
@@ -137,17 +140,18 @@ Result<Viewer> readViewer(const QDir& folder, const QString& name)
 }
 
 /// Median and 95th percentile of the newest sample's age when each frame was drawn.
-QJsonObject sampleAges(const std::vector<LoggedFrame>& frames)
+QJsonValue sampleAges(const std::vector<LoggedFrame>& frames)
 {
     std::vector<double> ages_ms;
     for (const LoggedFrame& frame : frames)
         if (frame.sampleAge)
             ages_ms.push_back(1e3 * toSeconds(*frame.sampleAge));
     if (ages_ms.empty())
-        return {};
+        return QJsonValue::Null;
     std::sort(ages_ms.begin(), ages_ms.end());
-    return {{summary_key::kMedianAge, ages_ms[ages_ms.size() / 2]},
-            {summary_key::kPercentileAge, ages_ms[(ages_ms.size() * 95 + 99) / 100 - 1]}};
+    return QJsonObject{
+        {summary_key::kMedianAge, ages_ms[ages_ms.size() / 2]},
+        {summary_key::kPercentileAge, ages_ms[(ages_ms.size() * 95 + 99) / 100 - 1]}};
 }
 
 /// Breathing estimated from the volumes drawn since the controls came to rest.
@@ -179,25 +183,31 @@ QJsonObject describe(const Viewer& viewer, SessionTime steadyFrom)
     return object;
 }
 
+/// Of so many instants: without any there is no figure.
+QJsonValue figureOf(int instants, double value)
+{
+    return instants > 0 ? QJsonValue{value} : QJsonValue{QJsonValue::Null};
+}
+
 QJsonObject describe(const DriftSummary& drift)
 {
     return {{summary_key::kInstants, drift.instants},
-            {summary_key::kMeanAngle, drift.mean_deg},
-            {summary_key::kPercentileAngle, drift.p95_deg},
-            {summary_key::kLargestAngle, drift.largest_deg},
-            {summary_key::kMeanDistance, drift.mean_mm},
-            {summary_key::kPercentileDistance, drift.p95_mm},
-            {summary_key::kLargestDistance, drift.largest_mm},
-            {summary_key::kMeanClock, drift.clockMean_ms},
-            {summary_key::kLargestClock, drift.clockLargest_ms}};
+            {summary_key::kMeanAngle, figureOf(drift.instants, drift.mean_deg)},
+            {summary_key::kPercentileAngle, figureOf(drift.instants, drift.p95_deg)},
+            {summary_key::kLargestAngle, figureOf(drift.instants, drift.largest_deg)},
+            {summary_key::kMeanDistance, figureOf(drift.instants, drift.mean_mm)},
+            {summary_key::kPercentileDistance, figureOf(drift.instants, drift.p95_mm)},
+            {summary_key::kLargestDistance, figureOf(drift.instants, drift.largest_mm)},
+            {summary_key::kMeanClock, figureOf(drift.clockInstants, drift.clockMean_ms)},
+            {summary_key::kLargestClock, figureOf(drift.clockInstants, drift.clockLargest_ms)}};
 }
 
 QJsonObject describe(const VolumeDifference& difference)
 {
     return {{summary_key::kVolumeInstants, difference.instants},
-            {summary_key::kMeanVolume, difference.mean_ml},
-            {summary_key::kPercentileVolume, difference.p95_ml},
-            {summary_key::kLargestVolume, difference.largest_ml}};
+            {summary_key::kMeanVolume, figureOf(difference.instants, difference.mean_ml)},
+            {summary_key::kPercentileVolume, figureOf(difference.instants, difference.p95_ml)},
+            {summary_key::kLargestVolume, figureOf(difference.instants, difference.largest_ml)}};
 }
 
 /// What the console and the viewer drew of the lungs, against each other.
@@ -253,6 +263,23 @@ QJsonObject actionDrift(const Viewer& instructor, const Viewer& trainee)
     return drift;
 }
 
+/// What was not measured, and why.
+QJsonArray leftOut(const QJsonObject& summary)
+{
+    QJsonArray told;
+    const auto hasAge = [&summary](const Key& who) {
+        return !summary[who].toObject()[summary_key::kSampleAge].isNull();
+    };
+    if (!hasAge(summary_key::kTrainee))
+        told += QStringLiteral("No sample of the tube came to the trainee, so its age is null.");
+    if (!hasAge(summary_key::kInstructor))
+        told += QStringLiteral("No sample of the tube came to the console, so its age is null.");
+    if (summary[summary_key::kDrift].toObject()[summary_key::kInstants].toInt() == 0)
+        told += QStringLiteral("No frame of the console could be compared, as the trainee drew the "
+                               "tube too seldom or not at all, so its drift is null.");
+    return told;
+}
+
 Result<QJsonObject> summarise(const Words& words)
 {
     if (words.files().size() != 1)
@@ -283,6 +310,7 @@ Result<QJsonObject> summarise(const Words& words)
             return tl::unexpected(report.error());
         summary[summary_key::kRegistration] = *report;
     }
+    summary[kWarnings] = leftOut(summary);
     return summary;
 }
 
@@ -342,7 +370,8 @@ Use summaryOfDemo()
                      summary_key::kSameInstant,
                      summary_key::kActionDrift,
                      summary_key::kDelay,
-                     summary_key::kLimit}};
+                     summary_key::kLimit,
+                     kWarnings}};
 }
 
 } // namespace

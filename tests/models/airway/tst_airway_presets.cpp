@@ -18,6 +18,7 @@ private Q_SLOTS:
     void haveWholePercents();
     void findNoneWhereOneSeverityDiffers();
     void haveAWordEach();
+    void nameWhatIsSet();
     void areNamedForGrades();
     void haveASourceForEachRange();
     void areDrawnFromTheirRanges();
@@ -74,6 +75,20 @@ void TestAirwayPresets::haveAWordEach()
         words.insert(presetText(preset));
     QCOMPARE(words.size(), airwayPresets().size());
     QVERIFY(!words.contains(QString{}));
+}
+
+void TestAirwayPresets::nameWhatIsSet()
+{
+    const AirwayPreset& preset = *presetNamed("anaphylaxis");
+    QCOMPARE(airwayText(preset.events), QStringLiteral("Anaphylaxis"));
+    QCOMPARE(shortAirwayText(preset.events), QStringLiteral("Anaphylaxis"));
+    QCOMPARE(airwayText(presetNamed("web")->events), QStringLiteral("Laryngeal web 70\u00a0%"));
+    QCOMPARE(shortAirwayText({}), QStringLiteral("Clear"));
+    AirwayEvents onTheirWay = preset.events;
+    for (AirwayEvent& event : onTheirWay)
+        event.severity *= 0.5;
+    QCOMPARE(airwayText(onTheirWay).count(QLatin1Char{'+'}), 3);
+    QCOMPARE(shortAirwayText(onTheirWay), QStringLiteral("Laryngeal oedema 40\u00a0% + 3 more"));
 }
 
 void TestAirwayPresets::areNamedForGrades()

@@ -47,13 +47,23 @@ private Q_SLOTS:
         Story story;
         QCOMPARE(story.timeline.rowCount(), 0);
         story.notes({.step = IntubationStep::BladeIn}, 12s);
-        story.notes({.step = IntubationStep::ThroughCords,
+        story.notes({.step = IntubationStep::AtRest,
                      .seat = TubeSeat::Trachea,
-                     .depthAtTeeth = millimetres(121.0)},
+                     .depthAtTeeth = millimetres(201.0)},
                     102s);
         QCOMPARE(story.timeline.rowCount(), 2);
         QCOMPARE(story.line(0), QStringLiteral("00:12  Blade in the mouth: an attempt begins"));
-        QCOMPARE(story.line(1), QStringLiteral("01:42  Through the cords, 12.1 cm at the teeth"));
+        QCOMPARE(story.line(1), QStringLiteral("01:42  Tube at rest, 20.1 cm at the teeth"));
+    }
+
+    /// A rigid tube goes there straight, and one that was not seen to pass lies deeper.
+    void tellsNoDepthAtTheCords()
+    {
+        for (const IntubationStep step :
+             {IntubationStep::ThroughCords, IntubationStep::BackAboveCords,
+              IntubationStep::InOesophagus, IntubationStep::OutOfOesophagus})
+            QVERIFY(!intubationText({.step = step, .depthAtTeeth = millimetres(210.0)})
+                         .contains(QStringLiteral("cm")));
     }
 
     void tellsTheSide()
@@ -82,7 +92,7 @@ private Q_SLOTS:
     void saysWhatIsUncertain()
     {
         IntubationEvent event{.step = IntubationStep::InOesophagus, .confidence = 0.64};
-        QCOMPARE(intubationText(event), QStringLiteral("▲ In the oesophagus (uncertain: 64 %)"));
+        QCOMPARE(intubationText(event), QStringLiteral("▲ In the oesophagus (64 % sure)"));
         event.confidence = 0.9;
         QCOMPARE(intubationText(event), QStringLiteral("▲ In the oesophagus"));
     }

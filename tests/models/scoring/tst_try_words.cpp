@@ -104,7 +104,7 @@ void TestTryWords::tellThatADepthIsUncertain()
     metrics.depthWanted.reset();
     const TryReport report = reportOf(metrics, DepthRule::TenthOfHeight, publishedRubric());
     QCOMPARE(valueNamed(tryLines(report), "Depth at the teeth"),
-             QStringLiteral("20.0\u00a0cm (uncertain: 62\u00a0%)"));
+             QStringLiteral("20.0\u00a0cm (62\u00a0% sure)"));
 }
 
 void TestTryWords::tellWhatWasNotMeasured()
@@ -170,7 +170,7 @@ void TestTryWords::tellWhatIsUncertainAndTooDeep()
     report.metrics.oxygen->below = std::chrono::seconds{30};
     const auto lines = tryLines(report);
     QCOMPARE(outcomeText(report.metrics),
-             QStringLiteral("▲ In the right main bronchus (uncertain: 55\u00a0%)"));
+             QStringLiteral("▲ In the right main bronchus (55\u00a0% sure)"));
     QCOMPARE(valueNamed(lines, "Tip beyond the carina"), QStringLiteral("▲ 12\u00a0mm"));
     QVERIFY(valueNamed(lines, "Lowest oxygen saturation")
                 .endsWith(QStringLiteral("below 90\u00a0% for 30.0\u00a0s")));

@@ -81,6 +81,15 @@ class Launcher(unittest.TestCase):
         for command in ("setup", "demo", "test", "bench", "lab"):
             self.assertIn(f"\n  {command} ", run.stdout)
 
+    def test_a_command_explains_itself(self):
+        for arguments in (["demo", "--help"], ["demo", "-h"], ["demo", "--size", "640x480", "--help"]):
+            run = self.carina(*arguments)
+            self.assertEqual((run.returncode, run.stderr, self.called("ninja")), (0, "", []))
+            self.assertIn("--headless DIR", run.stdout)
+            self.assertNotIn("--mutate", run.stdout)
+        self.assertIn("--mutate", self.carina("test", "--help").stdout)
+        self.assertIn("configures and builds", self.carina("setup", "--help").stdout)
+
     def test_refuses_what_it_does_not_know(self):
         for arguments in (["fly"], ["test", "--some"], ["test", "--mutate"], ["test", "--reach", "engine"], ["test", "a", "b"], ["demo", "--fast", "1"], ["demo", "--size", "9"],
                           ["demo", "--seconds", "0"], ["demo", "--patient", "horse"], ["demo", "--patient", "child,"],

@@ -487,6 +487,27 @@ private Q_SLOTS:
         }
     }
 
+    /// And what takes it back, beside the state of the patient.
+    void saysWhichPresetIsSetInANarrowWindow()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept, {1280, 800}};
+        const auto says = [&shown](const QString& text) {
+            return soon([&] { return shown.find<QLabel>("status").text().contains(text); });
+        };
+        shown.airway.setEvents(presetNamed("anaphylaxis")->events);
+        shown.takeEffect();
+        QVERIFY(says(QStringLiteral("Airway: Anaphylaxis")));
+        QVERIFY(
+            shown.find<QToolButton>("undoChange").text().endsWith(QStringLiteral("Anaphylaxis")));
+        shown.airway.setChangeTime(std::chrono::seconds{600});
+        shown.airway.setEvents(presetNamed("pregnant")->events);
+        shown.takeEffect();
+        shown.takeEffect(); // and is on its way
+        QVERIFY(says(QStringLiteral(" more")));
+        QVERIFY(says(QStringLiteral("Condition:")));
+    }
+
     /// All numbers, in the lowest window, too.
     void holdsTheBedsideMonitorWithoutScrolling_data()
     {

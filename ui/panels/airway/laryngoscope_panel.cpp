@@ -103,7 +103,7 @@ QString LaryngoscopePanel::text() const
     }
     if (m_scope && m_scope->isPreparing())
         return tr("The picture is being made. This takes some seconds, the first time only.");
-    return m_scope ? laryngoscopeText(m_scope->sight(), m_scope->seen())
+    return m_scope ? laryngoscopeText(m_scope->sight(), m_scope->read())
                    : laryngoscopeText(LaryngoscopeState::None);
 }
 

@@ -10,7 +10,7 @@ namespace
 {
 
 constexpr int kMostListed = 20;
-constexpr int kWidest = 480; ///< pixels
+constexpr int kWidest = 320; ///< pixels, of its words: a quarter of the smallest window
 
 /// A button's text in which & is no mark of a key.
 QString unmarked(QString text) { return text.replace(QLatin1Char{'&'}, QStringLiteral("&&")); }

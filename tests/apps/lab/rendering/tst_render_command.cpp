@@ -1,7 +1,9 @@
 #include "apps/lab/commands.h"
+#include "apps/lab/rendering/event_option.h"
 #include "apps/lab/rendering/geometry_check.h"
 #include "apps/lab/rendering/seen_balls.h"
 #include "engine/anatomy/patient/builtin_patient.h"
+#include "models/airway/airway_presets.h"
 #include "tests/support/eye_projection.h"
 #include "tests/support/test_class.h"
 #include "widgets/scene/view/graphics.h"
@@ -33,6 +35,7 @@ private Q_SLOTS:
     void drawsEachBallWhereItIsSeen_data();
     void drawsEachBallWhereItIsSeen();
     void drawsWhatTheSeedSays();
+    void listsEveryPreset();
     void refusesWhatItDoesNotKnow_data();
     void refusesWhatItDoesNotKnow();
 };
@@ -145,6 +148,14 @@ void TestRenderCommand::drawsWhatTheSeedSays()
     QVERIFY(first.display(0).p_HDl != first.display(1).p_HDl);
 }
 
+// A preset that is added is to be listed in the help, too.
+void TestRenderCommand::listsEveryPreset()
+{
+    for (const AirwayPreset& preset : airwayPresets())
+        QVERIFY2(std::string_view{lab::kPreset.help}.find(preset.name) != std::string_view::npos,
+                 preset.name.data());
+}
+
 void TestRenderCommand::refusesWhatItDoesNotKnow_data()
 {
     QTest::addColumn<QString>("words");
@@ -186,6 +197,13 @@ void TestRenderCommand::refusesWhatItDoesNotKnow_data()
     row("a severity that is none", "--laryngoscopy . --event epiglottitis=", "0 to 1");
     row("events too severe", "--laryngoscopy . --event epiglottitis --severity 2", "--severity");
     row("a severity of no event", "--laryngoscopy . --severity 0.5", "--event");
+    row("a preset there is not", "--laryngoscopy . --preset cough",
+        "clear, cormack_lehane_1, cormack_lehane_2, cormack_lehane_3, cormack_lehane_4, "
+        "swollen_mouth, anaphylaxis, swollen_lips, angio_oedema, acute_epiglottitis, burn, "
+        "anterior_floppy, spasm, web, anterior_pressed, obese, pregnant, trauma_collar, goitre, "
+        "after_tracheostomy, overjet");
+    row("a preset and an event", "--laryngoscopy . --preset burn --event blood", "not both");
+    row("a preset for pairs", "--event-pairs . --preset burn", "--event-pairs DIR");
     row("a condition in a laryngoscopy", "--laryngoscopy . --condition copd", "--laryngoscopy DIR");
     row("no draws", "--preset-grades --draws 0", "--draws");
     row("a blade there is not, for presets", "--preset-grades --blade spoon", "macintosh-3");

@@ -16,6 +16,7 @@ class TestUndoButton : public QObject
 
 private Q_SLOTS:
     void namesAndTakesBack();
+    void leavesRoomBesideALongText();
     void listsTheHistory();
     void takesBackFromWithinANumberBox();
 };
@@ -33,6 +34,21 @@ void TestUndoButton::namesAndTakesBack()
     button.click();
     QCOMPARE(taken, 1);
     QVERIFY(!button.isEnabled());
+}
+
+/// The line of a console 1280 pixels wide says more beside it than what it takes back.
+void TestUndoButton::leavesRoomBesideALongText()
+{
+    constexpr int kMost = 400; // pixels
+    ChangeHistory history;
+    UndoButton button{history};
+    const QString change =
+        QStringLiteral("Airway → ") + QStringLiteral("Tongue oedema 50 % + ").repeated(8);
+    history.add(button, change, [] {});
+    QVERIFY(button.sizeHint().width() <= kMost);
+    QVERIFY(button.text().startsWith(QStringLiteral("Undo: Airway → Tongue oedema 50 %")));
+    QCOMPARE(button.accessibleName(), QStringLiteral("Undo: ") + change);
+    QVERIFY(button.toolTip().contains(change));
 }
 
 void TestUndoButton::listsTheHistory()

@@ -14,7 +14,7 @@ constexpr LungPose kCollapse{0.0, 0.0, 0.0, 1.0};
 constexpr double kUnseen_ml = 0.01;
 /// The collapse of a lung that trapped gas has made larger, and into which a mediastinum may still
 /// sink: one that is fuller would be pressed through the skin of its back.
-constexpr double kFullestLeant = -0.45;
+constexpr double kFullestLeant = -0.4;
 constexpr int kHalvings = 20;
 /// Upper limit of the ribs' amplitude for a diaphragm of 1, for surfaces of unusual shape.
 constexpr double kMostRibs = 2.0;

@@ -93,8 +93,10 @@ inline constexpr double kMostCollapse = 0.4; ///< a fifth of the volume is left
 /// Of a lung with no other amplitude: a sixth of the volume is left, and a quarter of it where the
 /// mediastinum is shifted away from it by a quarter of half the chest's width.
 inline constexpr double kMostCollapseAlone = 0.46;
-inline constexpr double kLeastCollapse = -0.55; ///< 3.7 times the volume
-inline constexpr double kMostShift = 0.4;       ///< of half the chest's width, either way
+/// 4.1 times the volume. At -0.65 the lungs of an obese patient who sits with COPD would come out
+/// of the skin, below.
+inline constexpr double kLeastCollapse = -0.6;
+inline constexpr double kMostShift = 0.4; ///< of half the chest's width, either way
 
 /// The amplitudes s for which the pose given + s along of a lung is within the range, in a chest
 /// whose mediastinum is shifted towards this lung by `shiftInto` (negative away from it).

@@ -242,7 +242,7 @@ void TestChestPose::knowsHowMuchOfTheRangeIsTaken_data()
     QTest::newRow("ribs out") << LungPose{.diaphragm = 1.0, .ribs = -1.5} << 0.0 << 0.5;
     QTest::newRow("face down") << LungPose{.diaphragm = 1.0, .gravity = -1.2} << 0.0 << 0.75;
     QTest::newRow("half collapsed") << LungPose{.diaphragm = 1.05, .collapse = 0.2} << 0.0 << 0.75;
-    QTest::newRow("air trapped") << LungPose{.diaphragm = 1.05, .collapse = -0.275} << 0.0 << 0.75;
+    QTest::newRow("air trapped") << LungPose{.diaphragm = 1.05, .collapse = -0.3} << 0.0 << 0.75;
     QTest::newRow("only collapsed") << LungPose{.collapse = 0.23} << 0.0 << 0.5;
     QTest::newRow("only collapsed, shifted into it") << LungPose{.collapse = 0.23} << -0.1 << 0.75;
     QTest::newRow("only collapsed, shifted away") << LungPose{.collapse = 0.46} << 0.3 << 1.0;
@@ -278,14 +278,14 @@ void TestChestPose::endsWhereTheRangeDoes_data()
     QTest::newRow("half collapsed") << LungPose{.collapse = 0.2} << kDown << 0.0 << -1.5 << 2.1;
     QTest::newRow("shifted into it") << LungPose{} << kDown << 0.2 << -1.5 << 2.1;
     QTest::newRow("shifted away") << LungPose{} << kDown << -0.4 << -3.0 << 4.2;
-    QTest::newRow("air trapped") << LungPose{.collapse = -0.275} << kDown << 0.0 << -1.5 << 2.1;
-    QTest::newRow("collapse alone") << LungPose{} << kShrink << 0.0 << -0.55 << 0.46;
+    QTest::newRow("air trapped") << LungPose{.collapse = -0.3} << kDown << 0.0 << -1.5 << 2.1;
+    QTest::newRow("collapse alone") << LungPose{} << kShrink << 0.0 << -0.6 << 0.46;
     QTest::newRow("collapse alone, shifted into it")
-        << LungPose{} << kShrink << 0.2 << -0.275 << 0.23;
+        << LungPose{} << kShrink << 0.2 << -0.3 << 0.23;
     QTest::newRow("collapse of a lung that sags")
-        << LungPose{.gravity = 0.8} << kShrink << 0.0 << -0.275 << 0.2;
+        << LungPose{.gravity = 0.8} << kShrink << 0.0 << -0.3 << 0.2;
     QTest::newRow("collapse of half a breath")
-        << LungPose{.diaphragm = 2.1} << kShrink << 0.0 << -0.275 << 0.2;
+        << LungPose{.diaphragm = 2.1} << kShrink << 0.0 << -0.3 << 0.2;
     QTest::newRow("gravity") << LungPose{} << LungPose{.gravity = 0.4} << 0.0 << -4.0 << 4.0;
 }
 
@@ -314,7 +314,7 @@ void TestChestPose::hasNoAmplitudesOutsideTheRange()
     QVERIFY(!amplitudesWithin({.ribs = 10.1}, kDown, 0.0));
     QVERIFY(!amplitudesWithin({.gravity = -1.61}, kDown, 0.0));
     QVERIFY(!amplitudesWithin({.collapse = 0.401}, kDown, 0.0));
-    QVERIFY(!amplitudesWithin({.collapse = -0.551}, kDown, 0.0));
+    QVERIFY(!amplitudesWithin({.collapse = -0.601}, kDown, 0.0));
     QVERIFY(!amplitudesWithin({}, kDown, 0.401));
     QVERIFY(!amplitudesWithin({}, kDown, -0.401));
     QVERIFY(!amplitudesWithin({.collapse = 0.3}, kDown, 0.2));

@@ -20,7 +20,8 @@ ViewControls::ViewControls(StationScene& scene, SavedViews& views, const PeopleM
     addPreset("front", tr("&Front"),
               tr("Seen from the patient's front; drag or arrow keys turn, wheel or + and - zoom"),
               ViewPreset::Front);
-    addPreset("rightSide", tr("Si&de"), tr("Seen from the patient's right side"), ViewPreset::Right);
+    addPreset("rightSide", tr("Si&de"), tr("Seen from the patient's right side"),
+              ViewPreset::Right);
     addPreset("head", tr("&Head end"),
               tr("Seen from behind the patient's head, as a trainee stands"), ViewPreset::Trainee);
     auto* saved = new SavedViewsMenu{views, [this] { return present(); }, this};

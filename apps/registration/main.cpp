@@ -41,6 +41,15 @@ QString defaultSite()
         QStringLiteral("site.json"));
 }
 
+/// "~/.local/share/carina/carina-registration/site.json": short enough for a line of help.
+QString shownSite()
+{
+    const QString home = QDir::homePath() + QLatin1Char{'/'};
+    const QString file = defaultSite();
+    return QDir::toNativeSeparators(
+        file.startsWith(home) ? QStringLiteral("~/") + file.mid(home.size()) : file);
+}
+
 void addOptions(QCommandLineParser& parser)
 {
     parser.setApplicationDescription(
@@ -49,7 +58,7 @@ void addOptions(QCommandLineParser& parser)
         {kSite,
          words("File of the site, saved after every step; a stored site is continued. Without "
                "this option %1.")
-             .arg(QDir::toNativeSeparators(defaultSite())),
+             .arg(shownSite()),
          QStringLiteral("FILE"), defaultSite()});
     parser.addOption({kHands,
                       words("Hand that holds the stylus of the simulated tracker: scripted does "

@@ -125,7 +125,11 @@ const auto& presets()
         AirwayPreset{
             "trauma_collar",
             QT_TRANSLATE_NOOP("Airway", "Trauma with collar"),
-            {{TongueOedema, 0.3}, {PharyngealSwelling, 0.3}, {Trismus, 0.7}, {StiffNeck, 0.9}}},
+            {{TongueOedema, 0.3}, {PharyngealSwelling, 0.3}, {Trismus, 0.7}, {StiffNeck, 0.9}},
+            0,
+            {},
+            {},
+            QT_TRANSLATE_NOOP("Airway", "No collar is drawn: the stiff neck stands for one.")},
         AirwayPreset{"goitre",
                      QT_TRANSLATE_NOOP("Airway", "Large goitre"),
                      {{TrachealDeviation, 0.4}, {Goitre, 0.9}}},
@@ -182,7 +186,7 @@ QString shortAirwayText(const AirwayEvents& events)
 QString conditionText(const AirwayPreset& preset)
 {
     if (preset.grade == 0)
-        return {};
+        return QCoreApplication::translate("Airway", preset.notDrawn);
     const UsualHeadPosition* usual = usualOf(preset.look.head);
     const QString head = usual ? usualText(*usual) : headFiguresText(preset.look.head);
     if (preset.look.eye == ScopeEye::Direct)

@@ -38,7 +38,8 @@ struct AirwayPreset {
     int grade = 0;
     /// Of one that is named for a grade: in the order of the kinds; `events` are their middles.
     std::vector<SeverityRange> ranges{};
-    GradedLook look{}; ///< in which it has that grade
+    GradedLook look{};         ///< in which it has that grade
+    const char* notDrawn = ""; ///< of what its name says; to be translated by conditionText()
 };
 
 /// All of them, as they are offered; the first is the clear airway.
@@ -57,7 +58,8 @@ struct AirwayPreset {
 
 /// Of what patient, with which blade and by which eye it has the grade that it is named for:
 /// "Grade 1 is promised only of an adult with the head in the position Neutral, in the camera of a
-/// Macintosh 3 lifted as usual."; empty of one that is named for none.
+/// Macintosh 3 lifted as usual."; of one that is named for none what of its name is not drawn, or
+/// nothing.
 [[nodiscard]] QString conditionText(const AirwayPreset& preset);
 
 /// Another patient of the kind that a preset stands for: each severity is drawn evenly from its

@@ -53,17 +53,15 @@ void addTrackerOption(QCommandLineParser& parser, const QString& without)
 {
     const QString meaning = QCoreApplication::translate(
         "TrackerOption",
-        "Track with the device that this file describes, a Polaris, a server of "
-        "OpenIGTLink or a camera with its tools (docs/tracking.md), or a device set of PLUS "
-        "(.xml); with a simulated tracker, of which rate=HZ, hidden=TOOL, partly=TOOL, "
-        "dropouts=PERCENT and with=laryngoscope can be chosen (simulated:rate=30,hidden=tube), and "
-        "whose hands intubate once by a script with intubation=SCRIPT, seed=N and after=SECONDS "
-        "(simulated:intubation=good); "
-        "with a recording (of Carina, Plus, 3D Slicer or a device), played once or looped; or with "
-        "the "
-        "devices that the site names.");
-    parser.addOption({kTracker, meaning + QLatin1Char{' '} + without,
-                      QStringLiteral("FILE|simulated[:OPTIONS]|recorded:FILE|looped:FILE|site")});
+        "What tracks: FILE, which describes a Polaris, a server of OpenIGTLink or a camera with "
+        "its tools (docs/tracking.md), or is a device set of PLUS (.xml); simulated, of which "
+        "rate=HZ, hidden=TOOL, partly=TOOL, dropouts=PERCENT and with=laryngoscope can be chosen "
+        "(simulated:rate=30,hidden=tube), and whose hands intubate once by a script with "
+        "intubation=SCRIPT, seed=N and after=SECONDS (simulated:intubation=good); recorded:FILE "
+        "or looped:FILE, a recording of Carina, Plus, 3D Slicer or a device, played once or again "
+        "and again; or site, the devices that the site names.");
+    // A long name of the value would leave the text of all options no room beside it.
+    parser.addOption({kTracker, meaning + QLatin1Char{' '} + without, QStringLiteral("TRACKER")});
     parser.addOption(
         {kRecord,
          QCoreApplication::translate("TrackerOption",

@@ -353,7 +353,8 @@ void AirwayPanel::refreshPreset()
     const bool isLookedAtOtherwise =
         preset
         && (m_headModel->position() != preset->look.head || preset->look.eye != ScopeEye::Video);
-    sayOrHide(*m_condition, isLookedAtOtherwise ? conditionText(*preset) : QString{});
+    const bool hasCondition = preset && (preset->grade == 0 || isLookedAtOtherwise);
+    sayOrHide(*m_condition, hasCondition ? conditionText(*preset) : QString{});
     m_presets->setAccessibleDescription(
         QStringList{eventsText(set), m_condition->text()}.join(QLatin1Char{' '}).trimmed());
 }

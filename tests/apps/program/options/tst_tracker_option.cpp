@@ -1,5 +1,6 @@
 #include "apps/program/options/tracker_option.h"
 
+#include "apps/program/options/openigtlink_option.h"
 #include "tests/support/test_class.h"
 
 #include <QTemporaryDir>
@@ -43,6 +44,18 @@ class TestTrackerOption : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    /// The longest name of an option and its value decides how much room all texts have.
+    void givesItsExamplesInOneLine()
+    {
+        QCommandLineParser parser;
+        program::addTrackerOption(parser, {});
+        program::addOpenIgtLinkOption(parser);
+        const QString help = parser.helpText();
+        for (const char* example :
+             {"(simulated:rate=30,hidden=tube)", "(simulated:intubation=good)"})
+            QVERIFY2(help.contains(QString::fromLatin1(example)), qPrintable(help));
+    }
+
     void recordsTheBytesOfADevice()
     {
         const QTemporaryDir folder;

@@ -57,6 +57,7 @@ private Q_SLOTS:
     void setsAPresetAsOneChange();
     void saysCustomWhereItIsNoPreset();
     void tellsWhatAPresetSets();
+    void saysWhatOfAPresetIsNotDrawn();
     void saysOfWhatAPresetsGradeIsPromised();
     void laysTheHeadByKeyboardOverTheTimeOfAChange();
     void tellsHowTheHeadLies();
@@ -526,6 +527,19 @@ void TestAirwayPanel::tellsWhatAPresetSets()
     const AirwayEvents bloody{{Laryngospasm, 0.5}, {Blood, 0.3}};
     desk.model.setEvents(bloody);
     QCOMPARE(presets.accessibleDescription(), eventsText(bloody));
+}
+
+void TestAirwayPanel::saysWhatOfAPresetIsNotDrawn()
+{
+    Desk desk;
+    const auto& condition = desk.find<QLabel>("airwayPresetCondition");
+    desk.model.setEvents(presetNamed("trauma_collar")->events);
+    desk.settle();
+    QVERIFY(condition.isVisible());
+    QVERIFY(condition.text().contains(QStringLiteral("No collar is drawn")));
+    desk.model.setEvents(presetNamed("obese")->events);
+    desk.settle();
+    QVERIFY(!condition.isVisible());
 }
 
 /// As long as the preset stands and the head does not lie so; of one that is named for the eye, as

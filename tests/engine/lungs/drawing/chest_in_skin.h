@@ -27,12 +27,12 @@ struct DrawnSurface {
     double stretch = 1.0; ///< of the edge that is longest for its length at rest
 };
 
-/// A built-in patient whose lungs, diaphragm and skin are drawn in their coarsest level.
+/// A patient whose lungs, diaphragm and skin are drawn in their coarsest level.
 class SkinnedChest
 {
 public:
-    explicit SkinnedChest(BuiltinPatient patient)
-        : m_anatomy{builtinPatient(patient).value()}, m_lungs{LungPair::of(m_anatomy).value()}
+    explicit SkinnedChest(const PatientParameters& patient)
+        : m_anatomy{patientFor(patient).value()}, m_lungs{LungPair::of(m_anatomy).value()}
     {
     }
 

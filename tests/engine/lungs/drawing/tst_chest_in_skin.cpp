@@ -12,19 +12,25 @@ namespace
 
 const SkinnedChest& adult()
 {
-    static const SkinnedChest chest{BuiltinPatient::Adult};
+    static const SkinnedChest chest{parametersOf(BuiltinPatient::Adult)};
     return chest;
 }
 
-RespiratorySettings adultWith(const LungCondition& condition, VentilationMode mode)
+RespiratorySettings settingsOf(BuiltinPatient patient, const LungCondition& condition,
+                               VentilationMode mode)
 {
     RespiratorySettings settings;
-    settings.build = buildOf(dimensionsFor(parametersOf(BuiltinPatient::Adult)).value());
+    settings.build = buildOf(dimensionsFor(parametersOf(patient)).value());
     settings.pattern = restingPattern(settings.build);
     if (condition.kind != ConditionKind::Normal)
         settings.conditions = {condition};
     settings.ventilator.mode = mode;
     return settings;
+}
+
+RespiratorySettings adultWith(const LungCondition& condition, VentilationMode mode)
+{
+    return settingsOf(BuiltinPatient::Adult, condition, mode);
 }
 
 } // namespace
@@ -37,6 +43,7 @@ class TestChestInSkin : public QObject
 private Q_SLOTS:
     void staysInTheSkinAndWhole_data();
     void staysInTheSkinAndWhole();
+    void keepsAChildsTrappedGasInTheSkin();
     void movesAsideUnderTension_data();
     void movesAsideUnderTension();
 };
@@ -79,6 +86,18 @@ void TestChestInSkin::staysInTheSkinAndWhole()
     if (isDeep)
         settings.pattern.tidalVolume = largestTidalVolume(settings.build);
     verifyInSkin(adult(), settings, QString::fromLatin1(QTest::currentDataTag()));
+}
+
+/// Lungs that hold 3.4 times as much as at rest.
+void TestChestInSkin::keepsAChildsTrappedGasInTheSkin()
+{
+    const BuiltinPatient child = BuiltinPatient::TwelveYears;
+    RespiratorySettings settings = settingsOf(
+        child, {ConditionKind::Copd, 1.0, ConditionSide::Both}, VentilationMode::VolumeControl);
+    settings.position = BodyPosition::Sitting;
+    settings.pattern.tidalVolume = largestTidalVolume(settings.build);
+    settings.pattern.rate = perMinute(12.0);
+    verifyInSkin(SkinnedChest{parametersOf(child)}, settings, QStringLiteral("COPD"));
 }
 
 void TestChestInSkin::movesAsideUnderTension_data()

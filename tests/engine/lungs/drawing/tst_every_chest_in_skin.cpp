@@ -1,4 +1,5 @@
 #include "engine/anatomy/patient/patient_dimensions.h"
+#include "engine/anatomy/patient/patient_name.h"
 #include "tests/engine/lungs/drawing/chest_in_skin.h"
 #include "tests/support/test_class.h"
 
@@ -49,29 +50,31 @@ private Q_SLOTS:
 
 void TestEveryChestInSkin::staysInTheSkinAndWhole_data()
 {
-    QTest::addColumn<BuiltinPatient>("patient");
+    QTest::addColumn<QString>("patient");
     QTest::addColumn<BodyPosition>("position");
     QTest::addColumn<ConditionKind>("kind");
     constexpr std::array kPositions{"supine", "sitting", "prone", "on the right side",
                                     "on the left side"};
-    for (const BuiltinPatient patient : {BuiltinPatient::Adult, BuiltinPatient::TwelveYears})
+    for (const char* patient : {"adult", "child"})
         for (std::size_t position = 0; position < kPositions.size(); ++position)
             for (const ConditionKind kind : kConditionKinds)
-                QTest::addRow("%s, %s, condition %d",
-                              patient == BuiltinPatient::Adult ? "adult" : "child",
-                              kPositions[position], int(kind))
-                    << patient << static_cast<BodyPosition>(position) << kind;
+                QTest::addRow("%s, %s, condition %d", patient, kPositions[position], int(kind))
+                    << QString::fromLatin1(patient) << static_cast<BodyPosition>(position) << kind;
+    QTest::addRow("the fullest lungs for their size at rest")
+        << QStringLiteral("45 years, 182 cm, man, obese") << BodyPosition::Sitting
+        << ConditionKind::Copd;
 }
 
 void TestEveryChestInSkin::staysInTheSkinAndWhole()
 {
-    QFETCH(BuiltinPatient, patient);
+    QFETCH(QString, patient);
     QFETCH(BodyPosition, position);
     QFETCH(ConditionKind, kind);
-    static std::map<BuiltinPatient, SkinnedChest> chests;
-    const SkinnedChest& chest = chests.try_emplace(patient, patient).first->second;
+    static std::map<QString, SkinnedChest> chests;
+    const PatientParameters parameters = patientFromWords(patient.toStdString()).value();
+    const SkinnedChest& chest = chests.try_emplace(patient, parameters).first->second;
     RespiratorySettings settings;
-    settings.build = buildOf(dimensionsFor(parametersOf(patient)).value());
+    settings.build = buildOf(dimensionsFor(parameters).value());
     settings.position = position;
     const BreathingPattern quiet = restingPattern(settings.build);
     for (const ConditionSide side : sidesOf(kind)) {

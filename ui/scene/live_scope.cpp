@@ -152,7 +152,7 @@ void LiveScope::measure(const IdPicture& ids, const SceneFrame& frame)
               frame.time};
 }
 
-/// A session that begins anew has earlier times.
+/// Nothing of a time after the latest frame: a session that begins anew has earlier times.
 std::optional<GlotticView> LiveScope::read() const
 {
     const bool isRecent = m_read && m_read->time <= m_drawn && m_drawn - m_read->time <= kMostAge;

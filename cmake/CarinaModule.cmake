@@ -13,16 +13,16 @@ function(carina_module name)
   endif()
 endfunction()
 
-# carina_tests(NAME SOURCES file... LINK target... [DISPLAY test...] [SLOW test...])
+# carina_tests(NAME SOURCES file... LINK target... [DISPLAY test...] [SLOW test...] [TIMEOUT seconds])
 #
 # One program, test_NAME, of the test classes of one folder, compiled a few at a time. Each class is
 # a test of ctest, in a process of its own and named after its file: of tests/engine/core/tst_ids.cpp
 # "engine.core.ids". DISPLAY names those that draw with OpenGL: they run under Xvfb with xcb; all
 # others run with QT_QPA_PLATFORM=offscreen. SLOW names those that only `./carina test --all` runs. A
 # tst_*.cpp of the folder and its rooms that is not among the sources is an error, as is a name after
-# DISPLAY or SLOW that no source has.
+# DISPLAY or SLOW that no source has. TIMEOUT is that of each class, 240 s without it.
 function(carina_tests name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINK;DISPLAY;SLOW")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "TIMEOUT" "SOURCES;LINK;DISPLAY;SLOW")
   carina_check_tests("${arg_SOURCES}" "${arg_DISPLAY};${arg_SLOW}")
   set(program test_${name})
   add_executable(${program} ${arg_SOURCES} "${PROJECT_SOURCE_DIR}/tests/support/test_main.cpp")
@@ -82,6 +82,9 @@ macro(carina_test_of program source class)
   endif()
   set(label fast)
   set(timeout 240)
+  if(arg_TIMEOUT)
+    set(timeout ${arg_TIMEOUT})
+  endif()
   set(patience)
   if(${class} IN_LIST arg_SLOW) # by itself Qt Test gives a function five minutes
     set(label slow)

@@ -9,6 +9,9 @@
 #include <memory>
 #include <vector>
 
+/// For programs to make a patient and to show something, on a busy machine.
+inline constexpr int kPatience_ms = 120'000;
+
 /// For the session of a test, beside others that run at the same time.
 inline QString portOfThisTest()
 {

@@ -12,7 +12,6 @@ namespace carina::anatomy_test
 namespace
 {
 
-constexpr int kPatience_ms = 120'000; ///< for a program to start and import on a busy machine
 constexpr int kMeasured_s = 45; ///< long enough to make the own patient, and for the set to come
 constexpr qint64 kPassed = 1'000'000; ///< bytes of the set, before its line stands still
 

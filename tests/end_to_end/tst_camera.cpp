@@ -19,7 +19,6 @@ namespace carina::camera_test
 namespace
 {
 
-constexpr int kPatience_ms = 90'000;
 constexpr std::size_t kFrames = 200; ///< that are compared, and those at the ends of the video
 
 constexpr int kTubeKind = 2; ///< of ObjectKind

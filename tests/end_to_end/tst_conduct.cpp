@@ -10,7 +10,6 @@ namespace carina::conduct_test
 namespace
 {
 
-constexpr int kPatience_ms = 60'000; ///< for a program to start on a busy machine
 constexpr int kSoon_ms = 10'000;
 
 QString noticeOf(const Program& program)

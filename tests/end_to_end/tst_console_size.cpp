@@ -10,8 +10,6 @@ namespace carina::console_size_test
 namespace
 {
 
-constexpr int kPatience_ms = 60'000; ///< for a program to start on a busy machine
-
 } // namespace
 
 /// The console on the smallest screen that it is made for.

@@ -11,7 +11,6 @@ namespace carina::console_tracker_test
 namespace
 {
 
-constexpr int kPatience_ms = 60'000;
 constexpr int kInstructor = 0; ///< the number of who hosts
 constexpr double kSpeed_mm_per_s = 30.0;
 constexpr double kPlace_mm = 0.5; ///< of a moving pose that is predicted: 17 ms of its way

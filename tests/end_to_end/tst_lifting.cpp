@@ -17,7 +17,6 @@ namespace carina::lifting_test
 namespace
 {
 
-constexpr int kPatience_ms = 60'000;      ///< for two programs to start on a busy machine
 constexpr int kFrames = 20;               ///< of both, in motion, that are compared
 constexpr double kTurn_deg_per_s = 100.0; ///< of the airway, about z
 constexpr double kMove_mm_per_s = 20.0;   ///< of the lungs, along x

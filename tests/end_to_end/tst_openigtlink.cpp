@@ -17,7 +17,6 @@ namespace carina::openigtlink_test
 namespace
 {
 
-constexpr int kPatience_ms = 60'000;
 constexpr std::size_t kMostKept = 4 * 1024 * 1024;
 constexpr double kNearPath_mm = 5.0; ///< between the tube and the path through what was drawn
 constexpr double kVolume = 0.1;      ///< of a breath, that ten surfaces a second may miss

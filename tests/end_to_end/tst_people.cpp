@@ -16,7 +16,6 @@ namespace carina::people_test
 namespace
 {
 
-constexpr int kPatience_ms = 90'000; ///< for four programs to start on a busy machine
 constexpr int kWatched_ms = 60'000;
 constexpr double kLongestGap = 0.6; ///< seconds between two frames of an owner's program
 

@@ -15,7 +15,6 @@ namespace carina::polaris_test
 namespace
 {
 
-constexpr int kPatience_ms = 60'000;
 constexpr qint64 kBack_ns = 2'000'000'000;
 
 /// A place registered by a pure shift.

@@ -1,3 +1,4 @@
+#include "tests/end_to_end/program.h"
 #include "tests/support/test_class.h"
 
 #include <QJsonDocument>
@@ -9,7 +10,6 @@ namespace carina::polaris_rate_test
 namespace
 {
 
-constexpr int kPatience_ms = 120'000;
 constexpr double kRate_Hz = 59.0;
 
 } // namespace

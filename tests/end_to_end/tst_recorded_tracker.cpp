@@ -9,7 +9,6 @@ namespace carina::recorded_tracker_test
 namespace
 {
 
-constexpr int kPatience_ms = 60'000;
 constexpr double kPlace = 1e-6; ///< metres; the frames are logged in double precision
 
 /// A place registered by a pure shift: the patient lies 10, 20, 30 mm from the tracker's origin.

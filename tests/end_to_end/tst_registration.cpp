@@ -9,8 +9,6 @@ namespace carina::registration_test
 namespace
 {
 
-constexpr int kPatience_ms = 60'000; ///< for a scripted technician on a busy machine
-
 } // namespace
 
 /// The wizard, worked by a scripted technician and killed without warning on every page.

@@ -10,7 +10,6 @@ namespace carina::restart_test
 namespace
 {
 
-constexpr int kPatience_ms = 60'000; ///< for programs to make a patient and start on a busy machine
 constexpr int kBackWithin_ms = 2'000;
 constexpr double kSameClock_ms = 5.0;
 

@@ -9,7 +9,6 @@ namespace carina::tracker_use_test
 namespace
 {
 
-constexpr int kPatience_ms = 60'000;
 constexpr double kPlace_mm = 0.1; ///< of a shared pose, in steps of 10 micrometres, on its way
 
 /// Ten seconds of a tube, a laryngoscope and a hand at rest.

@@ -13,8 +13,7 @@ namespace carina::two_stations_test
 namespace
 {
 
-constexpr int kPatience_ms = 30'000; ///< for a program to start on a busy machine
-constexpr int kSoon_ms = 10'000;     ///< for a patient to be made and laid
+constexpr int kSoon_ms = 10'000; ///< for a patient to be made and laid
 
 QString anatomyOf(BuiltinPatient patient)
 {

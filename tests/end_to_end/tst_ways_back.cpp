@@ -9,8 +9,6 @@ namespace carina::ways_back_test
 namespace
 {
 
-constexpr int kPatience_ms =
-    90'000; ///< for a program to start, and make a patient, on a busy machine
 constexpr int kFoundWithin_ms = 5'000;
 const QByteArray kBegin = "choose patient Man of 30 years, 175 cm\npress begin\npress start\n";
 /// The second press, after a pause, is meant.

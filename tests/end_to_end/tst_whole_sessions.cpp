@@ -9,7 +9,6 @@ namespace carina::whole_sessions_test
 namespace
 {
 
-constexpr int kPatience_ms = 60'000; ///< for a program to start on a busy machine
 constexpr int kFoundWithin_ms = 5'000;
 const QString kAdult = QStringLiteral("builtin-adult-12");
 

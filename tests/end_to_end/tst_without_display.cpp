@@ -1,16 +1,10 @@
+#include "tests/end_to_end/program.h"
 #include "tests/support/test_class.h"
 
 #include <QProcess>
 
 namespace carina::without_display_test
 {
-
-namespace
-{
-
-constexpr int kPatience_ms = 60'000;
-
-} // namespace
 
 /// The programs where no window can be shown: they end with a sentence, and do not crash.
 class TestWithoutDisplay : public QObject

@@ -183,7 +183,7 @@ QString shortAirwayText(const AirwayEvents& events)
         .arg(events.size() - 1);
 }
 
-QString conditionText(const AirwayPreset& preset)
+QString limitsText(const AirwayPreset& preset)
 {
     if (preset.grade == 0)
         return QCoreApplication::translate("Airway", preset.notDrawn);

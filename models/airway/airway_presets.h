@@ -39,7 +39,7 @@ struct AirwayPreset {
     /// Of one that is named for a grade: in the order of the kinds; `events` are their middles.
     std::vector<SeverityRange> ranges{};
     GradedLook look{};         ///< in which it has that grade
-    const char* notDrawn = ""; ///< of what its name says; to be translated by conditionText()
+    const char* notDrawn = ""; ///< of what its name says; to be translated by limitsText()
 };
 
 /// All of them, as they are offered; the first is the clear airway.
@@ -60,7 +60,7 @@ struct AirwayPreset {
 /// "Grade 1 is promised only of an adult with the head in the position Neutral, in the camera of a
 /// Macintosh 3 lifted as usual."; of one that is named for none what of its name is not drawn, or
 /// nothing.
-[[nodiscard]] QString conditionText(const AirwayPreset& preset);
+[[nodiscard]] QString limitsText(const AirwayPreset& preset);
 
 /// Another patient of the kind that a preset stands for: each severity is drawn evenly from its
 /// range. Of a preset without ranges these are always its events.

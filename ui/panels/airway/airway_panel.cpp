@@ -162,7 +162,7 @@ void AirwayPanel::addPresets(QBoxLayout& column)
     for (const AirwayPreset& preset : airwayPresets()) {
         m_presets->addItem(presetText(preset),
                            QByteArray{preset.name.data(), qsizetype(preset.name.size())});
-        QStringList told{eventsText(preset.events), conditionText(preset)};
+        QStringList told{eventsText(preset.events), limitsText(preset)};
         told.removeAll(QString{});
         m_presets->setItemData(m_presets->count() - 1, shownAsIs(told.join(QLatin1Char{'\n'})),
                                Qt::ToolTipRole);
@@ -354,7 +354,7 @@ void AirwayPanel::refreshPreset()
         preset
         && (m_headModel->position() != preset->look.head || preset->look.eye != ScopeEye::Video);
     const bool hasCondition = preset && (preset->grade == 0 || isLookedAtOtherwise);
-    sayOrHide(*m_condition, hasCondition ? conditionText(*preset) : QString{});
+    sayOrHide(*m_condition, hasCondition ? limitsText(*preset) : QString{});
     m_presets->setAccessibleDescription(
         QStringList{eventsText(set), m_condition->text()}.join(QLatin1Char{' '}).trimmed());
 }

@@ -522,7 +522,7 @@ void TestAirwayPanel::tellsWhatAPresetSets()
         const int place = presets.findText(presetText(preset));
         const QString told = presets.itemData(place, Qt::ToolTipRole).toString();
         QVERIFY(told.startsWith(eventsText(preset.events)));
-        QVERIFY(told.endsWith(conditionText(preset)));
+        QVERIFY(told.endsWith(limitsText(preset)));
     }
     const AirwayEvents bloody{{Laryngospasm, 0.5}, {Blood, 0.3}};
     desk.model.setEvents(bloody);

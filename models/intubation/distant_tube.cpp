@@ -41,6 +41,15 @@ TubeShape tubeOf(const StreamShape& shape, const TubeShape& own)
     return tube;
 }
 
+ElasticTube::ConnectorAt connectorOf(const RemoteObject& poses)
+{
+    return [&poses](SessionTime t) -> std::optional<RigidTransform> {
+        const auto pose = poses.at(t);
+        const bool isSeen = pose && pose->validity != Validity::Lost;
+        return isSeen ? std::optional{pose->X_FO} : std::nullopt;
+    };
+}
+
 } // namespace
 
 void DistantTube::lieIn(const PatientModel& patient)
@@ -48,6 +57,9 @@ void DistantTube::lieIn(const PatientModel& patient)
     m_patient = &patient;
     m_of.reset();
     m_tube.reset();
+    m_compared.reset();
+    m_off.reset();
+    m_agreed.reset();
 }
 
 /// Whether there is a rod of this tube here. Its lumen is measured anew where it has another
@@ -62,6 +74,8 @@ bool DistantTube::isOf(const StreamShape& shape, SessionTime now)
         m_of = shape;
         m_since = now;
         m_tube.reset();
+        m_compared.reset();
+        m_off.reset();
         m_agreed.reset();
         m_lumen.want(*m_patient, tubeOf(shape, m_patient->ownTube()).outerDiameter);
     }
@@ -70,66 +84,74 @@ bool DistantTube::isOf(const StreamShape& shape, SessionTime now)
     return m_tube.has_value();
 }
 
-/// Until when its owner follows it, but no farther than its poses are known.
-void DistantTube::follow(const RemoteObject& poses, SessionTime now, const TissueAround& tissue)
+void DistantTube::letGo()
 {
-    const auto newest = poses.newest();
-    if (!newest)
-        return;
-    const auto seen = [&poses](SessionTime t) -> std::optional<RigidTransform> {
-        const auto pose = poses.at(t);
-        const bool isSeen = pose && pose->validity != Validity::Lost;
-        return isSeen ? std::optional{pose->X_FO} : std::nullopt;
-    };
-    m_tube->follow(std::min(newest->time, now - kReadBehind), seen, tissue);
+    m_tube->letGo();
+    m_compared.reset();
+    m_off.reset();
 }
 
-std::optional<std::vector<Vec3>> DistantTube::difference(const RemoteObject& poses)
+/// Until when its owner follows it, but no farther than its poses are known, and not beyond the
+/// form with which it will be compared.
+void DistantTube::follow(const RemoteObject& poses, SessionTime now, SessionTime sent,
+                         const TissueAround& tissue)
 {
-    const SessionTime t = m_tube->laidAt();
-    const auto sent = poses.shapeAt(t);
-    if (!sent)
-        return std::nullopt;
+    if (const auto newest = poses.newest())
+        m_tube->follow(std::min({newest->time, now - kReadBehind, sent}), connectorOf(poses),
+                       tissue);
+}
+
+/// With the form that was sent, at the moment for which its owner found it.
+void DistantTube::compare(const StreamShape& sent, const RemoteObject& poses,
+                          const TissueAround& tissue)
+{
+    if (m_compared == sent.time)
+        return;
+    m_compared = sent.time;
+    m_off.reset();
+    const auto connectorAt = connectorOf(poses);
+    const auto X_AE = connectorAt(sent.time);
+    if (!X_AE)
+        return;
     const TubeShape& patients = m_patient->ownTube();
-    std::vector<Vec3> difference = lineOf(*sent, patients);
-    const std::vector<Vec3> own = lineOf(toStream(*m_of, patients, m_tube->line(), t), patients);
+    const std::vector<Vec3> here = m_tube->ahead(sent.time, *X_AE, connectorAt, tissue);
+    const std::vector<Vec3> own = lineOf(toStream(*m_of, patients, here, sent.time), patients);
+    std::vector<Vec3> off = lineOf(sent, patients);
     double most = 0.0;
     for (std::size_t i = 0; i < own.size(); ++i) {
-        difference[i] -= own[i];
-        most = std::max(most, difference[i].norm());
+        off[i] -= own[i];
+        most = std::max(most, off[i].norm());
     }
+    if (!m_agreed || most < kTooFar.si)
+        m_agreed = sent.time;
     if (most < kTooFar.si) {
-        m_agreed = t;
-        return difference;
+        m_off = std::move(off);
+    } else if (sent.time - *m_agreed > kLaidAnew) {
+        letGo();
+        m_agreed = sent.time;
     }
-    if (!m_agreed)
-        m_agreed = t;
-    if (t - *m_agreed > kLaidAnew) {
-        m_tube->letGo();
-        m_agreed = t;
-    }
-    return std::nullopt;
 }
 
 TubeInAirway DistantTube::at(const StationMoment& moment, const TissueAround& tissue)
 {
     if (!moment.tube || !moment.tubePoses || !moment.tubeShape) {
         if (m_tube)
-            m_tube->letGo();
+            letGo();
         return {};
     }
     const TubeDrawing drawing = moment.tubeIsApart ? TubeDrawing::Apart : TubeDrawing::InAirway;
-    std::optional<std::vector<Vec3>> off;
-    if (isOf(moment.tubeShape->to, moment.time)) {
-        follow(*moment.tubePoses, moment.time, tissue);
+    const bool isThere = isOf(moment.tubeShape->to, moment.time);
+    if (isThere) {
+        follow(*moment.tubePoses, moment.time, moment.tubeShape->to.time, tissue);
         if (m_tube->isLaid())
-            off = difference(*moment.tubePoses);
+            compare(moment.tubeShape->to, *moment.tubePoses, tissue);
     }
-    if (!off)
+    if (!isThere || !m_off)
         return {lineOf(*moment.tubeShape, m_patient->ownTube()), drawing};
-    std::vector<Vec3> p_E = m_tube->ahead(moment.time, moment.tube->X_FO, tissue);
+    std::vector<Vec3> p_E =
+        m_tube->ahead(moment.time, moment.tube->X_FO, connectorOf(*moment.tubePoses), tissue);
     for (std::size_t i = 0; i < p_E.size(); ++i)
-        p_E[i] += (*off)[i];
+        p_E[i] += (*m_off)[i];
     return {std::move(p_E), drawing};
 }
 

@@ -15,7 +15,8 @@ namespace carina
 /// Eight numbers do not tell each bend of a rod in an airway. But here are the same patient, the
 /// poses of the connector as they arrive, and the tube at rest: the patient's own, or as the form
 /// that is sent tells it. So the same rod is stepped in the same lumen (ElasticTube), and only the
-/// difference of its form from the one that was sent is taken from there. Where both tubes lie
+/// difference of the form that was sent last from its own at the same moment is taken from there,
+/// by the same eight numbers: none where poses and tissue were the same. Where both tubes lie
 /// differently, as where one is held up at the cords and the other is not, by more than kTooFar,
 /// the form that was sent is drawn as it is, and the rod here is laid anew after kLaidAnew. So it
 /// is while there is no lumen, and of what is no tube that is sold, or is another one within
@@ -39,16 +40,20 @@ public:
 
 private:
     [[nodiscard]] bool isOf(const StreamShape& shape, SessionTime now);
-    void follow(const RemoteObject& poses, SessionTime now, const TissueAround& tissue);
-    /// Of the form that was sent from that of the rod, at the nodes; nothing where there is no rod,
-    /// or they are too far apart.
-    [[nodiscard]] std::optional<std::vector<Vec3>> difference(const RemoteObject& poses);
+    void letGo();
+    void follow(const RemoteObject& poses, SessionTime now, SessionTime sent,
+                const TissueAround& tissue);
+    void compare(const StreamShape& sent, const RemoteObject& poses, const TissueAround& tissue);
 
     const PatientModel* m_patient = nullptr;
     std::optional<StreamShape> m_of; ///< whose tube at rest it is
     SessionTime m_since{};           ///< since when
     PatientLumen m_lumen;
-    std::optional<ElasticTube> m_tube;   ///< once its lumen is there
+    std::optional<ElasticTube> m_tube;     ///< once its lumen is there
+    std::optional<SessionTime> m_compared; ///< the time of the latest form it was compared with
+    /// Of that form from the one that the rod had then, at the nodes; nothing where they are too
+    /// far apart.
+    std::optional<std::vector<Vec3>> m_off;
     std::optional<SessionTime> m_agreed; ///< when both lay alike last
 };
 

@@ -210,12 +210,16 @@ void IntubationWatch::followTube(const StationMoment& moment, const TissueAround
         m_tube->letGo();
         return;
     }
-    const auto seen = [this](SessionTime t) -> std::optional<RigidTransform> {
+    m_tube->follow(moment.time, connectorAt(), tissue);
+}
+
+ElasticTube::ConnectorAt IntubationWatch::connectorAt() const
+{
+    return [this](SessionTime t) -> std::optional<RigidTransform> {
         const auto tube = m_own.at(ObjectKind::Tube, t);
         const bool isSeen = tube && tube->validity != Validity::Lost;
         return isSeen ? std::optional{tube->X_FO} : std::nullopt;
     };
-    m_tube->follow(moment.time, seen, tissue);
 }
 
 TubeInAirway IntubationWatch::tubeAt(const StationMoment& moment, const TissueAround& tissue) const
@@ -228,7 +232,7 @@ TubeInAirway IntubationWatch::tubeAt(const StationMoment& moment, const TissueAr
         return {{}, m_lumen.isImpossible() ? TubeDrawing::NoLumen : TubeDrawing::Awaited};
     if (!m_tube->isLaid())
         return {};
-    return {m_tube->ahead(moment.time, moment.tube->X_FO, tissue),
+    return {m_tube->ahead(moment.time, moment.tube->X_FO, connectorAt(), tissue),
             course().shapes.isIn ? TubeDrawing::Apart : TubeDrawing::InAirway};
 }
 
@@ -251,7 +255,7 @@ std::shared_ptr<const StreamShape> IntubationWatch::shapeAt(SessionTime t)
         return nullptr;
     return std::make_shared<const StreamShape>(
         toStream(atRest(m_patient->tube()), m_patient->ownTube(),
-                 m_tube->ahead(t, tube->X_FO, around.tissue()), t));
+                 m_tube->ahead(t, tube->X_FO, connectorAt(), around.tissue()), t));
 }
 
 BladeSeen IntubationWatch::bladeIn(const StationMoment& moment, const LaryngoscopeSight& sight)

@@ -132,6 +132,8 @@ private:
     [[nodiscard]] bool tellsWhereItLies() const;
     [[nodiscard]] bool isShut(const StationMoment& moment) const;
     void followTube(const StationMoment& moment, const TissueAround& tissue);
+    /// Of the own tube, where it is seen.
+    [[nodiscard]] ElasticTube::ConnectorAt connectorAt() const;
     void shareShape();
     [[nodiscard]] std::shared_ptr<const StreamShape> shapeAt(SessionTime t);
     [[nodiscard]] BladeSeen bladeIn(const StationMoment& moment, const LaryngoscopeSight& sight);

@@ -18,8 +18,7 @@ constexpr double kMostBeyond = 0.3e-3; ///< metres that a corner may go inwards
 constexpr double kLeastCornerCosine =
     0.3; ///< between the way to a corner and across its neighbours
 constexpr std::size_t kMostCuts = 64;
-constexpr double kMostSlope = 0.4; ///< of the sides along the way
-constexpr double kMostRoom = 2e-3;
+constexpr double kMostSlope = 0.4;    ///< of the sides along the way
 constexpr double kLeastRoom = 0.4e-3; ///< metres: in what a tube fills
 constexpr double kLeastToEven = 1e-3; ///< metres: what is narrower keeps its middle
 
@@ -201,7 +200,7 @@ void keepNear(MovedSection& section, const MovedSection& neighbour, double apart
 
 } // namespace
 
-void evenOut(MovedWay& way)
+void evenOut(MovedWay& way, double mostRoom)
 {
     const std::size_t count = way.sections.size();
     std::vector<SectionCorners> corners(count);
@@ -238,7 +237,7 @@ void evenOut(MovedWay& way)
     for (MovedSection& section : way.sections) {
         section.reach = convexSides(section.reach);
         // What is too narrow yields to the tube, which need not be in its middle then.
-        const double room = kLeastRoom + std::clamp(-section.spare, 0.0, kMostRoom);
+        const double room = kLeastRoom + std::clamp(-section.spare, 0.0, mostRoom);
         for (double& side : section.reach)
             side = std::max(side, room);
     }

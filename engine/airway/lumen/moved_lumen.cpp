@@ -18,6 +18,10 @@ constexpr auto kQuarter = std::size_t(kLumenDirections / 4);
 /// neighbours hardly turn against each other where their middles lie beside each other: of ours.
 constexpr std::size_t kEvenly = 3;
 
+// evenOut: walls of the trunk are measured, those of the other ways are of usual widths. Of ours.
+constexpr double kRoomInTrunk = 0.1e-3;
+constexpr double kRoomInBranches = 2e-3;
+
 /// Of a section the axes, and the corners from the middle between them.
 /// @param room by which the corners are farther away than that
 MovedSection middled(const Vec3& p_A_about, const AcrossWay& across,
@@ -85,7 +89,7 @@ std::array<double, kLumenDirections> roomOf(const LumenSection& section,
 }
 
 MovedWay movedWay(const std::vector<LumenSection>& sections, const TissueMotion& motion,
-                  const TissueMotion& push)
+                  const TissueMotion& push, double mostRoom)
 {
     MovedWay way;
     std::vector<std::array<Vec3, kLumenDirections>> corners(sections.size());
@@ -109,7 +113,7 @@ MovedWay movedWay(const std::vector<LumenSection>& sections, const TissueMotion&
         way.along.push_back(0.0);
         way.middles.push_back(way.sections.back().p_A_centre);
     }
-    evenOut(way);
+    evenOut(way, mostRoom);
     return way;
 }
 
@@ -146,7 +150,8 @@ MovedLumen moved(const AirwayLumen& lumen, const TissueMotion& motion, const Tis
     for (std::size_t w = 0; w < kAirwayWays; ++w) {
         // Of the ways only the trunk leads along a tongue.
         const bool isTrunk = w == std::size_t(AirwayWay::Trunk);
-        made.ways[w] = movedWay(lumen.ways[w], motion, isTrunk ? push : TissueMotion{});
+        made.ways[w] = movedWay(lumen.ways[w], motion, isTrunk ? push : TissueMotion{},
+                                isTrunk ? kRoomInTrunk : kRoomInBranches);
         if (made.ways[w].isThere())
             made.begins[w] = made.ways[w].along[lumen.begins[w]];
     }

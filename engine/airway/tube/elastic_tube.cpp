@@ -96,15 +96,17 @@ std::vector<Vec3> ElasticTube::line() const
 }
 
 std::vector<Vec3> ElasticTube::ahead(SessionTime t, const RigidTransform& X_AE,
+                                     const ConnectorAt& connectorAt,
                                      const TissueAround& tissue) const
 {
     const MovedLumen lumen = moved(*m_lumen, tissue.motion, tissue.push);
     const std::vector<Vec3> p_E_rest = centreIn(tissue.neck, m_shape);
-    const double due = std::ceil(toSeconds(t - *m_laid) / toSeconds(kStepAhead));
-    const int steps = int(std::clamp(due, 1.0, double(kMostStepsAhead)));
     TubeInLumen there = m_tube;
-    for (int i = 1; i <= steps; ++i)
-        there.step(interpolate(m_X_AE, X_AE, double(i) / steps), lumen, p_E_rest);
+    const SessionTime first = stepUntil(t) - (kMostStepsAhead - 2) * kStep;
+    for (SessionTime next = std::max(*m_laid + kStep, first); next < t; next += kStep)
+        if (const auto X = connectorAt(next))
+            there.step(*X, lumen, p_E_rest);
+    there.step(X_AE, lumen, p_E_rest);
     return taken(there.constrained(), X_AE.inverse());
 }
 

@@ -55,19 +55,22 @@ public:
     [[nodiscard]] const TubeInLumen& tube() const { return m_tube; }
     /// Whether its tip is held up at the vocal cords, or above them: within kAtCords.
     [[nodiscard]] bool isStoppedAtCords() const;
-    /// The same where its connector has gone on to X_AE until t, evenly: a few steps on from the
-    /// latest, which the fold does not keep. For a picture, which shows a later time than that of
-    /// poses that are known for good.
+    /// The same where its connector has gone on to X_AE until t: a few steps on from the latest,
+    /// which the fold does not keep. For a picture, which shows a later time than that of poses
+    /// that are known for good. The steps are those that the fold would take, and a last one to
+    /// X_AE: so it does not matter until when it has followed, and who has the same poses draws the
+    /// same.
+    /// @param connectorAt until t, as far as it is known
     /// @pre isLaid()
     [[nodiscard]] std::vector<Vec3> ahead(SessionTime t, const RigidTransform& X_AE,
+                                          const ConnectorAt& connectorAt,
                                           const TissueAround& tissue) const;
 
     /// A tip that cords hold up lies between them: of ours.
     static constexpr Length kAtCords = millimetres(5.0);
     static constexpr Duration kStep{std::chrono::nanoseconds{10'000'000}};
     static constexpr int kMostSteps = 50;
-    static constexpr Duration kStepAhead = 2 * kStep; ///< of ours, as the most of these steps
-    static constexpr int kMostStepsAhead = 8;
+    static constexpr int kMostStepsAhead = 16; ///< of ours
 
 private:
     std::shared_ptr<const AirwayLumen> m_lumen;

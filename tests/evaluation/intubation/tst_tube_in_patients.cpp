@@ -23,7 +23,7 @@ namespace
 {
 
 constexpr Length kOutside = millimetres(0.5);
-constexpr double kMostOutside = 0.08; ///< share of the places of the tube between teeth and carina
+constexpr double kMostOutside = 0.04; ///< share of the places of the tube between teeth and carina
 constexpr int kLookEach = 100;        ///< steps from one look at the triangles to the next
 constexpr Length kLeap = millimetres(6.0); ///< of the tip in a step, beside what the hand goes
 constexpr Length kMostLeap = millimetres(20.0);

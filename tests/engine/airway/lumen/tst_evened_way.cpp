@@ -13,6 +13,7 @@ namespace
 
 constexpr double kSame = 1e-9;      // metres
 constexpr double kInwards = 0.7e-3; // metres that a wall may be left behind between directions
+constexpr double kRoom = 2e-3;      // metres
 constexpr double kEach = 0.004;     // metres from a section to the next
 
 Vec3 out(std::size_t k)
@@ -73,7 +74,7 @@ private Q_SLOTS:
     void leavesARoundPipeAsItIs()
     {
         MovedWay way = straight(line(20), [](std::size_t, std::size_t) { return 0.006; });
-        evenOut(way);
+        evenOut(way, kRoom);
         for (std::size_t i = 0; i < way.sections.size(); ++i) {
             QVERIFY((way.sections[i].p_A_centre - line(20)[i]).norm() < kSame);
             for (const double side : way.sections[i].reach)
@@ -89,7 +90,7 @@ private Q_SLOTS:
         for (std::size_t i = 1; i + 1 < centres.size(); ++i)
             centres[i].x() += i % 2 == 0 ? 1e-3 : -1e-3;
         MovedWay way = straight(centres, [](std::size_t, std::size_t) { return 0.008; });
-        evenOut(way);
+        evenOut(way, kRoom);
         for (std::size_t i = 4; i + 4 < way.sections.size(); ++i)
             QVERIFY(std::abs(way.sections[i].p_A_centre.x()) < 0.1e-3);
     }
@@ -112,7 +113,7 @@ private Q_SLOTS:
             const auto drawn = [&](std::size_t, std::size_t k) { return reach[k]; };
             MovedWay way = straight(line(9), drawn);
             const MovedWay before = straight(line(9), drawn);
-            evenOut(way);
+            evenOut(way, kRoom);
             const MovedSection& after = way.sections[4];
             for (int step = 0; step < 64; ++step) {
                 const double angle = 0.1 * step;
@@ -138,7 +139,7 @@ private Q_SLOTS:
                             0.002 / std::max(std::abs(out(k).y()), 1e-9));
         };
         MovedWay way = straight(line(9), slot);
-        evenOut(way);
+        evenOut(way, kRoom);
         QVERIFY(std::abs(way.sections[4].reach[0] - 0.010) < kInwards);
         QVERIFY(std::abs(way.sections[4].reach[kLumenDirections / 4] - 0.002) < kInwards);
     }
@@ -147,7 +148,7 @@ private Q_SLOTS:
     {
         MovedWay way =
             straight(line(21), [](std::size_t i, std::size_t) { return i == 10 ? 0.001 : 0.012; });
-        evenOut(way);
+        evenOut(way, kRoom);
         for (std::size_t i = 0; i + 1 < way.sections.size(); ++i)
             QVERIFY(std::abs(way.sections[i + 1].reach[0] - way.sections[i].reach[0])
                     < 0.4 * kEach + kSame);
@@ -171,7 +172,7 @@ private Q_SLOTS:
             way.sections.push_back(section);
             way.along.push_back(kEach * i);
         }
-        evenOut(way);
+        evenOut(way, kRoom);
         // The centre of the bend is kBend from the line, less what the line was moved towards it.
         for (std::size_t i = 1; i + 1 < way.sections.size(); ++i) {
             const MovedSection& section = way.sections[i];

@@ -144,14 +144,52 @@ private Q_SLOTS:
         const std::span<const Vec3> nodes = followed.tube().constrained();
         const std::vector<Vec3> before{nodes.begin(), nodes.end()};
         const RigidTransform X_AE = *hand(kEnd);
-        const std::vector<Vec3> p_E = followed.ahead(kEnd, X_AE, still());
+        const auto seen = [&X_AE](SessionTime) { return std::optional{X_AE}; };
+        const std::vector<Vec3> p_E = followed.ahead(kEnd, X_AE, seen, still());
         QCOMPARE(p_E.size(), before.size());
         for (std::size_t i = 0; i < p_E.size(); ++i)
             QVERIFY((X_AE * p_E[i] - before[i]).norm() < kSettled_m);
         const RigidTransform withdrawn = fed(size(), kInside - 0.01);
-        const Vec3 p_A_tip = withdrawn * followed.ahead(kEnd, withdrawn, still()).back();
+        const Vec3 p_A_tip = withdrawn * followed.ahead(kEnd, withdrawn, seen, still()).back();
         QVERIFY(std::abs((p_A_tip - before.back()).norm() - 0.01) < kDepth_m);
         QVERIFY(areSame(followed.tube().constrained(), before));
+    }
+
+    /// Two programs follow it until different moments, and draw the same moment: one between two
+    /// steps, and one at a step, where it lies as it does once it is followed until there.
+    void liesTheSameAheadUntilWheneverItWasFollowed_data()
+    {
+        QTest::addColumn<int>("followed_ms");
+        for (const int followed_ms : {900, 910, 920, 955, 990})
+            QTest::addRow("%d ms", followed_ms) << followed_ms;
+    }
+    void liesTheSameAheadUntilWheneverItWasFollowed()
+    {
+        QFETCH(int, followed_ms);
+        ElasticTube less = tube();
+        ElasticTube more = tube();
+        for (ElasticTube* it : {&less, &more})
+            it->follow(kBegin + 500ms, hand, still());
+        less.follow(kBegin + std::chrono::milliseconds{followed_ms}, hand, still());
+        more.follow(kBegin + 1000ms, hand, still());
+        const SessionTime between = kBegin + 1003ms;
+        QVERIFY(areSame(less.ahead(between, *hand(between), hand, still()),
+                        more.ahead(between, *hand(between), hand, still())));
+        const SessionTime atStep = kBegin + 1000ms;
+        QVERIFY(areSame(less.ahead(atStep, *hand(atStep), hand, still()), more.line()));
+    }
+
+    void takesNoMoreStepsAheadThanItMay()
+    {
+        ElasticTube followed = tube();
+        followed.follow(kBegin, hand, still());
+        int asked = 0;
+        const auto counted = [&asked](SessionTime t) {
+            ++asked;
+            return hand(t);
+        };
+        static_cast<void>(followed.ahead(kEnd, *hand(kEnd), counted, still()));
+        QVERIFY(asked > 0 && asked < ElasticTube::kMostStepsAhead);
     }
 };
 

@@ -64,9 +64,10 @@ struct IntubationCourse {
 /// into the trachea or the oesophagus, and past the carina into which bronchus, is concluded from
 /// where it lies between both ways at all depths (WayEvidence), and concluded anew when the
 /// evidence turns; the steps then have the times of the earlier passage. How far both shapes of the
-/// tube are apart is doubt about where its tip is (kDoubtOfBend). While they are apart that doubt
-/// leaves little evidence, and a tip past the cords' plane is taken to be in the trachea as it
-/// usually is (kUsuallyTrachea); the confidence is then that of the evidence alone.
+/// tube are apart is doubt about where its tip is (kDoubtOfBend). Where that is larger than the
+/// registration's error little is left of the evidence: then more depth is not awaited, and a tip
+/// past the cords' plane is taken to be in the trachea, as most are (kUsuallyTrachea), unless the
+/// evidence is stronger. The confidence is that of the evidence alone.
 ///
 /// A sample is left out in which the tip has moved faster than kFastestTip since one less than
 /// kJumpForgiven before. Where the tube was not seen while it passed, the step's confidence is

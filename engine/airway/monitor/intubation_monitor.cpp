@@ -33,6 +33,7 @@ constexpr double kConvincing = 3.0; ///< log odds: 20 to 1
 /// By then something is concluded whatever the odds are: past the cords' plane, past the carina.
 constexpr double kCordsConcluded = 20e-3;
 constexpr double kCarinaConcluded = 15e-3;
+constexpr double kBentConcluded = 10e-3; ///< of a bent tube, of which more depth tells no more
 
 // Factors of a step's confidence.
 constexpr double kPassedUnseen = 0.7;
@@ -193,8 +194,8 @@ void IntubationMonitor::takeTeeth(const AirwayMoment& moment)
 void IntubationMonitor::takeCords(const AirwayMoment& moment)
 {
     if (moment.pastCords > Length{})
-        m_course.behind.take(moment.pastCords, moment.towardsOesophagus,
-                             moment.tracheaToOesophagus);
+        m_course.behind.take(moment.pastCords, moment.towardsOesophagus, moment.tracheaToOesophagus,
+                             kDoubtOfBend * moment.besides);
     const auto passage = m_course.cords.take(moment.pastCords.si, m_course.tip, kCordsRule);
     if (passage)
         m_course.throughCords = *passage;
@@ -211,9 +212,12 @@ void IntubationMonitor::takeCords(const AirwayMoment& moment)
 /// Trachea or oesophagus.
 void IntubationMonitor::conclude(const AirwayMoment& moment)
 {
-    const double odds = m_course.behind.logOdds(m_error.atCords(), 0.5 * moment.besides);
+    const bool isBent = m_course.behind.isBent(m_error.atCords());
+    const double usually = isBent ? kUsuallyTrachea : 0.0;
+    const double odds = m_course.behind.logOdds(m_error.atCords()) - usually;
+    const double concluded = isBent ? kBentConcluded : kCordsConcluded;
     const bool isConvincing = std::abs(odds) >= kConvincing;
-    if (!isConvincing && (m_course.isConcluded || moment.pastCords.si < kCordsConcluded))
+    if (!isConvincing && (m_course.isConcluded || moment.pastCords.si < concluded))
         return;
     m_course.isConcluded = true;
     m_course.isInOesophagus = odds > 0.0;
@@ -228,7 +232,8 @@ void IntubationMonitor::takeCarina(const AirwayMoment& moment)
         return;
     }
     if (moment.aboveCarina < Length{})
-        m_course.left.take(Length{} - moment.aboveCarina, moment.towardsLeft, moment.rightToLeft);
+        m_course.left.take(Length{} - moment.aboveCarina, moment.towardsLeft, moment.rightToLeft,
+                           kDoubtOfBend * moment.besides);
     const auto passage = m_course.carina.take(-moment.aboveCarina.si, m_course.tip, kCarinaRule);
     if (passage)
         m_course.pastCarina = *passage;
@@ -256,10 +261,11 @@ TubeSeat IntubationMonitor::presentSeat(const AirwayMoment& moment) const
         return TubeSeat::Oesophagus;
     if (!m_course.carina.isIn)
         return TubeSeat::Trachea;
-    const double odds = m_course.left.logOdds(m_error.atCords(), 0.5 * moment.besides);
-    const bool isConcluded =
-        std::abs(odds) >= kConvincing
-        || (!isBronchus(m_course.seat) && moment.aboveCarina.si < -kCarinaConcluded);
+    const double odds = m_course.left.logOdds(m_error.atCords());
+    const bool isBent = m_course.left.isBent(m_error.atCords());
+    const double concluded = isBent ? kBentConcluded : kCarinaConcluded;
+    const bool isConcluded = std::abs(odds) >= kConvincing
+                             || (!isBronchus(m_course.seat) && moment.aboveCarina.si < -concluded);
     if (!isConcluded)
         return isBronchus(m_course.seat) ? m_course.seat : TubeSeat::Trachea;
     return odds > 0.0 ? TubeSeat::LeftMain : TubeSeat::RightMain;
@@ -302,18 +308,19 @@ double IntubationMonitor::confidenceOf(Validity seen, const Passage& passage) co
     return confidence;
 }
 
-/// That the ways between which a seat is concluded were told apart.
-double IntubationMonitor::wayConfidence(const AirwayMoment& moment, TubeSeat seat) const
+/// That the ways between which a seat is concluded were told apart, by what was seen alone: what
+/// usually happens says nothing of this tube.
+double IntubationMonitor::wayConfidence(TubeSeat seat) const
 {
-    const auto toldApart = [&](const WayEvidence& evidence) {
-        const double odds = evidence.logOdds(m_error.atCords(), 0.5 * moment.besides);
-        return probabilityOf(std::abs(odds));
+    const auto toldApart = [&](const WayEvidence& evidence, bool isOther) {
+        const double odds = evidence.logOdds(m_error.atCords());
+        return probabilityOf(std::max(isOther ? odds : -odds, 0.0));
     };
     double confidence = 1.0;
     if (seat != TubeSeat::None)
-        confidence = toldApart(m_course.behind);
+        confidence = toldApart(m_course.behind, seat == TubeSeat::Oesophagus);
     if (isBronchus(seat))
-        confidence = std::min(confidence, toldApart(m_course.left));
+        confidence = std::min(confidence, toldApart(m_course.left, seat == TubeSeat::LeftMain));
     return m_course.shapes.isIn ? kShapesDiffer * confidence : confidence;
 }
 
@@ -322,7 +329,7 @@ double IntubationMonitor::seatConfidence(const AirwayMoment& moment, TubeSeat se
 {
     const bool isAtCarina = isBronchus(seat) || (isBronchus(m_course.seat) && isAirway(seat));
     const Passage& passage = isAtCarina ? m_course.pastCarina : m_course.throughCords;
-    return std::min(wayConfidence(moment, seat), confidenceOf(moment.tube, passage));
+    return std::min(wayConfidence(seat), confidenceOf(moment.tube, passage));
 }
 
 /// Of the seat as the tip lies now, however it came there.
@@ -335,7 +342,7 @@ double IntubationMonitor::presentConfidence(const AirwayMoment& moment) const
         margin = std::min(moment.pastCords, moment.aboveCarina);
     else if (isBronchus(m_course.seat))
         margin = Length{} - moment.aboveCarina;
-    return std::min(wayConfidence(moment, m_course.seat), normalBelow(margin / m_error.atCords()));
+    return std::min(wayConfidence(m_course.seat), normalBelow(margin / m_error.atCords()));
 }
 
 void IntubationMonitor::note(IntubationStep step, const TipReading& reading, TubeSeat seat,

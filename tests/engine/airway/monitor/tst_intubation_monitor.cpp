@@ -69,6 +69,27 @@ template <class Towards> std::vector<AirwayMoment> downwards(double to, Towards 
     return moments;
 }
 
+/// Both shapes of the tube are apart from a depth behind the cords on.
+std::vector<AirwayMoment> bent(std::vector<AirwayMoment> moments, double by, double from = -0.02)
+{
+    for (AirwayMoment& moment : moments)
+        if (moment.pastCords.si >= from)
+            moment.besides = metres(by);
+    return moments;
+}
+
+/// A tip that goes on into the left main bronchus, so far behind the carina.
+std::vector<AirwayMoment> intoTheLeft(double behindCarina)
+{
+    auto moments = downwards(0.125 + behindCarina, [](double) { return -0.007; });
+    for (AirwayMoment& moment : moments)
+        if (moment.aboveCarina < Length{}) {
+            moment.towardsLeft = -0.4 * moment.aboveCarina;
+            moment.rightToLeft = -0.9 * moment.aboveCarina;
+        }
+    return moments;
+}
+
 } // namespace
 
 class TestIntubationMonitor : public QObject
@@ -232,6 +253,75 @@ private Q_SLOTS:
         QCOMPARE(run.course.seat, TubeSeat::Trachea);
         QVERIFY(run.of(IntubationStep::ThroughCords).front().confidence < 0.7);
         QVERIFY(run.course.confidence < 0.7);
+    }
+
+    /// Where the connector does not tell the way, what usually happens does.
+    void bentTubeIsTakenToBeInTheTrachea()
+    {
+        for (const double towards : {-0.006, 0.0, 0.006}) {
+            const auto rigid = downwards(0.08, [towards](double) { return towards; });
+            const MonitoredRun run = monitored(bent(rigid, 0.03));
+            QCOMPARE(run.course.seat, TubeSeat::Trachea);
+            QVERIFY(isOne(run, IntubationStep::ThroughCords, 0.5));
+            QVERIFY(run.of(IntubationStep::InOesophagus).empty());
+            QVERIFY(run.course.confidence < 0.4);
+        }
+    }
+
+    /// What usually happens is no evidence of this tube: nothing less sure is ever said of a way.
+    void verdictByWhatIsUsualIsTheLeastSure()
+    {
+        const auto against = downwards(0.08, [](double) { return 0.006; });
+        const MonitoredRun usual = monitored(bent(against, 0.03));
+        QCOMPARE(usual.course.seat, TubeSeat::Trachea);
+        QCOMPARE(usual.course.confidence, 0.25);
+        QCOMPARE(usual.of(IntubationStep::ThroughCords).front().confidence, 0.25);
+        const auto with = downwards(0.08, [](double) { return -0.006; });
+        const MonitoredRun seen = monitored(bent(with, 0.006));
+        QVERIFY(seen.course.confidence > 0.45 && seen.course.confidence <= 0.5);
+    }
+
+    void evidenceOfALittleBentTubeOverrulesWhatIsUsual()
+    {
+        const MonitoredRun run =
+            monitored(bent(downwards(0.08, [](double) { return 0.007; }), 0.006));
+        QCOMPARE(run.course.seat, TubeSeat::Oesophagus);
+        QVERIFY(run.course.confidence <= 0.5);
+    }
+
+    /// As one whose stylet was drawn behind the cords.
+    void tubeThatBendsFartherDownStaysWhereItWent()
+    {
+        const auto moments =
+            downwards(0.08, [](double past) { return past < 0.025 ? 0.007 : -0.007; });
+        const MonitoredRun run = monitored(bent(moments, 0.02, 0.025));
+        QCOMPARE(run.course.seat, TubeSeat::Oesophagus);
+        QVERIFY(isOne(run, IntubationStep::InOesophagus, 0.5));
+        QVERIFY(run.of(IntubationStep::OutOfOesophagus).empty());
+    }
+
+    /// They agree where the tube rests; the way was taken by what is usual, against the evidence.
+    void shapesThatComeTogetherMakeNoVerdictSurer()
+    {
+        auto moments = bent(downwards(0.08, [](double) { return 0.003; }), 0.03);
+        for (AirwayMoment& moment : moments)
+            if (moment.at > SessionTime{std::chrono::seconds{4}})
+                moment.besides = {};
+        const MonitoredRun run = monitored(moments);
+        QVERIFY(!run.course.shapes.isIn);
+        QCOMPARE(run.course.seat, TubeSeat::Trachea);
+        QCOMPARE(run.course.confidence, 0.5);
+    }
+
+    /// More depth tells no more of it.
+    void bentTubeIsConcludedEarlier()
+    {
+        const auto shallow = downwards(0.013, [](double) { return 0.0; });
+        QCOMPARE(monitored(shallow).course.seat, TubeSeat::None);
+        QCOMPARE(monitored(bent(shallow, 0.03)).course.seat, TubeSeat::Trachea);
+        const MonitoredRun left = monitored(bent(intoTheLeft(0.013), 0.03));
+        QCOMPARE(left.course.seat, TubeSeat::LeftMain);
+        QVERIFY(left.course.confidence < 0.4);
     }
 
     void passageThatNobodySawIsLessSure()

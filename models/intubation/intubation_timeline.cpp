@@ -128,17 +128,24 @@ bool hasDepth(IntubationStep step)
 
 } // namespace
 
+QString asSureAs(const QString& what, double confidence)
+{
+    if (confidence >= kToldAsSure)
+        return what;
+    const QString words =
+        confidence < kAsked
+            ? IntubationTimeline::tr("%1? (%2\u00a0% sure)", "what happened; a confidence")
+            : IntubationTimeline::tr("%1 (%2\u00a0% sure)", "what happened; a confidence");
+    return words.arg(what).arg(std::lround(100.0 * confidence));
+}
+
 QString intubationText(const IntubationEvent& event)
 {
     QString text = happenedText(event);
     if (hasDepth(event.step) && event.depthAtTeeth > Length{})
         text = IntubationTimeline::tr("%1, %2 at the teeth", "what happened; a length")
                    .arg(text, centimetresText(event.depthAtTeeth));
-    if (event.confidence < IntubationTimeline::kUncertain)
-        text = IntubationTimeline::tr("%1 (%2 % sure)", "what happened; a confidence")
-                   .arg(text)
-                   .arg(std::lround(100.0 * event.confidence));
-    return text;
+    return asSureAs(text, event.confidence);
 }
 
 IntubationTimeline::IntubationTimeline(SessionModel& session, StationId station, QObject* parent)

@@ -27,9 +27,6 @@ public:
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
 
-    /// Of a step with less confidence it is told: "(64 % sure)". Of ours.
-    static constexpr double kUncertain = 0.8;
-
 private:
     void refresh();
 
@@ -37,6 +34,12 @@ private:
     StationId m_station;
     std::vector<QString> m_lines;
 };
+
+/// What is told with less confidence says so, and with still less is asked. Of ours.
+constexpr double kToldAsSure = 0.8;
+constexpr double kAsked = 0.5;
+/// "In the oesophagus", "In the oesophagus (64 % sure)", "Through the cords? (25 % sure)".
+[[nodiscard]] QString asSureAs(const QString& what, double confidence);
 
 /// What happened, and what was measured of it: "In the right main bronchus, 26.3 cm at the teeth".
 [[nodiscard]] QString intubationText(const IntubationEvent& event);

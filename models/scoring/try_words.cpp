@@ -56,11 +56,8 @@ QString depthText(const TryReport& report)
     const TryMetrics& metrics = report.metrics;
     if (!metrics.depth)
         return measuredText(metrics, Metric::DepthError);
-    QString depth = centimetresText(metrics.depth->atTeeth);
-    if (metrics.depth->confidence < IntubationTimeline::kUncertain)
-        depth = tryWords(QT_TRANSLATE_NOOP("Try", "%1 (%2\u00a0% sure)"))
-                    .arg(depth)
-                    .arg(std::lround(100.0 * metrics.depth->confidence));
+    const QString depth =
+        asSureAs(centimetresText(metrics.depth->atTeeth), metrics.depth->confidence);
     if (!metrics.depthWanted)
         return depth;
     return tryWords(QT_TRANSLATE_NOOP("Try", "%1; %2 by the rule %3"))
@@ -183,12 +180,7 @@ QString placeText(TryOutcome outcome)
 
 QString outcomeText(const TryMetrics& metrics)
 {
-    const QString outcome = placeText(metrics.outcome);
-    if (metrics.confidence >= IntubationTimeline::kUncertain)
-        return outcome;
-    return tryWords(QT_TRANSLATE_NOOP("Try", "%1 (%2\u00a0% sure)"))
-        .arg(outcome)
-        .arg(std::lround(100.0 * metrics.confidence));
+    return asSureAs(placeText(metrics.outcome), metrics.confidence);
 }
 
 QString ruleText(DepthRule rule)

@@ -92,9 +92,18 @@ private Q_SLOTS:
     void saysWhatIsUncertain()
     {
         IntubationEvent event{.step = IntubationStep::InOesophagus, .confidence = 0.64};
-        QCOMPARE(intubationText(event), QStringLiteral("▲ In the oesophagus (64 % sure)"));
+        QCOMPARE(intubationText(event), QStringLiteral("▲ In the oesophagus (64\u00a0% sure)"));
         event.confidence = 0.9;
         QCOMPARE(intubationText(event), QStringLiteral("▲ In the oesophagus"));
+    }
+
+    /// As where a tube bends, and nothing tells which way it went.
+    void asksWhatIsLessLikelyThanNot()
+    {
+        IntubationEvent event{.step = IntubationStep::ThroughCords, .confidence = 0.25};
+        QCOMPARE(intubationText(event), QStringLiteral("Through the cords? (25\u00a0% sure)"));
+        event.confidence = 0.5;
+        QCOMPARE(intubationText(event), QStringLiteral("Through the cords (50\u00a0% sure)"));
     }
 
     /// A kind of event that is added needs words.

@@ -9,6 +9,10 @@ namespace carina
 namespace
 {
 
+// Confidences from which on something is told without one, and is told and not asked. Of ours.
+constexpr double kToldAsSure = 0.8;
+constexpr double kTold = 0.5;
+
 /// "12.1 cm".
 QString centimetresText(Length length)
 {
@@ -133,7 +137,7 @@ QString asSureAs(const QString& what, double confidence)
     if (confidence >= kToldAsSure)
         return what;
     const QString words =
-        confidence < kAsked
+        confidence < kTold
             ? IntubationTimeline::tr("%1? (%2\u00a0% sure)", "what happened; a confidence")
             : IntubationTimeline::tr("%1 (%2\u00a0% sure)", "what happened; a confidence");
     return words.arg(what).arg(std::lround(100.0 * confidence));

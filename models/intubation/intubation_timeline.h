@@ -35,9 +35,7 @@ private:
     std::vector<QString> m_lines;
 };
 
-/// What is told with less confidence says so, and with still less is asked. Of ours.
-constexpr double kToldAsSure = 0.8;
-constexpr double kAsked = 0.5;
+/// What is told with little confidence says so, and what is less likely than not is asked:
 /// "In the oesophagus", "In the oesophagus (64 % sure)", "Through the cords? (25 % sure)".
 [[nodiscard]] QString asSureAs(const QString& what, double confidence);
 

@@ -70,7 +70,6 @@ void ElasticTube::follow(SessionTime until, const ConnectorAt& connectorAt,
         if (!X_AE)
             continue;
         m_tube.step(*X_AE, lumen, p_E_rest);
-        m_X_AE = *X_AE;
         m_laid = t;
     }
 }
@@ -88,11 +87,6 @@ bool ElasticTube::isStoppedAtCords() const
 {
     const TubeTip& tip = m_tube.tip();
     return isLaid() && tip.isStopped && tip.way == AirwayWay::Trunk && tip.pastGlottis <= kAtCords;
-}
-
-std::vector<Vec3> ElasticTube::line() const
-{
-    return taken(m_tube.constrained(), m_X_AE.inverse());
 }
 
 std::vector<Vec3> ElasticTube::ahead(SessionTime t, const RigidTransform& X_AE,

@@ -47,19 +47,15 @@ public:
 
     /// Whether it was seen since it was made or let go.
     [[nodiscard]] bool isLaid() const { return m_laid.has_value(); }
-    /// The time of the latest step in which it was seen. @pre isLaid()
-    [[nodiscard]] SessionTime laidAt() const { return *m_laid; }
-    /// Its centre line after that step, in the frame E of its connector. @pre isLaid()
-    [[nodiscard]] std::vector<Vec3> line() const;
     /// As it lies after the latest step. @pre isLaid()
     [[nodiscard]] const TubeInLumen& tube() const { return m_tube; }
     /// Whether its tip is held up at the vocal cords, or above them: within kAtCords.
     [[nodiscard]] bool isStoppedAtCords() const;
-    /// The same where its connector has gone on to X_AE until t: a few steps on from the latest,
-    /// which the fold does not keep. For a picture, which shows a later time than that of poses
-    /// that are known for good. The steps are those that the fold would take, and a last one to
-    /// X_AE: so it does not matter until when it has followed, and who has the same poses draws the
-    /// same.
+    /// Its centre line, in the frame E of its connector, where that has gone on to X_AE until t: a
+    /// few steps on from the latest, which the fold does not keep. For a picture, which shows a
+    /// later time than that of poses that are known for good. The steps are those that the fold
+    /// would take, and a last one to X_AE: so it does not matter until when it has followed, and
+    /// who has the same poses draws the same.
     /// @param connectorAt until t, as far as it is known
     /// @pre isLaid()
     [[nodiscard]] std::vector<Vec3> ahead(SessionTime t, const RigidTransform& X_AE,
@@ -77,8 +73,7 @@ private:
     TubeShape m_shape;
     TubeInLumen m_begun; ///< which was never stepped
     TubeInLumen m_tube;
-    RigidTransform m_X_AE;                ///< at the latest step in which it was seen
-    std::optional<SessionTime> m_laid;    ///< the time of that
+    std::optional<SessionTime> m_laid;    ///< the time of the latest step in which it was seen
     std::optional<SessionTime> m_stepped; ///< the time of the latest step
 };
 

@@ -33,6 +33,7 @@ constexpr std::array kNewcomers{Role::Trainee, Role::Observer, Role::Instructor}
 /// An attack that is to send more than it can ends without it.
 constexpr Duration kLongest = 120s;
 constexpr Duration kGuestsComeIn = 3min;
+constexpr int kRepeats = 3;    ///< of an attack that left much
 constexpr Duration kCalm = 3s; ///< after an attack, in which its traces go
 /// In which each program has given back the free pages of its heap (apps/heap).
 constexpr Duration kPagesGoBack = 10s;
@@ -73,9 +74,9 @@ public:
             m_settings.begins(*kind);
             if (!choose(kind->strategy))
                 return fail(Errc::HostSilent, "the strategy was not chosen");
-            all.push_back(attack(*kind));
-            if (!holdsMemory(all.back()))
-                repeat(all.back());
+            all.push_back(attack(*kind, std::string{"Intruder "} + kind->name));
+            for (int time = 1; time <= kRepeats && !holdsMemory(all.back()); ++time)
+                repeat(all.back(), time);
             if (const auto fault = m_session->fault())
                 return tl::unexpected(*fault);
         }
@@ -237,7 +238,7 @@ private:
         return least;
     }
 
-    AttackFigures attack(const AttackKind& kind)
+    AttackFigures attack(const AttackKind& kind, const std::string& attacker)
     {
         AttackFigures figures{.kind = &kind, .guests = m_settings.guests, .usual = m_usual};
         const std::int64_t factsBefore = facts();
@@ -248,9 +249,9 @@ private:
         const ShownObjects shownBefore{*m_node};
         const LaidPatients patientsBefore{*m_node};
         static_cast<void>(m_honest->takeMissed());
-        auto attack = kind.begin({m_session->port(), m_session->codes(), m_derive,
-                                  StartedSession::kTrainee, std::string{"Intruder "} + kind.name,
-                                  QHostAddress{kind.isElsewhere ? kOtherAddress : kHere}});
+        auto attack =
+            kind.begin({m_session->port(), m_session->codes(), m_derive, StartedSession::kTrainee,
+                        attacker, QHostAddress{kind.isElsewhere ? kOtherAddress : kHere}});
         const LocalTime began = monotonicNow();
         const auto step = [&] {
             attack->step();
@@ -278,10 +279,12 @@ private:
         return afterwards(std::move(figures), factsBefore, memoryBefore);
     }
 
-    /// Whether an attack that left much leaves as much each time.
-    void repeat(AttackFigures& first)
+    /// Whether an attack that left much leaves as much each time. By somebody else: who has the
+    /// same name draws the same ids, and the host takes their proposals for repeats.
+    void repeat(AttackFigures& first, int time)
     {
-        AttackFigures again = attack(*first.kind);
+        AttackFigures again =
+            attack(*first.kind, "Intruder " + std::to_string(time) + " " + first.kind->name);
         if (holdsOwn(again))
             first.memoryAgain_kb = std::move(again.memory_kb);
     }

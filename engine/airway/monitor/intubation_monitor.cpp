@@ -30,6 +30,7 @@ constexpr CrossingRule kViewRule{
     .band = 0.0, .sure = kNever, .dwellIn = milliseconds{150}, .dwellOut = milliseconds{500}};
 
 constexpr double kConvincing = 3.0; ///< log odds: 20 to 1
+constexpr double kLikelier = 1.0;   ///< 3 to 1, which turns what was concluded from less
 /// By then something is concluded whatever the odds are: past the cords' plane, past the carina.
 constexpr double kCordsConcluded = 20e-3;
 constexpr double kCarinaConcluded = 15e-3;
@@ -217,9 +218,13 @@ void IntubationMonitor::conclude(const AirwayMoment& moment)
     const double odds = m_course.behind.logOdds(m_error.atCords()) - usually;
     const double concluded = isBent ? kBentConcluded : kCordsConcluded;
     const bool isConvincing = std::abs(odds) >= kConvincing;
-    if (!isConvincing && (m_course.isConcluded || moment.pastCords.si < concluded))
+    const bool isDue = m_course.isConcluded
+                           ? !isBent && !m_course.isConvinced && std::abs(odds) >= kLikelier
+                           : moment.pastCords.si >= concluded;
+    if (!isConvincing && !isDue)
         return;
     m_course.isConcluded = true;
+    m_course.isConvinced = isConvincing;
     m_course.isInOesophagus = odds > 0.0;
 }
 

@@ -49,6 +49,7 @@ struct IntubationCourse {
     bool wasGlottisSeen = false;       ///< in this attempt
     bool isInOesophagus = false;       ///< the present conclusion, once the cords' plane is passed
     bool isConcluded = false;          ///< whether there is one
+    bool isConvinced = false;          ///< whether the evidence was strong
     std::optional<SessionTime> seen{}; ///< when the tube was seen last,
     Vec3 p_A_seen = Vec3::Zero();      ///< and its tip there
     std::optional<SessionTime> bladeSeen{};
@@ -63,11 +64,13 @@ struct IntubationCourse {
 /// (Crossing), with the time of the passage itself. Whether a tip that passes the cords' plane goes
 /// into the trachea or the oesophagus, and past the carina into which bronchus, is concluded from
 /// where it lies between both ways at all depths (WayEvidence), and concluded anew when the
-/// evidence turns; the steps then have the times of the earlier passage. How far both shapes of the
-/// tube are apart is doubt about where its tip is (kDoubtOfBend). Where that is larger than the
-/// registration's error little is left of the evidence: then more depth is not awaited, and a tip
-/// past the cords' plane is taken to be in the trachea, as most are (kUsuallyTrachea), unless the
-/// evidence is stronger. The confidence is that of the evidence alone.
+/// evidence turns: a conclusion from weak evidence, of a depth at which there had to be one, by
+/// less than one from strong evidence. The steps then have the times of the earlier passage. How
+/// far both shapes of the tube are apart is doubt about where its tip is (kDoubtOfBend). Where that
+/// is larger than the registration's error little is left of the evidence: then more depth is not
+/// awaited, and a tip past the cords' plane is taken to be in the trachea, as most are
+/// (kUsuallyTrachea), unless the evidence is stronger. The confidence is that of the evidence
+/// alone.
 ///
 /// A sample is left out in which the tip has moved faster than kFastestTip since one less than
 /// kJumpForgiven before. Where the tube was not seen while it passed, the step's confidence is

@@ -247,6 +247,30 @@ private Q_SLOTS:
         QCOMPARE(run.course.seat, TubeSeat::Trachea);
     }
 
+    /// At 20 mm it has to be concluded, from odds of 1.5 to 1; what is seen farther down is odds of
+    /// some 8 to 1 against it in all.
+    void evidenceTurnsSoonerWhatWasConcludedFromLittle()
+    {
+        const auto moments =
+            downwards(0.08, [](double past) { return past < 0.022 ? -0.0002 : 0.0013; });
+        const MonitoredRun run = monitored(moments);
+        QVERIFY(isOne(run, IntubationStep::ThroughCords, 0.5));
+        QVERIFY(run.of(IntubationStep::ThroughCords).front().confidence < 0.7);
+        QVERIFY(isOne(run, IntubationStep::InOesophagus, 0.5));
+        QCOMPARE(run.course.seat, TubeSeat::Oesophagus);
+        QVERIFY(run.course.confidence > 0.75 && run.course.confidence < 0.95);
+    }
+
+    void strongConclusionStaysWhereWeakEvidenceComesAfterIt()
+    {
+        const auto moments =
+            downwards(0.04, [](double past) { return past < 0.010 ? -0.005 : 0.0028; });
+        const MonitoredRun run = monitored(moments);
+        QCOMPARE(run.course.seat, TubeSeat::Trachea);
+        QVERIFY(run.of(IntubationStep::InOesophagus).empty());
+        QVERIFY(run.course.confidence <= 0.5); // it is against what is concluded
+    }
+
     void doubtfulPlaceHasLittleConfidence()
     {
         const MonitoredRun run = monitored(downwards(0.08, [](double) { return -0.0003; }));

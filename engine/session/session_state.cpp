@@ -265,9 +265,8 @@ struct SessionState::Applier {
     }
     void operator()(const fact::TubePlaced& body) const
     {
-        forStations([&](Station& station) {
-            station.respiration.setTube(around.effect, body.innerDiameter);
-        });
+        forStations(
+            [&](Station& station) { station.respiration.setTube(around.effect, body.tube); });
     }
     void operator()(const fact::BodyPositionSet& body) const
     {

@@ -1,9 +1,11 @@
 #include "models/attention/attention_model.h"
 
 #include "models/errors/error_text.h"
+#include "models/intubation/intubation_timeline.h"
 #include "models/lesson/lesson_words.h"
 #include "models/objects/object_words.h"
 #include "models/patient/session_patient.h"
+#include "models/physiology/drug_words.h"
 #include "models/respiration/respiration_words.h"
 #include "models/site/standing_words.h"
 #include "models/station/object_tool.h"
@@ -135,6 +137,7 @@ AttentionModel::Reports AttentionModel::current()
     if (sight)
         addTracker(*state, *sight, all);
     if (now) {
+        addTubes(*state, *now, all);
         addPeople(*state, *now, sight.has_value(), all);
         addBrokenOff(*state, *now, all);
         addBreathing(*state, *now, all);
@@ -343,6 +346,27 @@ void AttentionModel::addTracker(const SessionState& state, const TrackerSight& s
                    .participant = self});
 }
 
+/// Of those beyond the cords, or behind them, whose place the console does not set.
+void AttentionModel::addTubes(const SessionState& state, SessionTime now, Reports& all)
+{
+    for (const auto& [id, station] : state.stations()) {
+        const TubeTimeline& tube = station.respiration.tube();
+        const auto last = tube.lastOfTubeAt(now);
+        if (station.closed || !last || last->seat == TubeSeat::None || last->confidence >= kTold
+            || tube.isOverriddenAt(now))
+            continue;
+        const QString place =
+            asSureAs(tr("Tube %1", "where").arg(seatText(last->seat)), last->confidence);
+        all.push_back({.concern = Concern::TubePlace,
+                       .text = atStation(state, id,
+                                         tr("%1: nothing tells its way. Set where it is",
+                                            "place of a tube, and how sure")
+                                             .arg(place)),
+                       .action = tr("Show"),
+                       .station = id});
+    }
+}
+
 void AttentionModel::addBreathing(const SessionState& state, SessionTime now, Reports& all)
 {
     if (!m_developmentsAt || now < *m_developmentsAt
@@ -391,6 +415,7 @@ void AttentionModel::act(const Attention& attention)
     case Concern::Clock:
     case Concern::BreathingStops:
     case Concern::Developing:
+    case Concern::TubePlace:
         Q_EMIT showWanted(attention);
         return;
     }

@@ -22,6 +22,7 @@ enum class Concern : std::uint8_t {
     Refused,        ///< the host refused what was done here
     TwoPrograms,    ///< two programs had one participant's token
     Asked,          ///< somebody asks for an object
+    TubePlace,      ///< nothing tells where a tube is
     Away,           ///< a participant's program is not heard of, and they did not leave
     Unseen,         ///< a tool of a participant is not seen by their tracker
     Tracker,        ///< that of this program does not track
@@ -105,6 +106,7 @@ private:
     void addBrokenOff(const SessionState& state, SessionTime now, Reports& all) const;
     void addPatient(Reports& all) const;
     void addTracker(const SessionState& state, const TrackerSight& sight, Reports& all) const;
+    static void addTubes(const SessionState& state, SessionTime now, Reports& all);
     void addBreathing(const SessionState& state, SessionTime now, Reports& all);
     [[nodiscard]] bool isAway(ParticipantId participant) const;
     [[nodiscard]] bool isMissed(const Participant& who) const;

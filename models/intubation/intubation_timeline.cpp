@@ -9,9 +9,8 @@ namespace carina
 namespace
 {
 
-// Confidences from which on something is told without one, and is told and not asked. Of ours.
+/// From this confidence on something is told without one. Of ours.
 constexpr double kToldAsSure = 0.8;
-constexpr double kTold = 0.5;
 
 /// "12.1 cm".
 QString centimetresText(Length length)

@@ -35,6 +35,9 @@ private:
     std::vector<QString> m_lines;
 };
 
+/// What is less likely is asked and not told. Of ours.
+inline constexpr double kTold = 0.5;
+
 /// What is told with little confidence says so, and what is less likely than not is asked:
 /// "In the oesophagus", "In the oesophagus (64 % sure)", "Through the cords? (25 % sure)".
 [[nodiscard]] QString asSureAs(const QString& what, double confidence);

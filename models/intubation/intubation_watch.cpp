@@ -301,8 +301,10 @@ void IntubationWatch::takeBreath(SessionTime t)
     const auto station = state->stations().find(m_station);
     if (station == state->stations().end())
         return;
+    const TubeTimeline& tube = station->second.respiration.tube();
     const PatientRun& run = m_breathing.at(station->second.respiration, t);
-    if (const auto began = m_breaths.take(run, course().seat))
+    const TubeSeat seat = tube.isOverriddenAt(t) ? tube.overrideAt(t).seat : course().seat;
+    if (const auto began = m_breaths.take(run, seat))
         queue(m_monitor.told(IntubationStep::FirstBreath, *began));
 }
 

@@ -103,4 +103,13 @@ QString seatText(TubeSeat seat)
     return {};
 }
 
+QString setTubeText(const SetTube& tube)
+{
+    if (!tube.isSet())
+        return physiologyWords(QT_TRANSLATE_NOOP("Physiology", "not set"));
+    return QCoreApplication::translate("Physiology", "%1, %2\u00a0mm", "place of a tube; its size")
+        .arg(seatText(tube.seat))
+        .arg(inMillimetres(tube.innerDiameter), 0, 'f', 1);
+}
+
 } // namespace carina

@@ -1,5 +1,6 @@
 #include "models/physiology/gas_model.h"
 
+#include "engine/anatomy/patient/patient_dimensions.h"
 #include "engine/core/expects.h"
 #include "models/physiology/drug_words.h"
 
@@ -39,6 +40,7 @@ struct GasFact {
     FactBody operator()(const GasSupply& gas) const { return fact::GasSupplySet{gas}; }
     FactBody operator()(bool inflated) const { return fact::CuffSet{inflated}; }
     FactBody operator()(double share) const { return fact::TubeObstructed{share}; }
+    FactBody operator()(const SetTube& tube) const { return fact::TubePlaced{tube}; }
 };
 
 } // namespace
@@ -58,9 +60,10 @@ GasModel::Changes::Quantities GasModel::quantities()
         .decidedAt =
             [this](StationId station, std::size_t thing, SessionTime t) {
                 const Decided timeline{m_session, station};
-                const std::array<Decision, kThings> decisions{timeline->gasAt(t),
-                                                              timeline->tube().cuffInflatedAt(t),
-                                                              timeline->tube().obstructionAt(t)};
+                const TubeTimeline& tube = timeline->tube();
+                const std::array<Decision, kThings> decisions{
+                    timeline->gasAt(t), tube.cuffInflatedAt(t), tube.obstructionAt(t),
+                    tube.overrideAt(t)};
                 return decisions[thing];
             },
         .propose =
@@ -88,6 +91,17 @@ void GasModel::setForAll(bool all)
 GasSupply GasModel::gas() const { return std::get<GasSupply>(m_changes.shown(0)); }
 bool GasModel::isCuffInflated() const { return std::get<bool>(m_changes.shown(1)); }
 double GasModel::obstruction() const { return std::get<double>(m_changes.shown(2)); }
+SetTube GasModel::tube() const { return std::get<SetTube>(m_changes.shown(3)); }
+
+Length GasModel::likelyTubeSize() const
+{
+    const Decided timeline{m_session, m_changes.stations().shown};
+    if (const Length known = timeline->tubePlaceAt(SessionTime::max()).innerDiameter;
+        known.si > 0.0)
+        return known;
+    const PatientBuild build = timeline->settingsAt(SessionTime::max()).build;
+    return usualTube(build.ageInYears, build.sex);
+}
 
 bool GasModel::hasTube() const
 {
@@ -175,6 +189,8 @@ QString GasModel::textOf(const Decision& decision)
     if (const auto* obstructed = std::get_if<double>(&decision))
         return *obstructed > 0.0 ? tr("Tube → obstructed by %1\u00a0%").arg(100.0 * *obstructed)
                                  : tr("Tube → open");
+    if (const auto* tube = std::get_if<SetTube>(&decision))
+        return tr("Tube → %1").arg(setTubeText(*tube));
     return std::get<bool>(decision) ? tr("Cuff → inflated") : tr("Cuff → empty");
 }
 

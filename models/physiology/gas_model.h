@@ -16,9 +16,9 @@ namespace carina
 ///
 /// A change is sent to every site before it takes effect; until then the getters already return it
 /// and `travellingText` lists it. While one change of a quantity is pending, only the latest
-/// further one is kept. Only instructors change gas, obstruct the tube and give drugs; cuff and
-/// stylet are for trainees at the station, too. What others set is ignored. Gas, cuff and
-/// obstruction can be undone; a drug that was given cannot be taken back.
+/// further one is kept. Only instructors change gas, say where the tube is, obstruct it and give
+/// drugs; cuff and stylet are for trainees at the station, too. What others set is ignored. Gas,
+/// tube and cuff can be undone; a drug that was given cannot be taken back.
 class GasModel : public QObject
 {
     Q_OBJECT
@@ -42,9 +42,15 @@ public:
     [[nodiscard]] bool isCuffInflated() const;
     /// Share of the tube's lumen that a kink, a bite or secretions take, 0 to 1.
     [[nodiscard]] double obstruction() const;
+    /// The tube as the console sets it, whatever is noted of it.
+    [[nodiscard]] SetTube tube() const;
     void setGas(const GasSupply& gas) { set(gas); }
     void setCuff(bool inflated) { set(inflated); }
     void setObstruction(double share) { set(share); }
+    void setTube(const SetTube& tube) { set(tube); }
+    /// The inner diameter of the tube that is set or noted; without one, what is usual for the
+    /// patient.
+    [[nodiscard]] Length likelyTubeSize() const;
 
     /// Whether there is a tube: of the console, or one that a monitor follows.
     [[nodiscard]] bool hasTube() const;
@@ -76,8 +82,8 @@ public:
     }
 
     [[nodiscard]] bool canUndo() const { return m_changes.canUndo(); }
-    /// Reverts the last change of gas, cuff or obstruction, at each station where nobody decided
-    /// otherwise since.
+    /// Reverts the last change of gas, tube, cuff or obstruction, at each station where nobody
+    /// decided otherwise since.
     void undo() { m_changes.undo(); }
 
     static constexpr Duration kShownDoses = std::chrono::minutes{1};
@@ -88,12 +94,12 @@ Q_SIGNALS:
 
 private:
     /// One of the quantities; its index in the variant says which.
-    using Decision = std::variant<GasSupply, bool, double>;
+    using Decision = std::variant<GasSupply, bool, double, SetTube>;
     static constexpr std::size_t kThings = std::variant_size_v<Decision>;
     using Changes = PatientChanges<Decision, kThings>;
 
     struct Shown {
-        std::array<Decision, kThings> decisions{GasSupply{}, false, 0.0};
+        std::array<Decision, kThings> decisions{GasSupply{}, false, 0.0, SetTube{}};
         std::array<bool, kThings> pending{};
         QString given;
         QString tube;

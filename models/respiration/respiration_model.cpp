@@ -15,7 +15,6 @@ namespace
 constexpr int kRespirationLook_ms = 50;
 constexpr std::array kThingNames{QT_TRANSLATE_NOOP("carina::RespirationModel", "Condition → %1"),
                                  QT_TRANSLATE_NOOP("carina::RespirationModel", "Ventilation → %1"),
-                                 QT_TRANSLATE_NOOP("carina::RespirationModel", "Airway → %1"),
                                  QT_TRANSLATE_NOOP("carina::RespirationModel", "Position → %1")};
 
 bool isUsuallyOfOneLung(ConditionKind kind)
@@ -30,7 +29,6 @@ struct DecisionText {
     {
         return ventilatorText(settings);
     }
-    QString operator()(Length innerDiameter) const { return tubeText(innerDiameter); }
     QString operator()(BodyPosition position) const { return positionText(position); }
 };
 
@@ -43,7 +41,6 @@ struct DecisionFact {
     {
         return fact::VentilatorSet{settings};
     }
-    FactBody operator()(Length innerDiameter) const { return fact::TubePlaced{innerDiameter}; }
     FactBody operator()(BodyPosition position) const { return fact::BodyPositionSet{position}; }
 };
 
@@ -88,10 +85,9 @@ VentilatorSettings RespirationModel::ventilator() const
 {
     return std::get<VentilatorSettings>(m_changes.shown(1));
 }
-Length RespirationModel::tube() const { return std::get<Length>(m_changes.shown(2)); }
 BodyPosition RespirationModel::position() const
 {
-    return std::get<BodyPosition>(m_changes.shown(3));
+    return std::get<BodyPosition>(m_changes.shown(2));
 }
 
 std::optional<LungConditions> RespirationModel::with(std::size_t place, ConditionKind kind) const
@@ -160,7 +156,7 @@ QString RespirationModel::inForceText() const
         ailment = conditions.empty()
                       ? tr("Own breathing has stopped")
                       : tr("%1; own breathing has stopped", "what ails the patient").arg(ailment);
-    const auto position = std::get<BodyPosition>(m_changes.inForce(3));
+    const auto position = std::get<BodyPosition>(m_changes.inForce(2));
     if (position == BodyPosition::Supine)
         return ailment;
     return tr("%1; %2", "what ails the patient; how it lies")
@@ -185,7 +181,7 @@ RespirationModel::Decision RespirationModel::decidedAt(StationId id, std::size_t
                                              ? station->second.respiration.settingsAt(t)
                                              : RespiratorySettings{};
     const std::array<Decision, kThings> decisions{settings.conditions, settings.ventilator,
-                                                  settings.tube, settings.position};
+                                                  settings.position};
     return decisions[thing];
 }
 

@@ -16,7 +16,7 @@
 namespace carina
 {
 
-/// The lung diseases, body position, ventilator and tube of one station's patient, as an instructor
+/// The lung diseases, body position and ventilator of one station's patient, as an instructor
 /// sees and changes them.
 ///
 /// A change is sent to every site before it takes effect; until then the getters already return it
@@ -43,7 +43,6 @@ public:
     // The value requested or, if no change is pending, in force.
     [[nodiscard]] LungConditions conditions() const;
     [[nodiscard]] VentilatorSettings ventilator() const;
-    [[nodiscard]] Length tube() const; ///< inner diameter; 0 without one
     [[nodiscard]] BodyPosition position() const;
 
     /// Makes the disease at this place another one, with the present severity, or 0.5 if that is 0;
@@ -60,7 +59,6 @@ public:
     /// Whether choose would set this disease at this place.
     [[nodiscard]] bool canChoose(std::size_t place, ConditionKind kind) const;
     void setVentilator(const VentilatorSettings& settings) { set(settings); }
-    void setTube(Length innerDiameter) { set(innerDiameter); }
     void setPosition(BodyPosition position) { set(position); }
 
     /// The diseases in force, that the patient's own breathing has stopped and, unless supine, the
@@ -82,12 +80,12 @@ Q_SIGNALS:
 
 private:
     /// One of the quantities; its index in the variant says which.
-    using Decision = std::variant<LungConditions, VentilatorSettings, Length, BodyPosition>;
+    using Decision = std::variant<LungConditions, VentilatorSettings, BodyPosition>;
     static constexpr std::size_t kThings = std::variant_size_v<Decision>;
     using Changes = PatientChanges<Decision, kThings>;
 
     struct Shown {
-        std::array<Decision, kThings> decisions{LungConditions{}, VentilatorSettings{}, Length{},
+        std::array<Decision, kThings> decisions{LungConditions{}, VentilatorSettings{},
                                                 BodyPosition{}};
         std::array<bool, kThings> pending{};
         QString obstacle;

@@ -123,12 +123,4 @@ QString ventilatorText(const VentilatorSettings& settings)
         .arg(inCmH2O(settings.drivingPressure), 0, 'f', 0);
 }
 
-QString tubeText(Length innerDiameter)
-{
-    if (innerDiameter.si == 0.0)
-        return breathingWords(QT_TRANSLATE_NOOP("Respiration", "no tube"));
-    return QCoreApplication::translate("Respiration", "%1\u00a0mm tube", "inner diameter")
-        .arg(inMillimetres(innerDiameter), 0, 'f', 1);
-}
-
 } // namespace carina

@@ -21,7 +21,5 @@ namespace carina
 [[nodiscard]] QString conditionText(const LungConditions& conditions);
 /// "Volume control, PEEP 5 cmH2O"; "Spontaneous".
 [[nodiscard]] QString ventilatorText(const VentilatorSettings& settings);
-/// "6.5 mm tube"; "no tube".
-[[nodiscard]] QString tubeText(Length innerDiameter);
 
 } // namespace carina

@@ -49,6 +49,7 @@ void TryWatch::setStation(StationId station)
     if (std::exchange(m_station, station) == station)
         return;
     m_course = TryCourse{upInAnatomy()};
+    m_place = {};
     m_patient = {};
     m_report.reset();
     m_lastNote = 0;
@@ -77,6 +78,7 @@ void TryWatch::watch()
     if (!now || !station)
         return;
     takeNotes(*station);
+    takeToldPlace(*station, *now);
     if (!isUnderWay())
         return lookAtMask(*station, *now);
     if (*now - m_vitalsAt >= kVitalsEvery)
@@ -98,7 +100,16 @@ void TryWatch::takeNotes(const Station& station)
     if (!std::exchange(m_hasLooked, true))
         return;
     for (const NotedStep& note : news)
-        take(note.event);
+        for (const IntubationEvent& event : m_place.noted(note.event))
+            take(event);
+}
+
+void TryWatch::takeToldPlace(const Station& station, SessionTime now)
+{
+    const SetTube set = station.respiration.tube().overrideAt(now);
+    for (const IntubationEvent& event :
+         m_place.told(set.isSet() ? std::optional{set.seat} : std::nullopt, now))
+        take(event);
 }
 
 void TryWatch::take(const IntubationEvent& event)
@@ -196,6 +207,8 @@ void TryWatch::end(const Station& station, SessionTime at)
     const TubedPatient patient = tubedPatient(station, at);
     const DepthRule rule = m_rule.value_or(usualDepthRule(patient));
     TryMetrics metrics = m_course.metrics(at, depthBy(rule, patient));
+    if (m_place.isTold())
+        metrics.confidence = 1.0;
     metrics.isViewRead = metrics.incisors.has_value(); // both by the laryngoscope's picture
     m_report = reportOf(metrics, rule, m_rubric);
     m_course = TryCourse{upInAnatomy()};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/anatomy/laryngoscopy/blade_levering.h"
+#include "engine/scoring/course/told_place.h"
 #include "engine/scoring/course/try_course.h"
 #include "engine/session/respiration/respiration_follower.h"
 #include "models/scoring/try_report.h"
@@ -20,7 +21,8 @@ namespace carina
 /// laryngoscope and the head of who is at work are sampled every kPoseEvery of session time,
 /// kPoseDelay late, so that they are measured ones and not predicted. Mask ventilation counts where
 /// a bag or ventilator blew through a mask within kMaskBefore before the try; whether the manikin
-/// was ventilated, nobody measures. Forces are the estimates of whoever draws the blade in the
+/// was ventilated, nobody measures. While an instructor sets where the tube is, that counts and not
+/// what is noted. Forces are the estimates of whoever draws the blade in the
 /// patient, while somebody does. Up is to the front of the patient, who lies supine.
 class TryWatch : public QObject
 {
@@ -68,6 +70,7 @@ Q_SIGNALS:
 private:
     void takeNotes(const Station& station);
     void take(const IntubationEvent& event);
+    void takeToldPlace(const Station& station, SessionTime now);
     void takeVitals(const Station& station, SessionTime now);
     void takeCuff(const Station& station, SessionTime now);
     void takeForces(SessionTime now);
@@ -86,6 +89,7 @@ private:
     std::optional<TryReport> m_report;
 
     TryCourse m_course;
+    ToldPlace m_place;
     RespirationFollower m_patient;
     std::uint64_t m_lastNote = 0; ///< number of the last one that was taken
     bool m_hasLooked = false;     ///< what was noted before does not count

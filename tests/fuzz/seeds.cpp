@@ -151,7 +151,7 @@ std::vector<std::string> factBodies()
         fact::PatientBuildSet{{metres(1.7), 70.0, 40.0, Sex::Female}},
         fact::LungConditionsSet{asthma},
         fact::VentilatorSet{},
-        fact::TubePlaced{millimetres(7.0)},
+        fact::TubePlaced{{TubeSeat::LeftMain, millimetres(7.0)}},
         fact::ManikinBreathed{SessionTime{std::chrono::seconds{99}}},
         fact::RespirationCheckpoint{{}, RespiratoryFold{RespiratorySettings{}}.state()},
         fact::BodyPositionSet{},

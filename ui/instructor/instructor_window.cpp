@@ -377,6 +377,10 @@ void InstructorWindow::showPlaceOf(const Attention& attention)
                                                                    : *m_ui->breathingDock);
         return;
     }
+    if (attention.concern == Concern::TubePlace) {
+        m_models.stations.show(attention.station);
+        return PanelDocks::bring(*m_ui->gasDock);
+    }
     if (attention.concern == Concern::BrokenOff)
         return showAgain(attention.station);
     if (attention.concern == Concern::Tracker) {

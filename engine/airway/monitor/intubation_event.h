@@ -34,6 +34,13 @@ enum class IntubationStep : std::uint8_t {
 };
 inline constexpr IntubationStep kLastIntubationStep = IntubationStep::AtRest;
 
+/// Whether it is about the laryngoscope, and not about the tube.
+[[nodiscard]] constexpr bool isOfBlade(IntubationStep step)
+{
+    return step == IntubationStep::BladeIn || step == IntubationStep::BladeOut
+           || step == IntubationStep::GlottisSeen;
+}
+
 /// One entry of an intubation's course, with what it rests on. Poses are those of one station.
 struct IntubationEvent {
     IntubationStep step = IntubationStep::BladeIn;

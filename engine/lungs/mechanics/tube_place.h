@@ -29,4 +29,15 @@ struct TubePlace {
     friend bool operator==(const TubePlace&, const TubePlace&) = default;
 };
 
+/// A tube as an instructor sets it; where the inner diameter is 0, none is set, and its seat is
+/// None.
+struct SetTube {
+    TubeSeat seat = TubeSeat::None;
+    Length innerDiameter{};
+
+    [[nodiscard]] bool isSet() const { return innerDiameter.si > 0.0; }
+
+    friend bool operator==(const SetTube&, const SetTube&) = default;
+};
+
 } // namespace carina

@@ -10,12 +10,6 @@ namespace carina
 namespace
 {
 
-bool isOfBlade(IntubationStep step)
-{
-    return step == IntubationStep::BladeIn || step == IntubationStep::BladeOut
-           || step == IntubationStep::GlottisSeen;
-}
-
 bool isInAirway(TubeSeat seat)
 {
     return seat == TubeSeat::Trachea || seat == TubeSeat::RightMain || seat == TubeSeat::LeftMain;

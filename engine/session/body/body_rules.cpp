@@ -207,7 +207,7 @@ Result<void> checkPatientBody(const fact::IntubationNoted& fact)
         .and_then([&] {
             return checkNumber("visible share of the glottis", event.glotticOpening, 0.0, 1.0, "");
         })
-        .and_then([&] { return checkRespiration(fact::TubePlaced{fact.innerDiameter}); });
+        .and_then([&] { return checkTubeSize(fact.innerDiameter); });
 }
 
 Result<void> checkPatientBody(const fact::CapnographCheckpoint& fact)

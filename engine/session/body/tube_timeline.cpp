@@ -7,10 +7,10 @@
 namespace carina
 {
 
-void TubeTimeline::setOverride(SessionTime from, Length innerDiameter)
+void TubeTimeline::setOverride(SessionTime from, const SetTube& tube)
 {
-    m_override.set(from, innerDiameter);
-    if (innerDiameter.si == 0.0) // it is out, with what blocked it
+    m_override.set(from, {tube, m_noted.at(from).isInMouth});
+    if (!tube.isSet()) // it is out, with what blocked it
         m_obstruction.set(from, 0.0);
 }
 
@@ -27,13 +27,16 @@ void TubeTimeline::note(SessionTime from, const IntubationEvent& event, Length i
     case IntubationStep::TubeOut:
         m_stylet.set(from, true);
         m_cuff.set(from, false);
-        if (m_override.at(from).si == 0.0)
+        if (m_override.at(from).isOfNoted)
+            m_override.set(from, {});
+        if (!m_override.at(from).tube.isSet())
             m_obstruction.set(from, 0.0);
         break;
     default:
         break;
     }
-    m_noted.set(from, NotedTube{true, event.seat, innerDiameter});
+    m_noted.set(from,
+                NotedTube{true, event.step != IntubationStep::TubeOut, event.seat, innerDiameter});
 }
 
 /// A tube that is moved to and fro for long would push out the steps of its try by its rests.
@@ -66,8 +69,8 @@ void TubeTimeline::forgetBefore(SessionTime t)
 
 TubePlace TubeTimeline::placeAt(SessionTime t, const PatientBuild& build) const
 {
-    if (const Length set = m_override.at(t); set.si > 0.0)
-        return {TubeSeat::Trachea, set, 0.0, m_obstruction.at(t)};
+    if (const SetTube set = overrideAt(t); set.isSet())
+        return {set.seat, set.innerDiameter, 0.0, m_obstruction.at(t)};
     const NotedTube noted = m_noted.at(t);
     if (!noted.isWatched)
         return {};
@@ -86,6 +89,16 @@ bool TubeTimeline::areShapesApartAt(SessionTime t) const
     };
     const auto last = std::find_if(m_notes.rbegin(), m_notes.rend(), tells);
     return last != m_notes.rend() && last->event.step == IntubationStep::ShapesApart;
+}
+
+std::optional<IntubationEvent> TubeTimeline::lastOfTubeAt(SessionTime t) const
+{
+    const auto last = std::find_if(m_notes.rbegin(), m_notes.rend(), [t](const NotedStep& note) {
+        return note.effect <= t && !isOfBlade(note.event.step);
+    });
+    if (last == m_notes.rend() || last->event.step == IntubationStep::TubeOut)
+        return std::nullopt;
+    return last->event;
 }
 
 SessionTime TubeTimeline::changeAfter(SessionTime t) const

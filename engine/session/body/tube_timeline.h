@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,9 +23,16 @@ struct NotedStep {
     friend bool operator==(const NotedStep&, const NotedStep&) = default;
 };
 
+/// Where the console sets a tube, and whether that is said of one that a monitor had in the mouth.
+struct ToldTube {
+    SetTube tube;
+    bool isOfNoted = false;
+};
+
 /// What a monitor has noted of a tube.
 struct NotedTube {
     bool isWatched = false; ///< it has noted one
+    bool isInMouth = false;
     TubeSeat seat = TubeSeat::None;
     Length innerDiameter{}; ///< 0: not known
 };
@@ -32,9 +40,9 @@ struct NotedTube {
 /// Where the tracheal tube of one patient is over the session: as the console sets it, and as a
 /// monitor notes it. At first nobody has set or noted one.
 ///
-/// The console's own setting, a tube in the trachea, overrides what the monitor notes for as long
-/// as it is set. Changes may be added in any order, as to a ParameterTimeline; entries of the
-/// monitor in the order of their facts.
+/// The console's own setting overrides what the monitor notes for as long as it is set. What is
+/// said of a tube in the mouth ends when that tube is noted to be out. Changes may be added in any
+/// order, as to a ParameterTimeline; entries of the monitor in the order of their facts.
 class TubeTimeline
 {
 public:
@@ -42,8 +50,8 @@ public:
     /// a tube at rest (IntubationStep::AtRest) each that another one followed at once.
     static constexpr std::size_t kMostNotes = 128;
 
-    /// The console's own setting: the inner diameter of a tube in the trachea; 0: none is set.
-    void setOverride(SessionTime from, Length innerDiameter);
+    /// The console's own setting, or that it sets none.
+    void setOverride(SessionTime from, const SetTube& tube);
     /// An entry about the tube (from IntubationStep::TubePastTeeth on) says where its tip is.
     /// @param innerDiameter 0 where it is not known
     void note(SessionTime from, const IntubationEvent& event, Length innerDiameter);
@@ -56,18 +64,18 @@ public:
     /// As ParameterTimeline; entries stay.
     void forgetBefore(SessionTime t);
 
-    [[nodiscard]] Length overrideAt(SessionTime t) const { return m_override.at(t); }
+    [[nodiscard]] SetTube overrideAt(SessionTime t) const { return m_override.at(t).tube; }
     /// Whether the console's own setting takes the place of what a monitor has noted by then.
     [[nodiscard]] bool isOverriddenAt(SessionTime t) const
     {
-        return m_noted.at(t).isWatched && m_override.at(t).si > 0.0;
+        return m_noted.at(t).isWatched && m_override.at(t).tube.isSet();
     }
     /// Whether a monitor has noted a tube by then.
     [[nodiscard]] bool isWatchedAt(SessionTime t) const { return m_noted.at(t).isWatched; }
-    /// A watched tube whose tip is above the cords, or out of the mouth, has the seat None and an
-    /// inner diameter above 0; where nobody has set or noted a tube, the diameter is 0. A tube
-    /// that the console has set does not leak; a noted one leaks kEmptyCuffLeak until its cuff is
-    /// inflated. Both are obstructed as it was set.
+    /// A watched or set tube whose tip is above the cords, or out of the mouth, has the seat None
+    /// and an inner diameter above 0; where nobody has set or noted a tube, the diameter is 0. A
+    /// tube that the console has set does not leak; a noted one leaks kEmptyCuffLeak until its cuff
+    /// is inflated. Both are obstructed as it was set.
     /// @param build for the diameter of a tube of which it is not known (usualTube)
     [[nodiscard]] TubePlace placeAt(SessionTime t, const PatientBuild& build) const;
     /// Whether both shapes of the tube are apart, by the last entry that tells it since the tube
@@ -81,6 +89,8 @@ public:
     /// The first change after t of what placeAt or bladeInMouthAt tells; SessionTime::max() where
     /// there is none.
     [[nodiscard]] SessionTime changeAfter(SessionTime t) const;
+    /// The last entry about the tube by then; nothing where it is out, or nobody has noted one.
+    [[nodiscard]] std::optional<IntubationEvent> lastOfTubeAt(SessionTime t) const;
     /// The last kMostNotes entries.
     [[nodiscard]] std::span<const NotedStep> notes() const { return m_notes; }
     /// Those of them that have a higher number: all after the last one that was looked at, also
@@ -95,7 +105,7 @@ public:
 private:
     void keep(SessionTime from, const IntubationEvent& event);
 
-    ParameterTimeline<Length> m_override{{}};
+    ParameterTimeline<ToldTube> m_override{{}};
     ParameterTimeline<NotedTube> m_noted{NotedTube{}};
     ParameterTimeline<bool> m_blade{false};
     ParameterTimeline<bool> m_cuff{false};

@@ -134,7 +134,8 @@ inline constexpr std::tuple kFields<fact::HeadPositionSet>{&fact::HeadPositionSe
 template <>
 inline constexpr std::tuple kFields<HeadPosition>{&HeadPosition::flexion, &HeadPosition::extension};
 
-template <> inline constexpr std::tuple kFields<fact::TubePlaced>{&fact::TubePlaced::innerDiameter};
+template <> inline constexpr std::tuple kFields<fact::TubePlaced>{&fact::TubePlaced::tube};
+template <> inline constexpr std::tuple kFields<SetTube>{&SetTube::seat, &SetTube::innerDiameter};
 template <>
 inline constexpr std::tuple kFields<fact::BodyPositionSet>{&fact::BodyPositionSet::position};
 template <>

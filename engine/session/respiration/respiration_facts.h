@@ -2,6 +2,7 @@
 
 #include "engine/core/session_time.h"
 #include "engine/lungs/mechanics/respiratory_fold.h"
+#include "engine/lungs/mechanics/tube_place.h"
 
 namespace carina::fact
 {
@@ -24,9 +25,9 @@ struct VentilatorSet {
 
     friend bool operator==(const VentilatorSet&, const VentilatorSet&) = default;
 };
-/// A tracheal tube of this inner diameter is in place; 0: no tube.
+/// An instructor says where the tube is, whatever is noted of it; or says so no longer.
 struct TubePlaced {
-    Length innerDiameter;
+    SetTube tube;
 
     friend bool operator==(const TubePlaced&, const TubePlaced&) = default;
 };

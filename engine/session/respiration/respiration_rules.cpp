@@ -215,12 +215,19 @@ Result<void> checkRespiration(const fact::VentilatorSet& fact)
     return numbers;
 }
 
+Result<void> checkTubeSize(Length innerDiameter)
+{
+    if (innerDiameter.si == 0.0)
+        return {};
+    return checkNumber("tube", inMillimetres(innerDiameter), inMillimetres(kNarrowestTube),
+                       inMillimetres(kWidestTube), " mm");
+}
+
 Result<void> checkRespiration(const fact::TubePlaced& fact)
 {
-    if (fact.innerDiameter.si == 0.0)
-        return {};
-    return checkNumber("tube", inMillimetres(fact.innerDiameter), inMillimetres(kNarrowestTube),
-                       inMillimetres(kWidestTube), " mm");
+    if (fact.tube.innerDiameter.si == 0.0 && fact.tube.seat != TubeSeat::None)
+        return fail(Errc::OutOfRange, "a place of a tube that has no size");
+    return checkTubeSize(fact.tube.innerDiameter);
 }
 
 Result<void> checkRespiration(const fact::BodyPositionSet&) { return {}; }

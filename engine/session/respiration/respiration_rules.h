@@ -36,6 +36,10 @@ inline constexpr Length kWidestTube = millimetres(12.0);
 [[nodiscard]] Result<void> checkRespiration(const fact::ManikinBreathed& fact);
 [[nodiscard]] Result<void> checkRespiration(const fact::RespirationCheckpoint& fact);
 
+/// Whether there is a tube of this inner diameter; 0: there is none, or its size is not known.
+/// @returns OutOfRange or NotFinite, with the diameter and its range.
+[[nodiscard]] Result<void> checkTubeSize(Length innerDiameter);
+
 /// Whether the tidal volume is possible for a patient of this build (largestTidalVolume).
 /// @returns OutOfRange or NotFinite, with the volume and the patient's range.
 [[nodiscard]] Result<void> checkTidalVolume(const PatientBuild& build, Volume tidalVolume);

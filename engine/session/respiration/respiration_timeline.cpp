@@ -59,9 +59,9 @@ void RespirationTimeline::setVentilator(SessionTime from, const VentilatorSettin
     decide(from);
 }
 
-void RespirationTimeline::setTube(SessionTime from, Length innerDiameter)
+void RespirationTimeline::setTube(SessionTime from, const SetTube& tube)
 {
-    m_tube.setOverride(from, innerDiameter);
+    m_tube.setOverride(from, tube);
     decide(from);
 }
 
@@ -198,7 +198,7 @@ RespiratorySettings RespirationTimeline::settingsAt(SessionTime t) const
 {
     return {m_build.at(t),
             m_conditions.at(t),
-            m_tube.overrideAt(t),
+            {}, // see ventilatedThrough
             BreathingPattern{m_rate.at(t), m_tidalVolume.at(t), m_inspiratoryFraction.at(t)},
             m_ventilator.at(t),
             m_position.at(t),

@@ -66,7 +66,7 @@ public:
     void setConditions(SessionTime from, const LungConditions& conditions);
     void setVentilator(SessionTime from, const VentilatorSettings& settings);
     /// The console's own setting of the tube (TubeTimeline::setOverride).
-    void setTube(SessionTime from, Length innerDiameter);
+    void setTube(SessionTime from, const SetTube& tube);
     void noteIntubation(SessionTime from, const IntubationEvent& event, Length innerDiameter);
     void setCuff(SessionTime from, bool inflated);
     void setObstruction(SessionTime from, double share);
@@ -101,7 +101,7 @@ public:
     }
 
     /// The settings in force at t (what a console shows), which is no earlier than the first
-    /// checkpoint that is kept.
+    /// checkpoint that is kept. They know no tube: what follows of it see ventilatedThrough.
     [[nodiscard]] RespiratorySettings settingsAt(SessionTime t) const;
     /// The tube as it is set and noted, cuff and stylet.
     [[nodiscard]] const TubeTimeline& tube() const { return m_tube; }

@@ -48,6 +48,13 @@ struct Console {
         node.decide(fact::LungConditionsSet{conditions});
         look();
     }
+    void notes(IntubationStep step, TubeSeat seat, double confidence)
+    {
+        node.decide(fact::IntubationNoted{
+            {.step = step, .at = *node.now(), .seat = seat, .confidence = confidence}, {}});
+        node.advance(seconds{1});
+        look();
+    }
     void tubeIsSeen(bool seen)
     {
         node.advance(std::chrono::milliseconds{50});
@@ -128,6 +135,32 @@ private Q_SLOTS:
         Console console;
         console.asks(kTom);
         console.asks(kTom, false);
+        QCOMPARE(console.texts(), QStringList{});
+    }
+
+    void asksWhereATubeIsWhoseWayNothingTells()
+    {
+        Console console;
+        const QSignalSpy shown{&console.model, &AttentionModel::showWanted};
+        console.notes(IntubationStep::ThroughCords, TubeSeat::Trachea, 0.5);
+        QCOMPARE(console.texts(), QStringList{});
+        console.notes(IntubationStep::CuffInflated, TubeSeat::Trachea, 0.25);
+        QCOMPARE(console.texts(),
+                 QStringList{QStringLiteral("Tube in the trachea? (25\u00a0% sure): nothing tells "
+                                            "its way. Set where it is")});
+        console.notes(IntubationStep::BladeOut, TubeSeat::Trachea, 1.0);
+        QCOMPARE(console.texts().size(), 1); // it is as sure of the blade
+        console.model.act(console.model.all().front());
+        QCOMPARE(shown.count(), 1);
+        console.node.decide(fact::TubePlaced{{TubeSeat::Oesophagus, millimetres(6.5)}});
+        console.node.advance(seconds{1});
+        console.look();
+        QCOMPARE(console.texts(), QStringList{});
+        console.node.decide(fact::TubePlaced{});
+        console.node.advance(seconds{1});
+        console.look();
+        QCOMPARE(console.texts().size(), 1);
+        console.notes(IntubationStep::TubeOut, TubeSeat::None, 0.25);
         QCOMPARE(console.texts(), QStringList{});
     }
 

@@ -19,7 +19,7 @@ struct Ward {
         VentilatorSettings ventilator;
         ventilator.mode = VentilationMode::VolumeControl;
         node.decide(fact::VentilatorSet{ventilator});
-        node.decide(fact::TubePlaced{millimetres(6.5)});
+        node.decide(fact::TubePlaced{{TubeSeat::Trachea, millimetres(6.5)}});
         node.decide(fact::LungConditionsSet{conditions});
         node.decide(fact::PhaseChanged{SessionPhase::Running});
     }

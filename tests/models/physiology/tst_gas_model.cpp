@@ -1,3 +1,4 @@
+#include "engine/anatomy/patient/patient_dimensions.h"
 #include "engine/session/respiration/respiration_rules.h"
 #include "models/physiology/drug_words.h"
 #include "models/physiology/gas_model.h"
@@ -28,6 +29,8 @@ private Q_SLOTS:
     void offersNoMoreThanAllCanBeGiven();
     void listsWhatWasGivenLately();
     void tellsWhereTheTubeIsAndWhatOverridesIt();
+    void setsWhereTheTubeIs();
+    void proposesTheSizeOfTheTubeThatThereIs();
     void drawsTheStyletOfATubeThatIsFollowed();
     void letsOnlyAnInstructorChangeGasAndGiveDrugs();
     void letsWhoIsAtTheStationHandleTheTube();
@@ -217,10 +220,54 @@ void TestGasModel::tellsWhereTheTubeIsAndWhatOverridesIt()
     Console console;
     console.note(IntubationStep::InOesophagus, TubeSeat::Oesophagus);
     QCOMPARE(console.model.tubeText(), QStringLiteral("Tube: in the oesophagus, as it is noted"));
-    console.node.decide(fact::TubePlaced{millimetres(6.5)});
+    console.model.setTube({TubeSeat::Trachea, millimetres(6.5)});
     console.settle();
     QVERIFY(console.model.tubeText().startsWith(QStringLiteral("▲ Tube: in the trachea")));
     QVERIFY(console.model.tubeText().contains(QStringLiteral("as the console sets it")));
+}
+
+void TestGasModel::setsWhereTheTubeIs()
+{
+    Console console;
+    const SetTube wrong{TubeSeat::Oesophagus, millimetres(6.5)};
+    console.model.setTube(wrong);
+    QVERIFY(console.model.tube() == wrong);
+    QCOMPARE(console.model.travellingText(),
+             QStringLiteral("Tube → in the oesophagus, 6.5\u00a0mm"));
+    console.settle();
+    const auto place = [&] {
+        const auto state = console.node.state();
+        return state->stations()
+            .at(FakeSessionNode::kStation)
+            .respiration.tubePlaceAt(*console.node.now());
+    };
+    QVERIFY(place() == (TubePlace{TubeSeat::Oesophagus, millimetres(6.5)}));
+    console.model.undo();
+    QCOMPARE(console.model.travellingText(), QStringLiteral("Tube → not set"));
+    console.settle();
+    QVERIFY(!console.model.tube().isSet());
+    QVERIFY(place() == TubePlace{});
+    console.model.setTube({TubeSeat::Trachea, millimetres(13.0)}); // which the host refuses
+    console.settle();
+    QVERIFY(!console.model.tube().isSet());
+    QVERIFY(!console.model.canUndo());
+}
+
+void TestGasModel::proposesTheSizeOfTheTubeThatThereIs()
+{
+    Console console;
+    const PatientBuild child{metres(1.5), 40.0, 12.0, Sex::Female};
+    console.node.decide(fact::PatientBuildSet{child});
+    console.settle();
+    QCOMPARE(console.model.likelyTubeSize(), usualTube(child.ageInYears, child.sex));
+    const IntubationEvent through{
+        .step = IntubationStep::ThroughCords, .at = *console.node.now(), .seat = TubeSeat::Trachea};
+    console.node.decide(fact::IntubationNoted{through, millimetres(5.5)});
+    console.settle();
+    QCOMPARE(console.model.likelyTubeSize(), millimetres(5.5));
+    console.model.setTube({TubeSeat::Oesophagus, millimetres(6.0)});
+    console.settle();
+    QCOMPARE(console.model.likelyTubeSize(), millimetres(6.0));
 }
 
 void TestGasModel::drawsTheStyletOfATubeThatIsFollowed()
@@ -243,6 +290,7 @@ void TestGasModel::letsOnlyAnInstructorChangeGasAndGiveDrugs()
         QVERIFY(!console.model.obstacle().isEmpty());
         console.model.setGas(kPreoxygenation);
         console.model.give(DrugKind::Propofol, 2.0);
+        console.model.setTube({TubeSeat::Trachea, millimetres(6.5)});
         console.settle();
         QCOMPARE(console.node.proposed, before);
         QVERIFY(console.model.gas() == GasSupply{});

@@ -79,7 +79,6 @@ void TestRespirationModel::showsWhatIsInForce()
     Console console;
     QVERIFY(console.model.conditions().empty());
     QVERIFY(console.model.ventilator() == VentilatorSettings{});
-    QCOMPARE(console.model.tube(), Length{});
     QVERIFY(!console.model.canUndo());
     QVERIFY(console.model.travellingText().isEmpty());
     QVERIFY(console.model.obstacle().isEmpty());
@@ -153,20 +152,17 @@ void TestRespirationModel::setsAndTellsWhatTravels()
     ventilator.mode = VentilationMode::VolumeControl;
     ventilator.peep = cmH2O(8.0);
     console.model.setVentilator(ventilator);
-    console.model.setTube(millimetres(6.5));
     console.model.setPosition(BodyPosition::LeftLateral);
     QCOMPARE(console.model.position(), BodyPosition::LeftLateral);
     QCOMPARE(console.model.travellingText().section(QLatin1Char('\n'), 1),
-             QStringLiteral(
-                 "Ventilation → Volume control, PEEP\u00a08\u00a0cmH2O\nAirway → 6.5\u00a0mm tube\n"
-                 "Position → Left lateral"));
+             QStringLiteral("Ventilation → Volume control, PEEP\u00a08\u00a0cmH2O\n"
+                            "Position → Left lateral"));
     console.settle();
     QVERIFY(console.model.travellingText().isEmpty());
     QCOMPARE(console.model.inForceText(),
              QStringLiteral("Pneumothorax, simple, right lung, severity\u00a00.40; left lateral"));
     QVERIFY(only(console.decided().conditions) == kRightPneumothorax);
     QVERIFY(console.decided().ventilator == ventilator);
-    QCOMPARE(console.decided().tube, millimetres(6.5));
     QCOMPARE(console.decided().position, BodyPosition::LeftLateral);
 }
 
@@ -235,7 +231,7 @@ void TestRespirationModel::keepsOneProposalUnderWayWhileASeverityIsDragged()
         console.deliver();
     }
     QCOMPARE(console.node.proposed, 1);
-    console.model.setTube(millimetres(7.0)); // travels beside it
+    console.model.setPosition(BodyPosition::Prone); // travels beside it
     QCOMPARE(console.node.proposed, 2);
     console.node.hostComesBack();
     console.settle();
@@ -250,7 +246,7 @@ void TestRespirationModel::doesNotProposeWhatIsAlreadySo()
     Console console;
     console.model.choose(0, ConditionKind::Normal);
     console.model.setVentilator({});
-    console.model.setTube({});
+    console.model.setPosition(BodyPosition::Supine);
     QCOMPARE(console.node.proposed, 0);
     QVERIFY(!console.model.canUndo());
 }
@@ -283,9 +279,11 @@ void TestRespirationModel::undoesADragAtOnceAndThenWhatWasBefore()
 void TestRespirationModel::givesUpWhatTheHostRefuses()
 {
     Console console;
-    console.model.setTube(millimetres(13.0));
+    VentilatorSettings ventilator;
+    ventilator.peep = cmH2O(80.0);
+    console.model.setVentilator(ventilator);
     console.settle();
-    QCOMPARE(console.model.tube(), Length{});
+    QVERIFY(console.model.ventilator() == VentilatorSettings{});
     QVERIFY(console.model.travellingText().isEmpty());
     QVERIFY(!console.model.canUndo());
 }
@@ -325,7 +323,7 @@ void TestRespirationModel::letsOnlyAnInstructorChange()
     Console console{FakeSessionNode::kObserver};
     QVERIFY(!console.model.obstacle().isEmpty());
     console.model.choose(0, ConditionKind::Copd);
-    console.model.setTube(millimetres(7.0));
+    console.model.setPosition(BodyPosition::Prone);
     QCOMPARE(console.node.proposed, 0);
 }
 
@@ -362,7 +360,6 @@ void TestRespirationModel::hasAWordForEverything()
     pressure.drivingPressure = cmH2O(14.0);
     QCOMPARE(ventilatorText(pressure),
              QStringLiteral("Pressure control, PEEP\u00a05\u00a0cmH2O, 14\u00a0cmH2O above it"));
-    QCOMPARE(tubeText({}), QStringLiteral("no tube"));
 }
 
 CARINA_TEST(TestRespirationModel)

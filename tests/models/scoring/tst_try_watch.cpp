@@ -30,6 +30,7 @@ private Q_SLOTS:
     void countsMaskVentilationBefore();
     void takesTheForcesThatAreEstimated();
     void tellsATubeInTheOesophagusWhenAsked();
+    void believesTheInstructorAboutThePlace();
     void reportsATryThatWasGivenUp();
     void forgetsTheReportWhenAnotherTryBegins();
     void ignoresATryThatBeganBeforeItLooked();
@@ -184,6 +185,30 @@ void TestTryWatch::tellsATubeInTheOesophagusWhenAsked()
     QCOMPARE(metrics.outcome, TryOutcome::OesophagusUnrecognised);
     QVERIFY(metrics.oesophagus.front().wasVentilated);
     QVERIFY(!metrics.firstBreath);
+}
+
+/// Who takes it out then has recognised it.
+void TestTryWatch::believesTheInstructorAboutThePlace()
+{
+    TriedSession session;
+    session.intubate();
+    session.node.decide(fact::TubePlaced{{TubeSeat::Oesophagus, millimetres(6.5)}});
+    session.run(std::chrono::seconds{1});
+    session.note(IntubationStep::FirstBreath, TubeSeat::Trachea, millimetres(200.0));
+    session.run(std::chrono::seconds{30});
+    QVERIFY(session.tries.isUnderWay()); // no lung was ventilated
+    session.note(IntubationStep::BackAboveCords);
+    session.note(IntubationStep::TubeOut);
+    session.tries.finish();
+    const TryMetrics& metrics = session.tries.report()->metrics;
+    QCOMPARE(metrics.outcome, TryOutcome::OesophagusRecognised);
+    QVERIFY(metrics.oesophagus.at(0).wasVentilated);
+    QVERIFY(metrics.oesophagus.at(0).out.has_value());
+    session.intubate();
+    session.node.decide(fact::TubePlaced{{TubeSeat::RightMain, millimetres(6.5)}});
+    session.run(std::chrono::seconds{1});
+    session.tries.finish();
+    QCOMPARE(session.tries.report()->metrics.outcome, TryOutcome::RightMain);
 }
 
 void TestTryWatch::reportsATryThatWasGivenUp()

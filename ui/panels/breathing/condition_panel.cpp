@@ -32,7 +32,6 @@ constexpr int kTravellingLines = 3;
 constexpr int kConditionLines = 3;
 constexpr int kFormGap = 3;       ///< pixels between the rows, so that a window of 800 holds them
 constexpr int kShownLetters = 12; ///< of a choice; its list is as wide as it has to be
-constexpr double kTubeStep_mm = 0.5;
 constexpr double kUsualOwnEffort = 0.5; ///< of a quiet breath's
 
 /// Shows a value without telling it back to the model; not while a person is typing into it.
@@ -70,7 +69,6 @@ ConditionPanel::ConditionPanel(QWidget* parent)
       m_severitySlider{new QSlider{Qt::Horizontal}},
       m_side{new QComboBox},
       m_mode{new QComboBox},
-      m_tube{new CheckedDoubleSpinBox},
       m_refused{new RefusalLine},
       m_travelling{new PlainLabel},
       m_undo{new QPushButton{tr("&Undo last change")}}
@@ -121,7 +119,6 @@ void ConditionPanel::layOut()
                              "breath, litres per minute"),
                           tr(" L/min"));
     explain();
-    add(m_tube, "tube", tr("&Tube"), tr("Inner diameter of the tracheal tube, millimetres"));
     m_travelling->setObjectName(QStringLiteral("travelling"));
     m_travelling->setWordWrap(true);
     m_travelling->setAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -222,20 +219,13 @@ void ConditionPanel::offerChoices()
     m_ownEffort->setSingleStep(10.0);
     m_trigger->setRange(0.0, inLitresPerMinute(kLargestTrigger));
     m_trigger->setSpecialValueText(tr("none"));
-    m_tube->setRange(inMillimetres(kNarrowestTube) - kTubeStep_mm, inMillimetres(kWidestTube));
-    m_tube->setDecimals(1);
-    m_tube->setSingleStep(kTubeStep_mm);
-    m_tube->setSuffix(tr(" mm"));
-    m_tube->setSpecialValueText(tr("none"));
-    m_tube->setToolTip(tr("Inner diameter, 2 to 12 mm; below that, none"));
     for (QComboBox* box : {m_position, m_condition, m_side, m_mode}) {
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         box->setMinimumContentsLength(kShownLetters);
     }
-    for (CheckedDoubleSpinBox* box : {m_severity, m_tube})
-        box->setAlignment(Qt::AlignRight);
-    for (const CheckedDoubleSpinBox* box : {m_severity, m_peep, m_driving, m_limit, m_pause,
-                                            m_ownRate, m_ownEffort, m_trigger, m_tube})
+    m_severity->setAlignment(Qt::AlignRight);
+    for (const CheckedDoubleSpinBox* box :
+         {m_severity, m_peep, m_driving, m_limit, m_pause, m_ownRate, m_ownEffort, m_trigger})
         m_refused->watch(*box);
 }
 
@@ -299,9 +289,6 @@ void ConditionPanel::connectVentilator()
         const bool isNone = value < inPerMinute(kSlowestBreathing);
         s.ownRate = isNone ? Frequency{} : perMinute(value);
         s.ownEffort = isNone ? 0.0 : s.ownEffort > 0.0 ? s.ownEffort : kUsualOwnEffort;
-    });
-    connect(m_tube, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-        m_model->setTube(value < inMillimetres(kNarrowestTube) ? Length{} : millimetres(value));
     });
 }
 
@@ -395,7 +382,6 @@ void ConditionPanel::refresh()
     display(*m_position, static_cast<int>(m_model->position()));
     refreshConditions();
     refreshVentilator(m_model->ventilator());
-    display(*m_tube, inMillimetres(m_model->tube()));
     m_travelling->setText(m_model->travellingText());
     m_undo->setVisible(!m_model->hasHistory()); // which has one for all panels
     if (m_model->hasHistory()) // nothing stands beneath it that more lines would move

@@ -17,7 +17,7 @@ namespace carina
 class CheckedDoubleSpinBox;
 class RefusalLine;
 
-/// Shows and sets the patient's position, diseases, ventilator and tube. The diseases are a list;
+/// Shows and sets the patient's position, diseases and ventilator. The diseases are a list;
 /// the controls below it change the one that is selected. A control shows the value
 /// in force or, while a change is pending, the requested value; pending changes are listed below.
 /// For a person without permission the panel states the reason.
@@ -71,7 +71,6 @@ private:
     CheckedDoubleSpinBox* m_ownRate = nullptr;
     CheckedDoubleSpinBox* m_ownEffort = nullptr;
     CheckedDoubleSpinBox* m_trigger = nullptr;
-    CheckedDoubleSpinBox* m_tube;
     RefusalLine* m_refused;
     QLabel* m_travelling;
     QPushButton* m_undo;

@@ -14,6 +14,9 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <array>
+
 namespace carina
 {
 namespace
@@ -24,6 +27,12 @@ constexpr double kLeastDose = 0.01; ///< of the unit of a drug, per kilogram
 constexpr int kGivenLines = 2;
 constexpr double kOxygenStep = 10.0; ///< per cent
 constexpr double kObstructionStep = 10.0;
+constexpr double kTubeStep_mm = 0.5;
+constexpr int kPlaceLetters = 12; ///< of a place; its list is as wide as it has to be
+// Of a tube, as its list has them: the first is that none is set.
+constexpr int kNotSet = 0;
+constexpr std::array kSettableSeats{TubeSeat::Trachea, TubeSeat::RightMain, TubeSeat::LeftMain,
+                                    TubeSeat::Oesophagus, TubeSeat::None};
 
 /// Shows a value without telling it back to the model; not while a person is typing into it.
 void showValue(CheckedDoubleSpinBox& box, double value)
@@ -55,6 +64,8 @@ GasPanel::GasPanel(QWidget* parent)
       m_mask{new QCheckBox{tr("Mask held on the face")}},
       m_probe{new QCheckBox{tr("Oximeter's probe on a finger")}},
       m_tube{new PlainLabel},
+      m_tubeSeat{new QComboBox},
+      m_tubeSize{new CheckedDoubleSpinBox},
       m_cuff{new QCheckBox{tr("Cuff inflated")}},
       m_stylet{new QPushButton{tr("Draw the stylet")}},
       m_obstruction{new CheckedDoubleSpinBox},
@@ -92,6 +103,7 @@ void GasPanel::layOut()
     layTube(*rows);
     layDrugs(*rows);
     m_refused->watch(*m_oxygen);
+    m_refused->watch(*m_tubeSize);
     m_refused->watch(*m_obstruction);
     m_refused->watch(*m_dose);
     m_obstacle->setObjectName(QStringLiteral("obstacle"));
@@ -127,8 +139,34 @@ void GasPanel::layTube(QFormLayout& rows)
     m_obstruction->setSuffix(tr(" %"));
     m_obstruction->setAlignment(Qt::AlignRight);
     rows.addRow(m_tube);
+    laySetTube(rows);
     rows.addRow(row);
     rows.addRow(tr("Tube obstructed"), m_obstruction);
+}
+
+void GasPanel::laySetTube(QFormLayout& rows)
+{
+    m_tubeSeat->setObjectName(QStringLiteral("tubeSeat"));
+    m_tubeSeat->setAccessibleName(tr("Where the console sets the tube"));
+    m_tubeSeat->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_tubeSeat->setMinimumContentsLength(kPlaceLetters);
+    m_tubeSeat->addItem(tr("not set"));
+    for (const TubeSeat seat : kSettableSeats)
+        m_tubeSeat->addItem(seatText(seat));
+    m_tubeSize->setObjectName(QStringLiteral("tubeSize"));
+    m_tubeSize->setAccessibleName(tr("Inner diameter of the tracheal tube, millimetres"));
+    m_tubeSize->setRange(inMillimetres(kNarrowestTube), inMillimetres(kWidestTube));
+    m_tubeSize->setDecimals(1);
+    m_tubeSize->setSingleStep(kTubeStep_mm);
+    m_tubeSize->setSuffix(tr(" mm"));
+    m_tubeSize->setAlignment(Qt::AlignRight);
+    auto* label = new PlainLabel{tr("Tube")};
+    label->setBuddy(m_tubeSeat);
+    auto* row = new QHBoxLayout;
+    row->addWidget(label);
+    row->addWidget(m_tubeSeat, 1);
+    row->addWidget(m_tubeSize);
+    rows.addRow(row);
 }
 
 void GasPanel::layDrugs(QFormLayout& rows)
@@ -167,6 +205,10 @@ void GasPanel::explain()
     m_probe->setToolTip(tr("Without it the monitor shows no oxygen saturation"));
     m_cuff->setToolTip(tr("Without it a quarter of each breath escapes beside a tube that is "
                           "followed"));
+    m_tubeSeat->setToolTip(
+        tr("Where the tube is for the patient, whatever is noted of it. Not set: "
+           "where it is noted; without a tube that is followed, none"));
+    m_tubeSize->setToolTip(tr("Inner diameter of the tube that is set, 2 to 12 mm"));
     m_stylet->setToolTip(tr("It is back in the tube for the next try"));
     m_obstruction->setToolTip(tr("How much of its lumen a kink, a bite or secretions take, until "
                                  "it is taken out; 100 % let nothing through"));
@@ -191,15 +233,30 @@ void GasPanel::setModel(GasModel& model)
     connect(m_probe, &QCheckBox::toggled, &model, [vary](bool isOn) {
         vary([](GasSupply& gas, double on) { gas.probeOn = on > 0.0; }, isOn ? 1.0 : 0.0);
     });
-    connect(m_cuff, &QCheckBox::toggled, &model, &GasModel::setCuff);
-    connect(m_stylet, &QPushButton::clicked, &model, &GasModel::drawStylet);
-    connect(m_obstruction, &QDoubleSpinBox::valueChanged, &model,
-            [&model](double percent) { model.setObstruction(0.01 * percent); });
+    connectTube();
     connectDrugs();
     connect(m_undo, &QPushButton::clicked, &model, &GasModel::undo);
     connect(&model, &GasModel::changed, this, &GasPanel::refresh);
     offerDose();
     refresh();
+}
+
+void GasPanel::connectTube()
+{
+    connect(m_tubeSeat, &QComboBox::activated, this, [this](int place) {
+        const SetTube set = m_model->tube();
+        m_model->setTube(place == kNotSet ? SetTube{}
+                                          : SetTube{kSettableSeats[std::size_t(place - 1)],
+                                                    set.isSet() ? set.innerDiameter
+                                                                : m_model->likelyTubeSize()});
+    });
+    connect(m_tubeSize, &QDoubleSpinBox::valueChanged, this, [this](double size) {
+        m_model->setTube({m_model->tube().seat, millimetres(size)});
+    });
+    connect(m_cuff, &QCheckBox::toggled, m_model, &GasModel::setCuff);
+    connect(m_stylet, &QPushButton::clicked, m_model, &GasModel::drawStylet);
+    connect(m_obstruction, &QDoubleSpinBox::valueChanged, this,
+            [this](double percent) { m_model->setObstruction(0.01 * percent); });
 }
 
 void GasPanel::connectDrugs()
@@ -239,6 +296,24 @@ void GasPanel::refreshDose()
     m_give->setAccessibleName(tr("Give %1").arg(doseText({drug(), dose_mgPerKg() * weight})));
 }
 
+void GasPanel::refreshTube()
+{
+    const QString where = m_model->tubeText();
+    m_tube->setText(where);
+    m_tube->setVisible(!where.isEmpty());
+    const SetTube set = m_model->tube();
+    const auto* const place = std::ranges::find(kSettableSeats, set.seat);
+    m_tubeSeat->setCurrentIndex(set.isSet() ? 1 + static_cast<int>(place - kSettableSeats.begin())
+                                            : kNotSet);
+    showValue(*m_tubeSize,
+              inMillimetres(set.isSet() ? set.innerDiameter : m_model->likelyTubeSize()));
+    m_tubeSize->setEnabled(set.isSet());
+    showTick(*m_cuff, m_model->isCuffInflated());
+    m_stylet->setEnabled(m_model->hasStylet());
+    showValue(*m_obstruction, 100.0 * m_model->obstruction());
+    m_obstruction->setEnabled(m_model->hasTube());
+}
+
 void GasPanel::refresh()
 {
     const QString obstacle = m_model->obstacle();
@@ -249,13 +324,7 @@ void GasPanel::refresh()
     showValue(*m_oxygen, 100.0 * gas.inspiredOxygen);
     showTick(*m_mask, gas.maskHeld);
     showTick(*m_probe, gas.probeOn);
-    showTick(*m_cuff, m_model->isCuffInflated());
-    const QString tube = m_model->tubeText();
-    m_tube->setText(tube);
-    m_tube->setVisible(!tube.isEmpty());
-    m_stylet->setEnabled(m_model->hasStylet());
-    showValue(*m_obstruction, 100.0 * m_model->obstruction());
-    m_obstruction->setEnabled(m_model->hasTube());
+    refreshTube();
     const DrugKind kind = drug();
     m_dose->setMaximum(unitsPerMilligram(kind) * m_model->mostDose_mgPerKg(kind));
     refreshDose();

@@ -16,10 +16,10 @@ namespace carina
 class CheckedDoubleSpinBox;
 class RefusalLine;
 
-/// Shows and sets what the patient breathes, the cuff of the tube and how far it is obstructed, and
-/// gives drugs by the patient's weight. A control shows the value in force or, while a change is
-/// pending, the requested value; pending changes are listed below. For a person without permission
-/// the panel states the reason.
+/// Shows and sets what the patient breathes, where the tube is, its cuff and how far it is
+/// obstructed, and gives drugs by the patient's weight. A control shows the value in force or,
+/// while a change is pending, the requested value; pending changes are listed below. For a person
+/// without permission the panel states the reason.
 class GasPanel : public QWidget
 {
     Q_OBJECT
@@ -33,13 +33,16 @@ public:
 private:
     void layOut();
     void layTube(QFormLayout& rows);
+    void laySetTube(QFormLayout& rows);
     void layDrugs(QFormLayout& rows);
     void explain();
+    void connectTube();
     void connectDrugs();
     [[nodiscard]] DrugKind drug() const;
     [[nodiscard]] double dose_mgPerKg() const;
     void offerDose();
     void refresh();
+    void refreshTube();
     void refreshDose();
 
     GasModel* m_model = nullptr;
@@ -49,6 +52,8 @@ private:
     QCheckBox* m_mask;
     QCheckBox* m_probe;
     QLabel* m_tube; ///< where it is
+    QComboBox* m_tubeSeat;
+    CheckedDoubleSpinBox* m_tubeSize;
     QCheckBox* m_cuff;
     QPushButton* m_stylet;
     CheckedDoubleSpinBox* m_obstruction;

@@ -203,7 +203,7 @@ void TestPatientBody::letsTheConsoleOverrideTheMonitor()
     LogWriter writer = runningAdult();
     writer.add(atSeconds(2.0), fact::BagSqueezed{{perMinute(15.0), millilitres(450.0)}});
     note(writer, 4.0, IntubationStep::InOesophagus, TubeSeat::Oesophagus);
-    writer.add(atSeconds(6.0), fact::TubePlaced{millimetres(8.0)});
+    writer.add(atSeconds(6.0), fact::TubePlaced{{TubeSeat::Trachea, millimetres(8.0)}});
     writer.add(atSeconds(8.0), fact::TubePlaced{});
     const SessionState state = stateOf(writer);
     QVERIFY(!ranTo(state, 5.9).fold().isVentilated());

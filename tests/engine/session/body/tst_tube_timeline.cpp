@@ -40,10 +40,57 @@ private Q_SLOTS:
     void placesTheTubeThatTheConsoleSets()
     {
         TubeTimeline tube;
-        tube.setOverride(atSeconds(1.0), millimetres(6.5));
+        tube.setOverride(atSeconds(1.0), {TubeSeat::Trachea, millimetres(6.5)});
         QVERIFY(placeAt(tube, 0.9) == TubePlace{});
         QVERIFY(placeAt(tube, 1.0) == (TubePlace{TubeSeat::Trachea, millimetres(6.5)}));
         QVERIFY(!tube.isOverriddenAt(atSeconds(1.0))); // of nothing
+    }
+
+    void placesItWhereTheConsoleSaysThatItIs()
+    {
+        const Length size = millimetres(7.5);
+        for (const TubeSeat seat : kTubeSeats) {
+            TubeTimeline tube;
+            tube.note(atSeconds(1.0), noted(IntubationStep::ThroughCords, TubeSeat::Trachea), size);
+            tube.setOverride(atSeconds(2.0), {seat, size});
+            QVERIFY(placeAt(tube, 2.0) == (TubePlace{seat, size}));
+            QVERIFY(tube.isOverriddenAt(atSeconds(2.0)));
+        }
+    }
+
+    /// What was set while no tube was in the mouth stays.
+    void saysNothingOfATubeAnyMoreThatIsOut()
+    {
+        TubeTimeline tube;
+        const Length size = millimetres(7.5);
+        tube.note(atSeconds(1.0), noted(IntubationStep::TubePastTeeth, TubeSeat::None), size);
+        tube.note(atSeconds(2.0), noted(IntubationStep::ThroughCords, TubeSeat::Trachea), size);
+        tube.setOverride(atSeconds(3.0), {TubeSeat::Oesophagus, size});
+        tube.note(atSeconds(4.0), noted(IntubationStep::BackAboveCords, TubeSeat::None), size);
+        QCOMPARE(placeAt(tube, 4.0).seat, TubeSeat::Oesophagus);
+        tube.setObstruction(atSeconds(4.0), 0.3);
+        tube.note(atSeconds(5.0), noted(IntubationStep::TubeOut, TubeSeat::None), size);
+        QVERIFY(!tube.isOverriddenAt(atSeconds(5.0)));
+        QCOMPARE(placeAt(tube, 5.0).seat, TubeSeat::None);
+        QCOMPARE(placeAt(tube, 5.0).obstruction, 0.0);
+        tube.setOverride(atSeconds(6.0), {TubeSeat::Trachea, size});
+        tube.note(atSeconds(7.0), noted(IntubationStep::TubePastTeeth, TubeSeat::None), size);
+        tube.note(atSeconds(8.0), noted(IntubationStep::TubeOut, TubeSeat::None), size);
+        QCOMPARE(placeAt(tube, 8.0).seat, TubeSeat::Trachea);
+    }
+
+    void knowsTheLastEntryAboutATubeInTheMouth()
+    {
+        TubeTimeline tube;
+        const auto lastAt = [&](double seconds) { return tube.lastOfTubeAt(atSeconds(seconds)); };
+        tube.note(atSeconds(1.0), noted(IntubationStep::BladeIn, TubeSeat::None), {});
+        QVERIFY(!lastAt(1.0));
+        tube.note(atSeconds(2.0), noted(IntubationStep::ThroughCords, TubeSeat::Trachea), {});
+        tube.note(atSeconds(3.0), noted(IntubationStep::BladeOut, TubeSeat::Trachea), {});
+        QVERIFY(!lastAt(1.9));
+        QCOMPARE(lastAt(3.0)->step, IntubationStep::ThroughCords);
+        tube.note(atSeconds(4.0), noted(IntubationStep::TubeOut, TubeSeat::None), {});
+        QVERIFY(lastAt(3.9) && !lastAt(4.0));
     }
 
     void followsTheMonitorFromTheTeethOn()
@@ -79,7 +126,7 @@ private Q_SLOTS:
         TubeTimeline tube;
         const Length size = millimetres(7.5);
         tube.note(atSeconds(1.0), noted(IntubationStep::InOesophagus, TubeSeat::Oesophagus), size);
-        tube.setOverride(atSeconds(2.0), millimetres(6.0));
+        tube.setOverride(atSeconds(2.0), {TubeSeat::Trachea, millimetres(6.0)});
         tube.setOverride(atSeconds(3.0), {});
         QCOMPARE(placeAt(tube, 1.9).seat, TubeSeat::Oesophagus);
         QVERIFY(!tube.isOverriddenAt(atSeconds(1.9)));
@@ -98,7 +145,7 @@ private Q_SLOTS:
         QCOMPARE(placeAt(tube, 1.9).leak, kEmptyCuffLeak);
         QCOMPARE(placeAt(tube, 2.0).leak, 0.0);
         QCOMPARE(placeAt(tube, 3.0).leak, kEmptyCuffLeak);
-        tube.setOverride(atSeconds(4.0), millimetres(6.0));
+        tube.setOverride(atSeconds(4.0), {TubeSeat::Trachea, millimetres(6.0)});
         QCOMPARE(placeAt(tube, 4.0).leak, 0.0); // it is said to be as it should
     }
 
@@ -122,7 +169,7 @@ private Q_SLOTS:
         QCOMPARE(placeAt(tube, 1.9).obstruction, 0.0);
         QCOMPARE(placeAt(tube, 2.0).obstruction, 0.6);
         QVERIFY(tube.changeAfter(atSeconds(1.0)) == atSeconds(2.0));
-        tube.setOverride(atSeconds(3.0), millimetres(6.0));
+        tube.setOverride(atSeconds(3.0), {TubeSeat::Trachea, millimetres(6.0)});
         QCOMPARE(placeAt(tube, 3.0).obstruction, 0.6);
         tube.setOverride(atSeconds(4.0), {});
         QCOMPARE(placeAt(tube, 4.0).obstruction, 0.0);
@@ -134,7 +181,7 @@ private Q_SLOTS:
     void isObstructedAtTheConsoleWhereverTheTrackedTubeGoes()
     {
         TubeTimeline tube;
-        tube.setOverride(atSeconds(1.0), millimetres(6.0));
+        tube.setOverride(atSeconds(1.0), {TubeSeat::Trachea, millimetres(6.0)});
         tube.setObstruction(atSeconds(2.0), 0.6);
         tube.note(atSeconds(3.0), noted(IntubationStep::TubeOut, TubeSeat::None), {});
         QCOMPARE(placeAt(tube, 3.0).obstruction, 0.6);
@@ -178,7 +225,7 @@ private Q_SLOTS:
         tube.note(atSeconds(2.0), noted(IntubationStep::GlottisSeen, TubeSeat::None), {});
         tube.note(atSeconds(3.0), noted(IntubationStep::ThroughCords, TubeSeat::Trachea), {});
         tube.setCuff(atSeconds(4.0), true);
-        tube.setOverride(atSeconds(5.0), millimetres(6.0));
+        tube.setOverride(atSeconds(5.0), {TubeSeat::Trachea, millimetres(6.0)});
         const auto after = [&](double seconds) { return tube.changeAfter(atSeconds(seconds)); };
         QVERIFY(after(0.0) == atSeconds(1.0));
         QVERIFY(after(1.0) == atSeconds(3.0)); // the view changes nothing of the patient

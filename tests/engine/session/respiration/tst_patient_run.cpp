@@ -22,7 +22,7 @@ LogWriter eventfulSession()
     for (int i = 0; i < 6; ++i)
         writer.add(atSeconds(4.0 + 3.1 * i), fact::ManikinBreathed{atSeconds(3.85 + 3.1 * i)});
     writer.add(atSeconds(20.5003), fact::PhaseChanged{SessionPhase::Paused});
-    writer.add(atSeconds(25.1), fact::TubePlaced{millimetres(7.5)});
+    writer.add(atSeconds(25.1), fact::TubePlaced{{TubeSeat::Trachea, millimetres(7.5)}});
     writer.add(atSeconds(26.0), fact::PhaseChanged{SessionPhase::Running});
     writer.add(atSeconds(27.0), fact::BodyPositionSet{BodyPosition::LeftLateral});
     fact::VentilatorSet ventilator;

@@ -55,7 +55,7 @@ void TestRespirationFacts::writesTheDocumentedBytes_data()
             {VentilationMode::PressureControl, {1.0}, {2.0}, {0.5}, 0.5, {2.0}, hertz(1.0), 0.0}},
         "0f 02 000000000000f03f 0000000000000040 000000000000e03f 000000000000e03f"
         "0000000000000040 000000000000f03f 0000000000000000");
-    row("tube", fact::TubePlaced{metres(2.0)}, "10 0000000000000040");
+    row("tube", fact::TubePlaced{{TubeSeat::Oesophagus, metres(2.0)}}, "10 04 0000000000000040");
     row("position", fact::BodyPositionSet{BodyPosition::LeftLateral}, "13 04");
     row("stopped", fact::BreathingStopped{true, Duration{0x0102}}, "21 01 0201000000000000");
     row("bag", fact::BagSqueezed{{hertz(0.25), {1.0}}}, "22 000000000000d03f 000000000000f03f");

@@ -99,8 +99,9 @@ void TestRespirationRules::boundsNumbers_data()
          ventilator([](VentilatorSettings& s, double v) { s.ownRate = perMinute(v); }));
     rows("own effort", 0.0, 2.0,
          ventilator([](VentilatorSettings& s, double v) { s.ownEffort = v; }));
-    rows("tube in mm", 2.0, 12.0,
-         [](double v) -> FactBody { return fact::TubePlaced{millimetres(v)}; });
+    rows("tube in mm", 2.0, 12.0, [](double v) -> FactBody {
+        return fact::TubePlaced{{TubeSeat::Oesophagus, millimetres(v)}};
+    });
 }
 
 void TestRespirationRules::boundsNumbers()
@@ -137,6 +138,8 @@ void TestRespirationRules::refusesADiseaseTwiceOnALung()
 void TestRespirationRules::allowsNoTubeAndNoEffort()
 {
     QCOMPARE(verdictOf(fact::TubePlaced{}), QByteArray{"fine"});
+    QCOMPARE(verdictOf(fact::TubePlaced{{TubeSeat::None, millimetres(7.0)}}), QByteArray{"fine"});
+    QCOMPARE(verdictOf(fact::TubePlaced{{TubeSeat::Trachea, {}}}), QByteArray{"out of range"});
     QCOMPARE(verdictOf(fact::VentilatorSet{}), QByteArray{"fine"}); // own rate 0
     QCOMPARE(verdictOf(fact::ManikinBreathed{}), QByteArray{"fine"});
 }

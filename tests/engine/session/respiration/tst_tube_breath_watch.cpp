@@ -126,7 +126,7 @@ private Q_SLOTS:
     void findsNoneWhereTheConsoleOverridesTheTube()
     {
         LogWriter writer = stillAdult();
-        writer.add(atSeconds(3.0), fact::TubePlaced{millimetres(7.0)});
+        writer.add(atSeconds(3.0), fact::TubePlaced{{TubeSeat::Trachea, millimetres(7.0)}});
         note(writer, 4.0, IntubationStep::InOesophagus, TubeSeat::Oesophagus);
         squeezeBag(writer, 5.0);
         QVERIFY(foundIn(writer, 30.0).empty());

@@ -35,7 +35,6 @@ private Q_SLOTS:
     void offersNoConditionTwiceOnALung();
     void offersWhatTheVentilatorHasInItsMode();
     void setsPauseOwnBreathsAndTrigger();
-    void placesAndTakesOutATube();
     void undoesFromItsButton();
     void keepsWhatIsBeingTyped();
     void refusesATypedPressureWithItsRange();
@@ -239,20 +238,6 @@ void TestConditionPanel::setsPauseOwnBreathsAndTrigger()
     QCOMPARE(desk.decided().ventilator.ownEffort, 0.0);
 }
 
-void TestConditionPanel::placesAndTakesOutATube()
-{
-    Desk desk;
-    QDoubleSpinBox& tube = desk.box("tube");
-    QCOMPARE(tube.text(), QStringLiteral("none"));
-    tube.setValue(6.5);
-    desk.settle();
-    QCOMPARE(desk.decided().tube, millimetres(6.5));
-    tube.setValue(tube.minimum());
-    desk.settle();
-    QCOMPARE(desk.decided().tube, Length{});
-    QCOMPARE(tube.text(), QStringLiteral("none"));
-}
-
 void TestConditionPanel::undoesFromItsButton()
 {
     Desk desk;
@@ -276,7 +261,8 @@ void TestConditionPanel::keepsWhatIsBeingTyped()
     severity.setFocus();
     severity.selectAll();
     QTest::keyClicks(&severity, QStringLiteral("0.7"));
-    desk.node.decide(fact::TubePlaced{millimetres(7.0)}); // and something else changes
+    desk.node.decide(
+        fact::TubePlaced{{TubeSeat::Trachea, millimetres(7.0)}}); // and something else changes
     desk.settle();
     QCOMPARE(severity.cleanText(), QStringLiteral("0.7"));
     QTest::keyClick(&severity, Qt::Key_Return);
@@ -313,7 +299,7 @@ void TestConditionPanel::changesNothingForAnObserver()
     Desk desk{FakeSessionNode::kObserver};
     QCOMPARE(desk.find<QLabel>("obstacle").text(),
              QStringLiteral("Only an instructor changes the patient."));
-    for (const char* name : {"condition", "severity", "side", "mode", "peep", "tube"})
+    for (const char* name : {"condition", "severity", "side", "mode", "peep"})
         QVERIFY2(!desk.find<QWidget>(name).isEnabled(), name);
     QVERIFY(!desk.find<QPushButton>("undoCondition").isEnabled());
     desk.node.decide(fact::LungConditionsSet{{{ConditionKind::Copd, 0.9, {}}}});
@@ -325,10 +311,9 @@ void TestConditionPanel::changesNothingForAnObserver()
 void TestConditionPanel::namesEveryControlForAScreenReader()
 {
     const Desk desk;
-    for (const char* name :
-         {"position", "conditions", "addCondition", "removeCondition", "condition", "severity",
-          "severitySlider", "side", "mode", "peep", "driving", "limit", "pause", "ownRate",
-          "ownEffort", "trigger", "tube"})
+    for (const char* name : {"position", "conditions", "addCondition", "removeCondition",
+                             "condition", "severity", "severitySlider", "side", "mode", "peep",
+                             "driving", "limit", "pause", "ownRate", "ownEffort", "trigger"})
         QVERIFY2(!desk.find<QWidget>(name).accessibleName().isEmpty(), name);
     const WaveformPanel waveforms;
     int plots = 0;

@@ -1,3 +1,4 @@
+#include "models/physiology/drug_words.h"
 #include "tests/models/fake_session_node.h"
 #include "tests/support/test_class.h"
 #include "ui/panels/breathing/gas_panel.h"
@@ -28,6 +29,7 @@ private Q_SLOTS:
     void changesCuffAndStylet();
     void obstructsTheTube();
     void tellsWhereTheTubeIs();
+    void setsWhereTheTubeIsByKeyboardAlone();
     void refusesATypedNumberWithItsRange();
     void changesNothingForAnObserver();
     void undoesFromItsButton();
@@ -178,6 +180,38 @@ void TestGasPanel::tellsWhereTheTubeIs()
     desk.note(IntubationStep::PastCarina, TubeSeat::RightMain);
     QVERIFY(tube.isVisible());
     QVERIFY(tube.text().contains(QStringLiteral("right main bronchus")));
+}
+
+void TestGasPanel::setsWhereTheTubeIsByKeyboardAlone()
+{
+    Desk desk;
+    const auto set = [&] { return desk.timeline().tube().overrideAt(SessionTime::max()); };
+    auto& seat = desk.find<QComboBox>("tubeSeat");
+    const auto& size = desk.find<CheckedDoubleSpinBox>("tubeSize");
+    QCOMPARE(seat.currentText(), QStringLiteral("not set"));
+    QVERIFY(!size.isEnabled());
+    desk.note(IntubationStep::ThroughCords, TubeSeat::Trachea);
+    seat.setFocus();
+    QTest::keyClick(&seat, Qt::Key_End);
+    QTest::keyClick(&seat, Qt::Key_Up);
+    desk.settle();
+    desk.settle(); // each key set a place
+    QCOMPARE(set().seat, TubeSeat::Oesophagus);
+    QCOMPARE(inMillimetres(set().innerDiameter), size.value());
+    QVERIFY(desk.find<QLabel>("tubePlace").text().contains(QStringLiteral("in the oesophagus")));
+    desk.enter("tubeSize", QStringLiteral("5.5"));
+    QVERIFY(std::abs(inMillimetres(set().innerDiameter) - 5.5) < 1e-9);
+    QCOMPARE(set().seat, TubeSeat::Oesophagus);
+    seat.setFocus();
+    QTest::keyClick(&seat, Qt::Key_Home);
+    desk.settle();
+    QVERIFY(!set().isSet());
+    QCOMPARE(seat.currentText(), QStringLiteral("not set"));
+    for (const TubeSeat each : kTubeSeats) { // as others set it
+        desk.node.decide(fact::TubePlaced{{each, millimetres(7.0)}});
+        desk.settle();
+        QCOMPARE(seat.currentText(), seatText(each));
+    }
 }
 
 void TestGasPanel::refusesATypedNumberWithItsRange()

@@ -1,0 +1,96 @@
+#include "engine/scoring/course/told_place.h"
+
+namespace carina
+{
+namespace
+{
+
+/// Whether the step is one of the way that the tip takes beyond the teeth.
+bool isOfWay(IntubationStep step)
+{
+    switch (step) {
+    case IntubationStep::ThroughCords:
+    case IntubationStep::BackAboveCords:
+    case IntubationStep::InOesophagus:
+    case IntubationStep::OutOfOesophagus:
+    case IntubationStep::PastCarina:
+    case IntubationStep::BackAboveCarina:
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool isOfBronchus(TubeSeat seat)
+{
+    return seat == TubeSeat::RightMain || seat == TubeSeat::LeftMain;
+}
+
+bool isBelowCords(TubeSeat seat) { return seat == TubeSeat::Trachea || isOfBronchus(seat); }
+
+} // namespace
+
+std::vector<IntubationEvent> ToldPlace::noted(const IntubationEvent& event)
+{
+    if (event.seat != m_last.seat)
+        m_passedAt = event.at;
+    m_last = event;
+    if (!m_told)
+        return {event};
+    if (isOfWay(event.step))
+        return {};
+    if (event.step == IntubationStep::TubeOut) {
+        std::vector<IntubationEvent> steps = between(*m_told, TubeSeat::None, event.at);
+        m_told.reset();
+        steps.push_back(event);
+        return steps;
+    }
+    IntubationEvent there = event;
+    there.seat = *m_told;
+    there.confidence = 1.0;
+    return {there};
+}
+
+/// Of a correction that is taken back nothing is left: what was told at a time is left at it.
+std::vector<IntubationEvent> ToldPlace::told(std::optional<TubeSeat> seat, SessionTime now)
+{
+    if (seat == m_told)
+        return {};
+    const TubeSeat from = m_told.value_or(m_last.seat);
+    const TubeSeat to = seat.value_or(m_last.seat);
+    const bool isNews = !m_told && m_last.seat != TubeSeat::None;
+    const SessionTime at = isNews ? m_passedAt : !seat ? m_toldFrom : now;
+    m_told = seat;
+    m_toldFrom = at;
+    return between(from, to, at);
+}
+
+std::vector<IntubationEvent> ToldPlace::between(TubeSeat from, TubeSeat to, SessionTime at) const
+{
+    std::vector<IntubationEvent> steps;
+    const auto step = [&](IntubationStep what, TubeSeat seat) {
+        IntubationEvent event = m_last;
+        event.step = what;
+        event.at = at;
+        event.seat = seat;
+        event.confidence = m_told ? 1.0 : m_last.confidence;
+        steps.push_back(event);
+    };
+    if (from == to)
+        return steps;
+    if (from == TubeSeat::Oesophagus)
+        step(IntubationStep::OutOfOesophagus, TubeSeat::None);
+    if (isOfBronchus(from))
+        step(IntubationStep::BackAboveCarina, TubeSeat::Trachea);
+    if (isBelowCords(from) && !isBelowCords(to))
+        step(IntubationStep::BackAboveCords, TubeSeat::None);
+    if (to == TubeSeat::Oesophagus)
+        step(IntubationStep::InOesophagus, TubeSeat::Oesophagus);
+    if (isBelowCords(to) && !isBelowCords(from))
+        step(IntubationStep::ThroughCords, TubeSeat::Trachea);
+    if (isOfBronchus(to))
+        step(IntubationStep::PastCarina, to);
+    return steps;
+}
+
+} // namespace carina

@@ -78,18 +78,27 @@ public:
         return m_steps.empty() ? std::nullopt : take(m_steps.back().number);
     }
 
-    /// Drops the steps that were decided over, at the stations where they were.
-    /// @param isSo (step, station): whether what the step set is still what is decided there, or on
-    ///             its way. Only the last step about a thing is asked about.
+    /// Drops the steps that were decided over, at the stations where they were, and those that came
+    /// to nothing.
+    /// @param isSo (thing, setting): whether this is still what is decided at the setting's
+    /// station,
+    ///             or on its way. Of a thing only the last step is asked about that came to
+    ///             something.
     template <class IsSo> void dropOverruled(const IsSo& isSo)
     {
         std::map<std::pair<std::size_t, StationId>, bool> stands;
         for (auto step = m_steps.rbegin(); step != m_steps.rend(); ++step)
             std::erase_if(step->before, [&](const Setting& at) {
-                const auto [place, isNew] = stands.try_emplace({step->thing, at.station}, true);
-                if (isNew)
-                    place->second = isSo(*step, at.station);
-                return !place->second;
+                const auto place = std::pair{step->thing, at.station};
+                if (const auto known = stands.find(place); known != stands.end())
+                    return !known->second;
+                Setting set = step->set;
+                set.station = at.station;
+                const bool isSet = isSo(step->thing, set);
+                const bool cameToNothing = !isSet && isSo(step->thing, at);
+                if (!cameToNothing)
+                    stands.emplace(place, isSet);
+                return !isSet;
             });
         std::erase_if(m_steps, [this](const Step& step) {
             if (step.before.empty() && m_history)

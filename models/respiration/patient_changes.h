@@ -148,9 +148,8 @@ public:
                 ask(thing, *next);
         }
         if (m_session.node().pending().empty())
-            m_steps.dropOverruled([this](const auto& step, StationId station) {
-                return m_wishes[step.thing].sent.has_value()
-                       || isDecided(station, step.thing, step.set.value);
+            m_steps.dropOverruled([this](std::size_t thing, const Setting& at) {
+                return m_wishes[thing].sent.has_value() || isDecided(at.station, thing, at.value);
             });
     }
 

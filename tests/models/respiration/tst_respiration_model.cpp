@@ -29,6 +29,7 @@ private Q_SLOTS:
     void undoesADragAtOnceAndThenWhatWasBefore();
     void undoesNotWhatSomebodyDecidedSince();
     void givesUpWhatTheHostRefuses();
+    void undoesWhatCameBeforeWhatTheHostRefuses();
     void followsAnotherInstructor();
     void letsOnlyAnInstructorChange();
     void changesNothingAfterTheEnd();
@@ -285,6 +286,26 @@ void TestRespirationModel::givesUpWhatTheHostRefuses()
     console.settle();
     QVERIFY(console.model.ventilator() == VentilatorSettings{});
     QVERIFY(console.model.travellingText().isEmpty());
+    QVERIFY(!console.model.canUndo());
+}
+
+/// What was refused came to nothing.
+void TestRespirationModel::undoesWhatCameBeforeWhatTheHostRefuses()
+{
+    Console console;
+    VentilatorSettings ventilator;
+    ventilator.peep = cmH2O(8.0);
+    console.model.setVentilator(ventilator);
+    console.settle();
+    VentilatorSettings impossible = ventilator;
+    impossible.peep = cmH2O(80.0);
+    console.model.setVentilator(impossible);
+    console.settle();
+    QVERIFY(console.model.ventilator() == ventilator);
+    QVERIFY(console.model.canUndo());
+    console.model.undo();
+    console.settle();
+    QVERIFY(console.model.ventilator() == VentilatorSettings{});
     QVERIFY(!console.model.canUndo());
 }
 

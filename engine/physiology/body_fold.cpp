@@ -207,8 +207,10 @@ Vitals BodyFold::vitals() const
     }
     if (samplesGas())
         vitals.exhaledCO2 = mmHg(m_state.capnograph.sensor_mmHg);
-    if (m_state.capnograph.hasBreath)
+    if (m_state.capnograph.hasBreath) {
         vitals.endTidalCO2 = mmHg(m_state.capnograph.endTidal_mmHg);
+        vitals.sinceBreath_s = m_state.capnograph.sinceBreath_s;
+    }
     vitals.capnographRate = {m_state.capnograph.rate_perS};
     return vitals;
 }

@@ -15,8 +15,10 @@ struct Vitals {
     std::optional<Pressure>
         exhaledCO2; ///< the capnograph's curve; nothing where it has no gas to sample
     std::optional<Pressure> endTidalCO2; ///< of the last breath; nothing before the first one
-    Frequency capnographRate{};          ///< breaths by CO2; 0 without any
-    Frequency heartRate{};               ///< 0: no beat
+    /// Since the last breath by CO2 began, seconds of the patient's time; nothing before the first.
+    std::optional<double> sinceBreath_s;
+    Frequency capnographRate{}; ///< breaths by CO2; 0 without any
+    Frequency heartRate{};      ///< 0: no beat
     Pressure systolic{};
     Pressure diastolic{};
     Pressure mean{};

@@ -352,18 +352,18 @@ void AttentionModel::addTubes(const SessionState& state, SessionTime now, Report
     for (const auto& [id, station] : state.stations()) {
         const TubeTimeline& tube = station.respiration.tube();
         const auto last = tube.lastOfTubeAt(now);
-        if (station.closed || !last || last->seat == TubeSeat::None || last->confidence >= kTold
-            || tube.isOverriddenAt(now))
+        if (station.closed || !last || last->seat == TubeSeat::None
+            || last->confidence >= kLeastTold || tube.isOverriddenAt(now))
             continue;
         const QString place =
             asSureAs(tr("Tube %1", "where").arg(seatText(last->seat)), last->confidence);
-        all.push_back({.concern = Concern::TubePlace,
-                       .text = atStation(state, id,
-                                         tr("%1: nothing tells its way. Set where it is",
-                                            "place of a tube, and how sure")
-                                             .arg(place)),
-                       .action = tr("Show"),
-                       .station = id});
+        all.push_back(
+            {.concern = Concern::TubePlace,
+             .text = atStation(
+                 state, id,
+                 tr("%1: if you see where it is, set it", "a question where a tube is").arg(place)),
+             .action = tr("Show"),
+             .station = id});
     }
 }
 

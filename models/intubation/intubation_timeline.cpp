@@ -1,5 +1,7 @@
 #include "models/intubation/intubation_timeline.h"
 
+#include "models/physiology/drug_words.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -129,6 +131,40 @@ bool hasDepth(IntubationStep step)
     return false;
 }
 
+struct TimelineEntry {
+    SessionTime at{};
+    QString text;
+};
+
+/// The first breath goes where the console says that the tube is.
+IntubationEvent asSet(IntubationEvent event, const SetTube& set)
+{
+    if (event.step != IntubationStep::FirstBreath || !set.isSet())
+        return event;
+    event.seat = set.seat;
+    event.confidence = 1.0;
+    return event;
+}
+
+/// What was noted, set and given, in the order in which it happened.
+std::vector<TimelineEntry> entriesOf(const RespirationTimeline& patient)
+{
+    const TubeTimeline& tube = patient.tube();
+    std::vector<TimelineEntry> all;
+    for (const GivenDose& given : patient.dosesWithin(SessionTime::min(), SessionTime::max()))
+        all.push_back(
+            {given.from,
+             IntubationTimeline::tr("Given: %1", "drug and its dose").arg(doseText(given.dose))});
+    for (const NotedStep& note : tube.notes())
+        all.push_back(
+            {note.event.at, intubationText(asSet(note.event, tube.overrideAt(note.effect)))});
+    for (const auto& change : tube.overrides())
+        all.push_back({change.from, IntubationTimeline::tr("Console: tube %1", "where")
+                                        .arg(setTubeText(change.value.tube))});
+    std::ranges::stable_sort(all, {}, &TimelineEntry::at);
+    return all;
+}
+
 } // namespace
 
 QString asSureAs(const QString& what, double confidence)
@@ -136,7 +172,7 @@ QString asSureAs(const QString& what, double confidence)
     if (confidence >= kToldAsSure)
         return what;
     const QString words =
-        confidence < kTold
+        confidence < kLeastTold
             ? IntubationTimeline::tr("%1? (%2\u00a0% sure)", "what happened; a confidence")
             : IntubationTimeline::tr("%1 (%2\u00a0% sure)", "what happened; a confidence");
     return words.arg(what).arg(std::lround(100.0 * confidence));
@@ -180,15 +216,13 @@ void IntubationTimeline::refresh()
 {
     const auto state = m_session.node().state();
     const auto station = state->stations().find(m_station);
-    std::vector<IntubationEvent> events;
+    std::vector<TimelineEntry> entries;
     if (station != state->stations().end())
-        for (const NotedStep& note : station->second.respiration.tube().notes())
-            events.push_back(note.event);
-    std::ranges::stable_sort(events, {}, &IntubationEvent::at);
+        entries = entriesOf(station->second.respiration);
     std::vector<QString> lines;
-    for (const IntubationEvent& event : events)
+    for (const TimelineEntry& each : entries)
         lines.push_back(tr("%1  %2", "running time; what happened")
-                            .arg(timeText(state->runningTime(event.at)), intubationText(event)));
+                            .arg(timeText(state->runningTime(each.at)), each.text));
     if (lines == m_lines)
         return;
     beginResetModel();

@@ -11,8 +11,9 @@ namespace carina
 {
 
 /// The steps of the intubations at one station, as its monitor noted them, in the order in which
-/// they happened, one in a line: "00:48  Tube at rest, 20.1 cm at the teeth". The time is the
-/// session's running time. Lives on the GUI thread.
+/// they happened, one in a line: "00:48  Tube at rest, 20.1 cm at the teeth"; among them where the
+/// console set the tube, and the drugs that were given. The time is the session's running time.
+/// Lives on the GUI thread.
 class IntubationTimeline : public QAbstractListModel
 {
     Q_OBJECT
@@ -35,8 +36,8 @@ private:
     std::vector<QString> m_lines;
 };
 
-/// What is less likely is asked and not told. Of ours.
-inline constexpr double kTold = 0.5;
+/// From this confidence on something is told, and not asked. Of ours.
+inline constexpr double kLeastTold = 0.5;
 
 /// What is told with little confidence says so, and what is less likely than not is asked:
 /// "In the oesophagus", "In the oesophagus (64 % sure)", "Through the cords? (25 % sure)".

@@ -18,7 +18,7 @@ namespace carina
 /// and `travellingText` lists it. While one change of a quantity is pending, only the latest
 /// further one is kept. Only instructors change gas, say where the tube is, obstruct it and give
 /// drugs; cuff and stylet are for trainees at the station, too. What others set is ignored. Gas,
-/// tube and cuff can be undone; a drug that was given cannot be taken back.
+/// tube, cuff and obstruction can be undone; a drug that was given cannot be taken back.
 class GasModel : public QObject
 {
     Q_OBJECT

@@ -52,6 +52,7 @@ void TryWatch::setStation(StationId station)
     m_place = {};
     m_patient = {};
     m_report.reset();
+    m_judged.reset();
     m_lastNote = 0;
     m_maskVentilated.reset();
     m_hasLooked = false;
@@ -78,7 +79,7 @@ void TryWatch::watch()
     if (!now || !station)
         return;
     takeNotes(*station);
-    takeToldPlace(*station, *now);
+    takeToldPlace(*station);
     if (!isUnderWay())
         return lookAtMask(*station, *now);
     if (*now - m_vitalsAt >= kVitalsEvery)
@@ -99,17 +100,30 @@ void TryWatch::takeNotes(const Station& station)
     m_lastNote = tube.lastNote();
     if (!std::exchange(m_hasLooked, true))
         return;
-    for (const NotedStep& note : news)
+    for (const NotedStep& note : news) {
         for (const IntubationEvent& event : m_place.noted(note.event))
             take(event);
+        if (note.event.step == IntubationStep::TubeOut)
+            m_judged.reset();
+    }
 }
 
-void TryWatch::takeToldPlace(const Station& station, SessionTime now)
+/// Also of the try that ended last, while its tube is in the mouth.
+void TryWatch::takeToldPlace(const Station& station)
 {
-    const SetTube set = station.respiration.tube().overrideAt(now);
-    for (const IntubationEvent& event :
-         m_place.told(set.isSet() ? std::optional{set.seat} : std::nullopt, now))
-        take(event);
+    const auto settings = station.respiration.tube().overrides();
+    if (settings.empty())
+        return;
+    const auto& last = settings.back();
+    const auto steps = m_place.told(last.value.seatOfNoted(), last.from);
+    if (isUnderWay() || !m_judged || steps.empty()) {
+        for (const IntubationEvent& event : steps)
+            take(event);
+        return;
+    }
+    for (const IntubationEvent& event : steps)
+        m_judged->course.add(event);
+    judge();
 }
 
 void TryWatch::take(const IntubationEvent& event)
@@ -153,8 +167,9 @@ void TryWatch::begin(SessionTime now)
     m_isTubeOut = false;
     m_isCuffInflated = false;
     m_vitalsAt = {};
-    m_posesAt.reset();
+    m_posesAt = now;
     m_report.reset();
+    m_judged.reset();
 }
 
 void TryWatch::takeVitals(const Station& station, SessionTime now)
@@ -204,16 +219,23 @@ void TryWatch::finish()
 
 void TryWatch::end(const Station& station, SessionTime at)
 {
-    const TubedPatient patient = tubedPatient(station, at);
-    const DepthRule rule = m_rule.value_or(usualDepthRule(patient));
-    TryMetrics metrics = m_course.metrics(at, depthBy(rule, patient));
-    if (m_place.isTold())
+    m_judged =
+        Judged{std::exchange(m_course, TryCourse{upInAnatomy()}), at, tubedPatient(station, at)};
+    judge();
+    Q_EMIT ended();
+}
+
+void TryWatch::judge()
+{
+    const DepthRule rule = m_rule.value_or(usualDepthRule(m_judged->patient));
+    TryMetrics metrics =
+        m_judged->course.metrics(m_judged->ended, depthBy(rule, m_judged->patient));
+    metrics.isTold = m_place.isTold();
+    if (metrics.isTold)
         metrics.confidence = 1.0;
     metrics.isViewRead = metrics.incisors.has_value(); // both by the laryngoscope's picture
     m_report = reportOf(metrics, rule, m_rubric);
-    m_course = TryCourse{upInAnatomy()};
     Q_EMIT changed();
-    Q_EMIT ended();
 }
 
 } // namespace carina

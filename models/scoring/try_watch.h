@@ -21,8 +21,8 @@ namespace carina
 /// laryngoscope and the head of who is at work are sampled every kPoseEvery of session time,
 /// kPoseDelay late, so that they are measured ones and not predicted. Mask ventilation counts where
 /// a bag or ventilator blew through a mask within kMaskBefore before the try; whether the manikin
-/// was ventilated, nobody measures. While an instructor sets where the tube is, that counts and not
-/// what is noted. Forces are the estimates of whoever draws the blade in the
+/// was ventilated, nobody measures. While an instructor says where the tube in the mouth is, that
+/// counts and not what is noted. Forces are the estimates of whoever draws the blade in the
 /// patient, while somebody does. Up is to the front of the patient, who lies supine.
 class TryWatch : public QObject
 {
@@ -70,7 +70,7 @@ Q_SIGNALS:
 private:
     void takeNotes(const Station& station);
     void take(const IntubationEvent& event);
-    void takeToldPlace(const Station& station, SessionTime now);
+    void takeToldPlace(const Station& station);
     void takeVitals(const Station& station, SessionTime now);
     void takeCuff(const Station& station, SessionTime now);
     void takeForces(SessionTime now);
@@ -78,6 +78,7 @@ private:
     void takePoses(const SessionState& state, SessionTime now);
     void begin(SessionTime now);
     void end(const Station& station, SessionTime at);
+    void judge();
     [[nodiscard]] const Station* stationIn(const SessionState& state) const;
 
     SessionModel& m_session;
@@ -88,6 +89,13 @@ private:
     Rubric m_rubric = publishedRubric();
     std::optional<TryReport> m_report;
 
+    /// The try that ended last, until its tube is out: an instructor may say where it is.
+    struct Judged {
+        TryCourse course;
+        SessionTime ended;
+        TubedPatient patient;
+    };
+    std::optional<Judged> m_judged;
     TryCourse m_course;
     ToldPlace m_place;
     RespirationFollower m_patient;

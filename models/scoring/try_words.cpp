@@ -67,7 +67,7 @@ QString depthText(const TryReport& report)
 /// A tip that is too deep is told by how far it is beyond.
 SummaryLine carinaLine(const TryMetrics& metrics)
 {
-    if (!metrics.depth || metrics.depth->aboveCarina.si >= 0.0)
+    if (!metrics.depth || metrics.isTold || metrics.depth->aboveCarina.si >= 0.0)
         return measured(metrics, Metric::AboveCarina);
     return {
         tryWords(QT_TRANSLATE_NOOP("Try", "Tip beyond the carina")),
@@ -180,7 +180,10 @@ QString placeText(TryOutcome outcome)
 
 QString outcomeText(const TryMetrics& metrics)
 {
-    return asSureAs(placeText(metrics.outcome), metrics.confidence);
+    const QString place = asSureAs(placeText(metrics.outcome), metrics.confidence);
+    return metrics.isTold
+               ? tryWords(QT_TRANSLATE_NOOP("Try", "%1, as an instructor set it")).arg(place)
+               : place;
 }
 
 QString ruleText(DepthRule rule)

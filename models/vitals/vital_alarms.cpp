@@ -78,6 +78,8 @@ AlarmLimits alarmLimits(double age_years)
 void VitalAlarms::take(const Vitals& vitals, SessionTime t)
 {
     CARINA_EXPECTS(!m_last || t >= *m_last);
+    if (!m_last) // who comes late has not seen it
+        m_sinceBreath_s = vitals.sinceBreath_s;
     const double step_s = m_last ? toSeconds(t - *m_last) : 0.0;
     m_last = t;
     const double observed_s = step_s > kLongestStep_s ? 0.0 : step_s;

@@ -18,7 +18,9 @@ public:
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override
     {
-        if (event->type() != QEvent::Wheel || static_cast<QWidget*>(watched)->hasFocus())
+        const bool isList = qobject_cast<QComboBox*>(watched) != nullptr;
+        if (event->type() != QEvent::Wheel
+            || (static_cast<QWidget*>(watched)->hasFocus() && !isList))
             return false;
         event->ignore(); // what the control stands in gets it
         return true;

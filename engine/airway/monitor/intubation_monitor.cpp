@@ -30,7 +30,7 @@ constexpr CrossingRule kViewRule{
     .band = 0.0, .sure = kNever, .dwellIn = milliseconds{150}, .dwellOut = milliseconds{500}};
 
 constexpr double kConvincing = 3.0; ///< log odds: 20 to 1
-constexpr double kLikelier = 1.0;   ///< 3 to 1, which turns what was concluded from less
+constexpr double kLikelier = 1.1;   ///< 3 to 1, which turns what was concluded from less
 /// By then something is concluded whatever the odds are: past the cords' plane, past the carina.
 constexpr double kCordsConcluded = 20e-3;
 constexpr double kCarinaConcluded = 15e-3;
@@ -39,7 +39,7 @@ constexpr double kBentConcluded = 10e-3; ///< of a bent tube, of which more dept
 // Factors of a step's confidence.
 constexpr double kPassedUnseen = 0.7;
 constexpr double kSeenInPart = 0.9;
-constexpr double kShapesDiffer = 0.5;
+constexpr double kShapesDiffer = 0.8;
 constexpr double kForgotten = 0.5;
 
 double normalBelow(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
@@ -215,7 +215,8 @@ void IntubationMonitor::conclude(const AirwayMoment& moment)
 {
     const bool isBent = m_course.behind.isBent(m_error.atCords());
     const double usually = isBent ? kUsuallyTrachea : 0.0;
-    const double odds = m_course.behind.logOdds(m_error.atCords()) - usually;
+    const double seen = m_course.behind.logOdds(m_error.atCords());
+    const double odds = seen - usually;
     const double concluded = isBent ? kBentConcluded : kCordsConcluded;
     const bool isConvincing = std::abs(odds) >= kConvincing;
     const bool isDue = m_course.isConcluded
@@ -224,7 +225,7 @@ void IntubationMonitor::conclude(const AirwayMoment& moment)
     if (!isConvincing && !isDue)
         return;
     m_course.isConcluded = true;
-    m_course.isConvinced = isConvincing;
+    m_course.isConvinced = std::abs(seen) >= kConvincing;
     m_course.isInOesophagus = odds > 0.0;
 }
 

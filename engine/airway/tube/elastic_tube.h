@@ -27,8 +27,9 @@ struct TissueAround {
 ///
 /// A fold in session time. Its steps are at whole multiples of kStep, with the pose that the
 /// connector had then and the lumen as tissue lay at the moment until which it follows. So the
-/// same poses and moments give the same shape. At most kMostSteps are taken at once; of a longer
-/// pause only the last ones, and where the connector has gone far meanwhile the tube is laid anew.
+/// same poses and moments give the same shape, and so do other moments while tissue is at rest. At
+/// most kMostSteps are taken at once; of a longer pause only the last ones, and where the connector
+/// has gone far meanwhile the tube is laid anew.
 class ElasticTube
 {
 public:
@@ -54,8 +55,8 @@ public:
     /// Its centre line, in the frame E of its connector, where that has gone on to X_AE until t: a
     /// few steps on from the latest, which the fold does not keep. For a picture, which shows a
     /// later time than that of poses that are known for good. The steps are those that the fold
-    /// would take, and a last one to X_AE: so it does not matter until when it has followed, and
-    /// who has the same poses draws the same.
+    /// would take, and a last one to X_AE: so while tissue is at rest it does not matter until when
+    /// it has followed, and who has the same poses draws the same.
     /// @param connectorAt until t, as far as it is known
     /// @pre isLaid()
     [[nodiscard]] std::vector<Vec3> ahead(SessionTime t, const RigidTransform& X_AE,

@@ -19,9 +19,9 @@ namespace
 {
 
 constexpr int kStoreApplicationId = 0x4352'4e41; // "CRNA", read by file(1) and by us
-constexpr int kStoreVersion = 2;
-// Of a time when some facts were encoded otherwise.
-constexpr int kUnreadableVersion = 1;
+constexpr int kStoreVersion = 3;
+// Of a time when some facts were encoded otherwise, the newest.
+constexpr int kUnreadableVersion = 2;
 
 const QString kChanges = QStringLiteral("-wal");
 
@@ -63,7 +63,7 @@ Result<void> checkSchema(const QSqlDatabase& database, bool hasChangesBeside)
             return tl::unexpected(answer->error());
     if (application->toInt() != kStoreApplicationId)
         return fail(Errc::UnknownFormat, path);
-    if (version->toInt() == kUnreadableVersion)
+    if (version->toInt() >= 1 && version->toInt() <= kUnreadableVersion)
         return fail(Errc::StoreTooOld, path);
     if (version->toInt() != kStoreVersion)
         return fail(Errc::UnknownFormat, path + ": version " + std::to_string(version->toInt()));

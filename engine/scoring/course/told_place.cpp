@@ -26,43 +26,58 @@ bool isOfBronchus(TubeSeat seat)
     return seat == TubeSeat::RightMain || seat == TubeSeat::LeftMain;
 }
 
+/// Above the cords, in the airway or in the oesophagus.
+TubeSeat wayOf(TubeSeat seat) { return isOfBronchus(seat) ? TubeSeat::Trachea : seat; }
+
 bool isBelowCords(TubeSeat seat) { return seat == TubeSeat::Trachea || isOfBronchus(seat); }
 
 } // namespace
 
 std::vector<IntubationEvent> ToldPlace::noted(const IntubationEvent& event)
 {
-    if (event.seat != m_last.seat)
+    if (wayOf(event.seat) != wayOf(m_last.seat)) {
         m_passedAt = event.at;
+        m_breath.reset();
+    }
     m_last = event;
+    if (event.step == IntubationStep::FirstBreath) {
+        if (m_breath)
+            return {}; // of the other place that was told
+        m_breath = event;
+    }
     if (!m_told)
         return {event};
     if (isOfWay(event.step))
         return {};
-    if (event.step == IntubationStep::TubeOut) {
-        std::vector<IntubationEvent> steps = between(*m_told, TubeSeat::None, event.at);
-        m_told.reset();
-        steps.push_back(event);
-        return steps;
-    }
-    IntubationEvent there = event;
-    there.seat = *m_told;
-    there.confidence = 1.0;
-    return {there};
+    if (event.step != IntubationStep::TubeOut)
+        return {asTold(event)};
+    std::vector<IntubationEvent> steps = between(*m_told, TubeSeat::None, m_passedAt);
+    m_told.reset();
+    steps.push_back(event);
+    return steps;
 }
 
-/// Of a correction that is taken back nothing is left: what was told at a time is left at it.
-std::vector<IntubationEvent> ToldPlace::told(std::optional<TubeSeat> seat, SessionTime now)
+std::vector<IntubationEvent> ToldPlace::told(std::optional<TubeSeat> seat, SessionTime since)
 {
     if (seat == m_told)
         return {};
     const TubeSeat from = m_told.value_or(m_last.seat);
     const TubeSeat to = seat.value_or(m_last.seat);
-    const bool isNews = !m_told && m_last.seat != TubeSeat::None;
-    const SessionTime at = isNews ? m_passedAt : !seat ? m_toldFrom : now;
     m_told = seat;
-    m_toldFrom = at;
-    return between(from, to, at);
+    std::vector<IntubationEvent> steps =
+        between(from, to, m_last.seat == TubeSeat::None ? since : m_passedAt);
+    if (!steps.empty() && m_breath)
+        steps.push_back(asTold(*m_breath));
+    return steps;
+}
+
+IntubationEvent ToldPlace::asTold(IntubationEvent event) const
+{
+    if (!m_told)
+        return event;
+    event.seat = *m_told;
+    event.confidence = 1.0;
+    return event;
 }
 
 std::vector<IntubationEvent> ToldPlace::between(TubeSeat from, TubeSeat to, SessionTime at) const

@@ -33,9 +33,11 @@ void TryCourse::follow(const IntubationEvent& event)
     switch (event.step) {
     case IntubationStep::BladeIn:
         m_bladeIsIn = true;
+        m_blade.bladeIn(event.at);
         break;
     case IntubationStep::BladeOut:
         m_bladeIsIn = false;
+        measure(m_blade.bladeOut(event.at));
         m_plane.pause();
         m_hand.pause();
         break;
@@ -69,10 +71,16 @@ void TryCourse::addVitals(SessionTime t, const Vitals& vitals)
 
 void TryCourse::addBlade(const PoseSample& X_FL)
 {
-    if (!m_bladeIsIn)
-        return;
-    m_plane.add(X_FL);
-    m_hand.add(X_FL);
+    m_blade.add(X_FL);
+    measure(m_blade.inMouthUntil(X_FL.time - BladeSamples::kKnownAfter));
+}
+
+void TryCourse::measure(const std::vector<PoseSample>& blade)
+{
+    for (const PoseSample& X_FL : blade) {
+        m_plane.add(X_FL);
+        m_hand.add(X_FL);
+    }
 }
 
 void TryCourse::addHead(const PoseSample& X_FH)
@@ -110,6 +118,8 @@ std::optional<SessionTime> TryCourse::endedBy(SessionTime now) const
 TryMetrics TryCourse::metrics(SessionTime ended, std::optional<Length> depthWanted) const
 {
     CARINA_EXPECTS(hasBegun());
+    TryCourse whole = *this;
+    whole.measure(whole.m_blade.inMouthUntil(ended));
     std::vector<IntubationEvent> within = m_events;
     std::erase_if(within, [&](const IntubationEvent& event) {
         return event.at > std::max(ended, m_events.front().at);
@@ -120,8 +130,8 @@ TryMetrics TryCourse::metrics(SessionTime ended, std::optional<Length> depthWant
     metrics.oxygen = m_oxygen.figures();
     metrics.incisors = m_incisors.figures();
     metrics.tongue = m_tongue.figures();
-    metrics.plane = m_plane.figures();
-    metrics.hand = m_hand.figures();
+    metrics.plane = whole.m_plane.figures();
+    metrics.hand = whole.m_hand.figures();
     metrics.head = m_head.figures();
     metrics.checks = m_checks;
     return metrics;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/scoring/course/blade_samples.h"
 #include "engine/scoring/course/try_metrics.h"
 
 #include <optional>
@@ -31,7 +32,9 @@ public:
     /// beginsTry(), all are ignored.
     void add(const IntubationEvent& event);
     void addVitals(SessionTime t, const Vitals& vitals);
-    void addBlade(const PoseSample& X_FL); ///< counts while the blade is in the mouth
+    /// Counts where the blade is in the mouth at that time, which may be known later. Samples from
+    /// before the try count, too, from the first step on.
+    void addBlade(const PoseSample& X_FL);
     void addHead(const PoseSample& X_FH);
     /// Where a blade in the mouth is known to press, or not to.
     void addForces(SessionTime t, Force incisors, Force tongue);
@@ -51,6 +54,7 @@ public:
 
 private:
     void follow(const IntubationEvent& event);
+    void measure(const std::vector<PoseSample>& blade);
 
     std::vector<IntubationEvent> m_events;
     bool m_bladeIsIn = false;
@@ -60,6 +64,7 @@ private:
     OxygenMeter m_oxygen;
     ForceMeter m_incisors{kIncisorLimits};
     ForceMeter m_tongue{kTongueLimits};
+    BladeSamples m_blade;
     PlaneMeter m_plane;
     MotionMeter m_hand;
     MotionMeter m_head;

@@ -94,8 +94,6 @@ void CourseReader::readTube(const IntubationEvent& event)
     case IntubationStep::FirstBreath:
         if (isInAirway(event.seat))
             m_course.firstBreath = event.at;
-        else if (isStaying)
-            stays.back().wasVentilated = true;
         break;
     case IntubationStep::CuffInflated:
         m_course.cuffInflated = event.at;

@@ -30,7 +30,6 @@ inline constexpr TryOutcome kLastTryOutcome = TryOutcome::Abandoned;
 struct OesophagealStay {
     SessionTime in{};
     std::optional<SessionTime> out{}; ///< nothing: until the end of the try
-    bool wasVentilated = false;       ///< a breath was given through it
 
     friend bool operator==(const OesophagealStay&, const OesophagealStay&) = default;
 };
@@ -59,6 +58,7 @@ struct TubeDepth {
 struct TryMetrics {
     TryOutcome outcome = TryOutcome::Abandoned;
     double confidence = 1.0; ///< of the event that the outcome rests on, 0 to 1
+    bool isTold = false;     ///< the outcome is what a person said, not what was measured
     SessionTime begun{};     ///< the blade or the tube passed the teeth for the first time
     SessionTime ended{};
 

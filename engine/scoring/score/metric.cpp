@@ -142,7 +142,7 @@ Value courseValue(const TryMetrics& of, Metric metric)
             return std::nullopt;
         return std::abs(inMillimetres(of.depth->atTeeth - *of.depthWanted));
     case Metric::AboveCarina:
-        return of.depth ? Value{inMillimetres(of.depth->aboveCarina)} : std::nullopt;
+        return of.depth && !of.isTold ? Value{inMillimetres(of.depth->aboveCarina)} : std::nullopt;
     default:
         return std::nullopt;
     }

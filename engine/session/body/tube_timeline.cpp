@@ -6,11 +6,23 @@
 
 namespace carina
 {
+namespace
+{
+
+/// A cuff is tried, and a stylet drawn, outside of it, too.
+bool isInMouthAfter(const IntubationEvent& event, bool before)
+{
+    if (event.step == IntubationStep::TubeOut)
+        return false;
+    return before || event.step == IntubationStep::TubePastTeeth || event.seat != TubeSeat::None;
+}
+
+} // namespace
 
 void TubeTimeline::setOverride(SessionTime from, const SetTube& tube)
 {
     m_override.set(from, {tube, m_noted.at(from).isInMouth});
-    if (!tube.isSet()) // it is out, with what blocked it
+    if (!tube.isSet() && !m_noted.at(from).isInMouth) // it is out, with what blocked it
         m_obstruction.set(from, 0.0);
 }
 
@@ -35,8 +47,8 @@ void TubeTimeline::note(SessionTime from, const IntubationEvent& event, Length i
     default:
         break;
     }
-    m_noted.set(from,
-                NotedTube{true, event.step != IntubationStep::TubeOut, event.seat, innerDiameter});
+    const bool isInMouth = isInMouthAfter(event, m_noted.at(from).isInMouth);
+    m_noted.set(from, NotedTube{true, isInMouth, event.seat, innerDiameter});
 }
 
 /// A tube that is moved to and fro for long would push out the steps of its try by its rests.
@@ -69,14 +81,17 @@ void TubeTimeline::forgetBefore(SessionTime t)
 
 TubePlace TubeTimeline::placeAt(SessionTime t, const PatientBuild& build) const
 {
-    if (const SetTube set = overrideAt(t); set.isSet())
-        return {set.seat, set.innerDiameter, 0.0, m_obstruction.at(t)};
+    const ToldTube told = m_override.at(t);
+    const double leak = m_cuff.at(t) ? 0.0 : kEmptyCuffLeak;
+    if (told.tube.isSet())
+        return {told.tube.seat, told.tube.innerDiameter, told.isOfNoted ? leak : 0.0,
+                m_obstruction.at(t)};
     const NotedTube noted = m_noted.at(t);
     if (!noted.isWatched)
         return {};
     const Length diameter =
         noted.innerDiameter.si > 0.0 ? noted.innerDiameter : usualTube(build.ageInYears, build.sex);
-    return {noted.seat, diameter, m_cuff.at(t) ? 0.0 : kEmptyCuffLeak, m_obstruction.at(t)};
+    return {noted.seat, diameter, leak, m_obstruction.at(t)};
 }
 
 bool TubeTimeline::areShapesApartAt(SessionTime t) const
@@ -96,7 +111,7 @@ std::optional<IntubationEvent> TubeTimeline::lastOfTubeAt(SessionTime t) const
     const auto last = std::find_if(m_notes.rbegin(), m_notes.rend(), [t](const NotedStep& note) {
         return note.effect <= t && !isOfBlade(note.event.step);
     });
-    if (last == m_notes.rend() || last->event.step == IntubationStep::TubeOut)
+    if (last == m_notes.rend() || !m_noted.at(t).isInMouth)
         return std::nullopt;
     return last->event;
 }

@@ -27,6 +27,12 @@ struct NotedStep {
 struct ToldTube {
     SetTube tube;
     bool isOfNoted = false;
+
+    /// The place of a tube that a monitor follows, where it is set.
+    [[nodiscard]] std::optional<TubeSeat> seatOfNoted() const
+    {
+        return tube.isSet() && isOfNoted ? std::optional{tube.seat} : std::nullopt;
+    }
 };
 
 /// What a monitor has noted of a tube.
@@ -41,8 +47,10 @@ struct NotedTube {
 /// monitor notes it. At first nobody has set or noted one.
 ///
 /// The console's own setting overrides what the monitor notes for as long as it is set. What is
-/// said of a tube in the mouth ends when that tube is noted to be out. Changes may be added in any
-/// order, as to a ParameterTimeline; entries of the monitor in the order of their facts.
+/// said of a tube in the mouth ends when that tube is noted to be out, and leaves its cuff as it
+/// is.
+///
+/// Changes are added in the order of the facts, whose effects follow each other likewise.
 class TubeTimeline
 {
 public:
@@ -65,6 +73,11 @@ public:
     void forgetBefore(SessionTime t);
 
     [[nodiscard]] SetTube overrideAt(SessionTime t) const { return m_override.at(t).tube; }
+    /// The same over time, and of which tube.
+    [[nodiscard]] std::span<const ParameterTimeline<ToldTube>::Change> overrides() const
+    {
+        return m_override.changes();
+    }
     /// Whether the console's own setting takes the place of what a monitor has noted by then.
     [[nodiscard]] bool isOverriddenAt(SessionTime t) const
     {
@@ -74,8 +87,8 @@ public:
     [[nodiscard]] bool isWatchedAt(SessionTime t) const { return m_noted.at(t).isWatched; }
     /// A watched or set tube whose tip is above the cords, or out of the mouth, has the seat None
     /// and an inner diameter above 0; where nobody has set or noted a tube, the diameter is 0. A
-    /// tube that the console has set does not leak; a noted one leaks kEmptyCuffLeak until its cuff
-    /// is inflated. Both are obstructed as it was set.
+    /// noted tube leaks kEmptyCuffLeak until its cuff is inflated; one that the console has set,
+    /// where none was in the mouth, does not. Both are obstructed as it was set.
     /// @param build for the diameter of a tube of which it is not known (usualTube)
     [[nodiscard]] TubePlace placeAt(SessionTime t, const PatientBuild& build) const;
     /// Whether both shapes of the tube are apart, by the last entry that tells it since the tube

@@ -6,6 +6,8 @@
 #include "engine/anatomy/laryngoscopy/laryngoscopy_path.h"
 #include "engine/anatomy/patient/body_plan.h"
 #include "engine/anatomy/patient/builtin_patient.h"
+#include "engine/anatomy/patient/patient_dimensions.h"
+#include "engine/anatomy/patient/patient_name.h"
 #include "engine/geometry/mesh/surface_tree.h"
 #include "evaluation/intubation/motion_script.h"
 #include "evaluation/intubation/motion_truth.h"
@@ -14,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -27,18 +30,17 @@ constexpr double kMostOutside = 0.04; ///< share of the places of the tube betwe
 constexpr int kLookEach = 100;        ///< steps from one look at the triangles to the next
 constexpr Length kLeap = millimetres(6.0); ///< of the tip in a step, beside what the hand goes
 constexpr Length kMostLeap = millimetres(20.0);
+constexpr Length kMostTooLarge = millimetres(2.0);
 constexpr int kMostLeaps = 3; ///< in a motion, as where the tip goes over to another way
 
 /// A patient, the tube that fits, and the lumen for it.
 struct Patient {
-    explicit Patient(BuiltinPatient which, double age)
-        : anatomy{builtinPatient(which).value()},
+    Patient(const PatientParameters& who, Length inner)
+        : anatomy{patientFor(who).value()},
           held{heldJaw(anatomy.contentHash)},
           motion{std::make_shared<const MotionPatient>(motionPatient(anatomy, held).value())},
-          tube{motionTube(anatomy.landmarks, usualTube(age, Sex::Male),
-                          tubeOfSize(usualTube(age, Sex::Male))->length)
-                   .value()},
-          size{tubeOfSize(usualTube(age, Sex::Male)).value()},
+          tube{motionTube(anatomy.landmarks, inner, tubeOfSize(inner)->length).value()},
+          size{tubeOfSize(inner).value()},
           lumen{measuredLumen(anatomy.parts, anatomy.landmarks, 0.5 * tube.outerDiameter).value()}
     {
         size.outer = tube.outerDiameter;
@@ -121,6 +123,7 @@ private:
 /// What became of a tube in a motion.
 struct Ran {
     bool isRight = false;
+    TubeTip tip; ///< in the end
     int places = 0;
     int outside = 0; ///< by more than kOutside, where it is not too narrow anyway
     int leaps = 0;   ///< steps in which the tip goes more than kLeap
@@ -197,14 +200,16 @@ Ran run(const Patient& patient, const NamedMotion& named, bool looks)
         if (looks && i % kLookEach == 0 && isInTrunk)
             look(patient, tube, lumen, Tissue{patient, *motion, moment}, ran);
     }
+    ran.tip = tube.tip();
     ran.isRight = tube.tip().seat == seatOf(truthOf(*motion).outcome);
     return ran;
 }
 
 const Patient& patientOf(BuiltinPatient which)
 {
-    static const Patient child{BuiltinPatient::TwelveYears, 12.0};
-    static const Patient adult{BuiltinPatient::Adult, 40.0};
+    static const Patient child{parametersOf(BuiltinPatient::TwelveYears),
+                               usualTube(12.0, Sex::Male)};
+    static const Patient adult{parametersOf(BuiltinPatient::Adult), usualTube(40.0, Sex::Male)};
     return which == BuiltinPatient::Adult ? adult : child;
 }
 
@@ -238,6 +243,40 @@ private Q_SLOTS:
             QVERIFY2(ran.isRight || named.kind == MotionKind::CuffAboveCords, qPrintable(told));
             QVERIFY2(ran.leaps <= kMostLeaps && ran.farthest < kMostLeap, qPrintable(told));
         }
+    }
+
+    void isStoppedAtTheCricoidWhereItIsTooLarge_data()
+    {
+        QTest::addColumn<QString>("words");
+        for (const char* words : {"1 year, 75 cm, girl", "6 years, 116 cm, girl"})
+            QTest::newRow(words) << QString::fromLatin1(words);
+    }
+    /// In whom it is the narrowest place below the cords: of the sizes in turn the usual one goes
+    /// through, the first that does not is stopped behind the cords and no farther down than the
+    /// cricoid's lower border (sections are 4 mm apart), and none of the larger ones goes as far.
+    void isStoppedAtTheCricoidWhereItIsTooLarge()
+    {
+        QFETCH(QString, words);
+        constexpr Length kSections = millimetres(4.0);
+        const PatientParameters who = parametersFromWords(words.toStdString()).value();
+        const PatientDimensions child = dimensionsFor(who).value();
+        const Length cricoid = child.cordsToCarina - child.tracheaLength;
+        const auto good = std::ranges::find(kNamedMotions, MotionKind::Good, &NamedMotion::kind);
+        std::optional<Length> stoppedAt;
+        for (Length inner = child.tubeInnerDiameter;
+             inner <= child.tubeInnerDiameter + kMostTooLarge; inner = inner + kTubeSizeStep) {
+            const TubeTip tip = run(Patient{who, inner}, *good, false).tip;
+            qInfo("%.1f mm: %s %.1f mm behind the cords", inMillimetres(inner),
+                  tip.isStopped ? "stopped" : "goes on to", inMillimetres(tip.pastGlottis));
+            QVERIFY(tip.isStopped || !stoppedAt);
+            QVERIFY(!tip.isStopped || inner > child.tubeInnerDiameter);
+            if (!tip.isStopped)
+                continue;
+            QVERIFY(tip.pastGlottis < stoppedAt.value_or(cricoid + kSections));
+            QVERIFY(stoppedAt || tip.pastGlottis > Length{});
+            stoppedAt = stoppedAt.value_or(tip.pastGlottis);
+        }
+        QVERIFY(stoppedAt);
     }
 
     /// Measured against the triangles, and not against the sections in which the rod is held.

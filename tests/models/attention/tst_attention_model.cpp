@@ -146,8 +146,8 @@ private Q_SLOTS:
         QCOMPARE(console.texts(), QStringList{});
         console.notes(IntubationStep::CuffInflated, TubeSeat::Trachea, 0.25);
         QCOMPARE(console.texts(),
-                 QStringList{QStringLiteral("Tube in the trachea? (25\u00a0% sure): nothing tells "
-                                            "its way. Set where it is")});
+                 QStringList{QStringLiteral("Tube in the trachea? (25\u00a0% sure): if you see "
+                                            "where it is, set it")});
         console.notes(IntubationStep::BladeOut, TubeSeat::Trachea, 1.0);
         QCOMPARE(console.texts().size(), 1); // it is as sure of the blade
         console.model.act(console.model.all().front());

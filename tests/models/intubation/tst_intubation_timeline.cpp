@@ -127,6 +127,24 @@ private Q_SLOTS:
         QCOMPARE(story.timeline.rowCount(), 1);
     }
 
+    /// The monitor's own seat is another one.
+    void tellsWhereTheConsoleSetTheTube()
+    {
+        Story story;
+        const SetTube set{TubeSeat::Oesophagus, millimetres(6.5)};
+        story.notes({.step = IntubationStep::ThroughCords, .seat = TubeSeat::Trachea}, 10s);
+        story.node.decide(fact::TubePlaced{set});
+        story.notes({.step = IntubationStep::FirstBreath, .seat = TubeSeat::Trachea}, 15s);
+        story.node.advance(1s);
+        story.node.decide(fact::TubePlaced{});
+        story.notes({.step = IntubationStep::BladeOut}, 20s);
+        QCOMPARE(story.timeline.rowCount(), 5);
+        QCOMPARE(story.line(1),
+                 QStringLiteral("00:10  Console: tube in the oesophagus, 6.5\u00a0mm"));
+        QCOMPARE(story.line(2), QStringLiteral("00:15  ▲ First breath goes into the oesophagus"));
+        QCOMPARE(story.line(3), QStringLiteral("00:16  Console: tube not set"));
+    }
+
     /// What is noted later can have happened earlier.
     void ordersTheStepsByTheirTime()
     {

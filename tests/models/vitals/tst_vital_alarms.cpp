@@ -125,6 +125,17 @@ private Q_SLOTS:
         QVERIFY(!bed.of(VitalAlarm::Apnoea));
     }
 
+    /// As a program that joins late meets the patient.
+    void ofApnoeaKnowTheBreathBeforeTheFirstMoment()
+    {
+        Bed bed;
+        bed.vitals.sinceBreath_s = 15.0;
+        bed.watch(4.5, false);
+        QVERIFY(!bed.of(VitalAlarm::Apnoea));
+        bed.watch(1.0, false);
+        QCOMPARE(bed.of(VitalAlarm::Apnoea), AlarmPriority::High);
+    }
+
     // A tube in the oesophagus: some CO2, too little for a breath.
     void takeAWashoutForNoBreath()
     {

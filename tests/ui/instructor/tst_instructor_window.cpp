@@ -619,6 +619,11 @@ private Q_SLOTS:
         goitre.setFocus();
         turnWheel(goitre);
         QCOMPARE(goitre.value(), 40);
+        auto& preset = shown.find<QComboBox>("airwayPreset"); // each step is a decision
+        preset.setFocus();
+        const int before = preset.currentIndex();
+        turnWheel(preset);
+        QCOMPARE(preset.currentIndex(), before);
     }
 
     /// And what leads to the strategies.

@@ -251,7 +251,8 @@ void GasPanel::connectTube()
                                                                 : m_model->likelyTubeSize()});
     });
     connect(m_tubeSize, &QDoubleSpinBox::valueChanged, this, [this](double size) {
-        m_model->setTube({m_model->tube().seat, millimetres(size)});
+        if (const SetTube set = m_model->tube(); set.isSet())
+            m_model->setTube({set.seat, millimetres(size)});
     });
     connect(m_cuff, &QCheckBox::toggled, m_model, &GasModel::setCuff);
     connect(m_stylet, &QPushButton::clicked, m_model, &GasModel::drawStylet);

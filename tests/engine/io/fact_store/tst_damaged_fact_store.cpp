@@ -19,6 +19,7 @@ private Q_SLOTS:
     void refusesATamperedLog_data();
     void refusesATamperedLog();
     void refusesAnEmptyFile();
+    void refusesAStoreOfVersion2AndLeavesItAlone();
     void refusesAStoreOfVersion1AndLeavesItAlone();
     void noticesEveryFlippedBit();
     void refusesAnActionThatIsNone();
@@ -96,10 +97,10 @@ void TestDamagedFactStore::refusesANewerVersion()
 {
     const std::filesystem::path path = m_files.next();
     fill(path, 1);
-    runSql(path, QStringLiteral("PRAGMA user_version = 3"));
+    runSql(path, QStringLiteral("PRAGMA user_version = 4"));
     const auto store = openFactStore(path);
     QCOMPARE(store.error().code, Errc::UnknownFormat);
-    QVERIFY(store.error().detail.ends_with("version 3"));
+    QVERIFY(store.error().detail.ends_with("version 4"));
 }
 
 void TestDamagedFactStore::refusesATamperedLog_data()
@@ -152,6 +153,19 @@ void TestDamagedFactStore::refusesAnEmptyFile()
 
 /// Of a time when some facts were encoded otherwise: it cannot be read, and stays for the Carina
 /// that can.
+void TestDamagedFactStore::refusesAStoreOfVersion2AndLeavesItAlone()
+{
+    const std::filesystem::path path = m_files.next();
+    fill(path, 2);
+    runSql(path, QStringLiteral("PRAGMA user_version = 2"));
+    const QByteArray before = bytesOf(path);
+    const auto store = openFactStore(path);
+    QVERIFY(!store);
+    QCOMPARE(store.error().code, Errc::StoreTooOld);
+    QCOMPARE(bytesOf(path), before);
+}
+
+/// Likewise; it knows fewer tables.
 void TestDamagedFactStore::refusesAStoreOfVersion1AndLeavesItAlone()
 {
     using std::filesystem::perms;
@@ -200,7 +214,8 @@ void TestDamagedFactStore::noticesEveryFlippedBit()
             ++refused;
             QVERIFY(facts.error().code == Errc::StoreCorrupt
                     || facts.error().code == Errc::StoreFailed
-                    || facts.error().code == Errc::UnknownFormat);
+                    || facts.error().code == Errc::UnknownFormat
+                    || facts.error().code == Errc::StoreTooOld);
             continue;
         }
         QCOMPARE(facts->size(), std::size_t{3});

@@ -76,7 +76,6 @@ private Q_SLOTS:
         QCOMPARE(metrics.oesophagus.size(), std::size_t{1});
         QCOMPARE(metrics.oesophagus[0].in, courseTime(20.0));
         QVERIFY(!metrics.oesophagus[0].out);
-        QVERIFY(metrics.oesophagus[0].wasVentilated); // at 30 s
         QVERIFY(!metrics.throughCords);
         QVERIFY(!metrics.firstBreath);
         QVERIFY(!metrics.depth);
@@ -93,37 +92,80 @@ private Q_SLOTS:
         QVERIFY(metrics.oesophagus.empty());
     }
 
+    /// Before and after the first breath, at 30 s.
     void leavesNothingOfWhatIsTakenBack()
     {
-        const TryMetrics metrics =
-            metricsWith(goodCourse(), {{27.0, TubeSeat::Oesophagus}, {28.0, std::nullopt}});
-        QCOMPARE(metrics.outcome, TryOutcome::Trachea);
-        QVERIFY(metrics.oesophagus.empty());
-        QCOMPARE(metrics.throughCords, courseTime(20.0));
-        QCOMPARE(metrics.firstBreath, courseTime(30.0));
+        const TryMetrics noted = courseOf(goodCourse().events(), courseTime(60.0));
+        for (const double said : {22.0, 27.0, 32.0, 40.0}) {
+            const TryMetrics metrics = metricsWith(
+                goodCourse(), {{said, TubeSeat::Oesophagus}, {said + 5.0, std::nullopt}});
+            QCOMPARE(metrics.outcome, TryOutcome::Trachea);
+            QVERIFY(metrics.oesophagus.empty());
+            QCOMPARE(metrics.throughCords, noted.throughCords);
+            QCOMPARE(metrics.firstBreath, noted.firstBreath);
+            QCOMPARE(metrics.confidence, noted.confidence);
+        }
     }
 
-    /// The monitor sees it leave at 60 s, and out at 61.
+    /// Each place gets its own first breath from the mechanics; of the tube it is one.
+    void hasOneFirstBreathOfOneTube()
+    {
+        HandWrittenCourse course = goodCourse();
+        course.at(35.0, IntubationStep::FirstBreath);
+        QCOMPARE(metricsWith(course, {{32.0, TubeSeat::RightMain}}).firstBreath, courseTime(30.0));
+        QVERIFY(!metricsWith(course, {{32.0, TubeSeat::Oesophagus}}).firstBreath);
+    }
+
+    /// Where it went after the cords does not matter.
+    void datesWhatIsSaidFromTheCordsOn()
+    {
+        HandWrittenCourse course;
+        course.at(10.0, IntubationStep::TubePastTeeth)
+            .at(20.0, IntubationStep::ThroughCords, TubeSeat::Trachea)
+            .at(35.0, IntubationStep::PastCarina, TubeSeat::RightMain)
+            .at(40.0, IntubationStep::BackAboveCarina, TubeSeat::Trachea);
+        const TryMetrics metrics = metricsWith(course, {{50.0, TubeSeat::Oesophagus}});
+        QCOMPARE(metrics.oesophagus.at(0).in, courseTime(20.0));
+    }
+
+    /// It left at 60 s by the monitor, and was out at 61.
     void endsWithTheTubeThatItWasSaidOf()
     {
         const std::vector<IntubationEvent> course =
-            courseWith(lateRecognition(), {{40.0, TubeSeat::Oesophagus}});
+            courseWith(lateRecognition(), {{40.0, TubeSeat::RightMain}});
         const TryMetrics metrics = courseOf(course, courseTime(90.0));
         QCOMPARE(metrics.outcome, TryOutcome::Trachea);
-        QCOMPARE(metrics.oesophagus.size(), std::size_t{1});
-        QCOMPARE(metrics.oesophagus[0].in, courseTime(20.0));
-        QCOMPARE(metrics.oesophagus[0].out, courseTime(61.0));
+        QVERIFY(metrics.oesophagus.empty());
         QCOMPARE(metrics.throughCords, courseTime(75.0));
+        const std::vector<IntubationEvent> until61{
+            course.begin(),
+            std::ranges::find(course, IntubationStep::TubeOut, &IntubationEvent::step)};
+        QCOMPARE(until61.back().step, IntubationStep::BackAboveCords);
+        QCOMPARE(until61.back().at, courseTime(60.0));
     }
 
-    void passesItsOwnWayBetweenTwoPlaces()
+    /// As with the arrows in a list.
+    void believesWhatIsSaidLast()
     {
         const TryMetrics metrics =
             metricsWith(goodCourse(), {{40.0, TubeSeat::Oesophagus}, {50.0, TubeSeat::LeftMain}});
         QCOMPARE(metrics.outcome, TryOutcome::LeftMain);
-        QCOMPARE(metrics.oesophagus[0].in, courseTime(20.0));
-        QCOMPARE(metrics.oesophagus[0].out, courseTime(50.0));
-        QCOMPARE(metrics.throughCords, courseTime(50.0));
+        QVERIFY(metrics.oesophagus.empty());
+        QCOMPARE(metrics.throughCords, courseTime(20.0));
+    }
+
+    /// Drawn back and pushed on between them: the monitor sees the depth.
+    void datesAnotherPlaceFromTheNextPassage()
+    {
+        HandWrittenCourse course = goodCourse();
+        course.at(40.0, IntubationStep::BackAboveCords, TubeSeat::None)
+            .at(45.0, IntubationStep::ThroughCords, TubeSeat::Trachea);
+        const TryMetrics metrics =
+            metricsWith(course, {{35.0, TubeSeat::Oesophagus}, {50.0, TubeSeat::Trachea}});
+        QCOMPARE(metrics.outcome, TryOutcome::Trachea);
+        QCOMPARE(metrics.oesophagus.at(0).in, courseTime(20.0));
+        QCOMPARE(metrics.oesophagus.at(0).out, courseTime(45.0));
+        QCOMPARE(metrics.throughCords, courseTime(45.0));
     }
 
     void isAsSureAsWhoSaysIt()

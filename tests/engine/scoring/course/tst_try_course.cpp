@@ -42,6 +42,7 @@ private Q_SLOTS:
     void goesOnBetweenAttempts();
     void endsAtItsLongest();
     void measuresTheHandWhileTheBladeIsIn();
+    void knowsLaterThatTheBladeIsInOrOut();
     void takesWhatIsKnownOfThePatient();
     void leavesOutWhatCameAfterItsEnd();
     void keepsNoMoreThanItsMost();
@@ -111,7 +112,7 @@ void TestTryCourse::endsAtItsLongest()
 void TestTryCourse::measuresTheHandWhileTheBladeIsIn()
 {
     TryCourse course{kUp};
-    for (int i = 0; i <= 120; ++i)
+    for (int i = 0; i < 120; ++i)
         course.addBlade(bladeAt(i / 60.0, 1e-3 * i));
     course.add({.step = IntubationStep::BladeIn, .at = courseTime(2.0)});
     for (int i = 120; i <= 240; ++i)
@@ -124,6 +125,26 @@ void TestTryCourse::measuresTheHandWhileTheBladeIsIn()
     QVERIFY(std::abs(toSeconds(metrics.hand->watched) - 2.0) < 1e-6);
     QVERIFY(std::abs(toSeconds(metrics.plane->measured) - 2.0) < 1e-6);
     QVERIFY(!metrics.head);
+}
+
+/// As a monitor notes it: half a second and two seconds late. The hand is moved only outside.
+void TestTryCourse::knowsLaterThatTheBladeIsInOrOut()
+{
+    TryCourse course{kUp};
+    course.add({.step = IntubationStep::TubePastTeeth, .at = courseTime(0.0)});
+    const auto x = [](double t) { return t < 2.0 ? 2.0 - t : t < 5.0 ? 0.0 : t - 5.0; };
+    for (int i = 0; i <= 60 * 12; ++i) {
+        const double t = i / 60.0;
+        course.addBlade(bladeAt(t, x(t)));
+        if (i == 150)
+            course.add({.step = IntubationStep::BladeIn, .at = courseTime(2.0)});
+        if (i == 420)
+            course.add({.step = IntubationStep::BladeOut, .at = courseTime(5.0)});
+    }
+    const TryMetrics metrics = course.metrics(courseTime(12.0), std::nullopt);
+    QCOMPARE(metrics.hand->path.si, 0.0);
+    QVERIFY(std::abs(toSeconds(metrics.hand->watched) - 3.0) < 1e-6);
+    QVERIFY(std::abs(toSeconds(metrics.plane->measured) - 3.0) < 1e-6);
 }
 
 void TestTryCourse::takesWhatIsKnownOfThePatient()

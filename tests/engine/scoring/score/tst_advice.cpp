@@ -50,7 +50,7 @@ void TestAdvice::comesFirstForWhatWentWrong_data()
         QTest::newRow(name) << change << advice;
     };
     row("late recognition", Advice::RecogniseSooner, [](TryMetrics& of) {
-        of.oesophagus.push_back({courseTime(12.0), courseTime(30.0), true});
+        of.oesophagus.push_back({courseTime(12.0), courseTime(30.0)});
     });
     row("beyond the carina", Advice::PullTubeBack,
         [](TryMetrics& of) { of.outcome = TryOutcome::LeftMain; });

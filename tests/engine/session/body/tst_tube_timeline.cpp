@@ -53,7 +53,7 @@ private Q_SLOTS:
             TubeTimeline tube;
             tube.note(atSeconds(1.0), noted(IntubationStep::ThroughCords, TubeSeat::Trachea), size);
             tube.setOverride(atSeconds(2.0), {seat, size});
-            QVERIFY(placeAt(tube, 2.0) == (TubePlace{seat, size}));
+            QVERIFY(placeAt(tube, 2.0) == (TubePlace{seat, size, kEmptyCuffLeak}));
             QVERIFY(tube.isOverriddenAt(atSeconds(2.0)));
         }
     }
@@ -130,7 +130,8 @@ private Q_SLOTS:
         tube.setOverride(atSeconds(3.0), {});
         QCOMPARE(placeAt(tube, 1.9).seat, TubeSeat::Oesophagus);
         QVERIFY(!tube.isOverriddenAt(atSeconds(1.9)));
-        QVERIFY(placeAt(tube, 2.0) == (TubePlace{TubeSeat::Trachea, millimetres(6.0)}));
+        QVERIFY(placeAt(tube, 2.0)
+                == (TubePlace{TubeSeat::Trachea, millimetres(6.0), kEmptyCuffLeak}));
         QVERIFY(tube.isOverriddenAt(atSeconds(2.0)));
         QCOMPARE(placeAt(tube, 3.0).seat, TubeSeat::Oesophagus);
         QVERIFY(!tube.isOverriddenAt(atSeconds(3.0)));
@@ -145,8 +146,21 @@ private Q_SLOTS:
         QCOMPARE(placeAt(tube, 1.9).leak, kEmptyCuffLeak);
         QCOMPARE(placeAt(tube, 2.0).leak, 0.0);
         QCOMPARE(placeAt(tube, 3.0).leak, kEmptyCuffLeak);
-        tube.setOverride(atSeconds(4.0), {TubeSeat::Trachea, millimetres(6.0)});
-        QCOMPARE(placeAt(tube, 4.0).leak, 0.0); // it is said to be as it should
+        tube.setOverride(atSeconds(4.0), {TubeSeat::RightMain, millimetres(6.0)});
+        QCOMPARE(placeAt(tube, 4.0).leak, kEmptyCuffLeak); // only its place is said
+        tube.setCuff(atSeconds(5.0), true);
+        QCOMPARE(placeAt(tube, 5.0).leak, 0.0);
+    }
+
+    /// Nobody follows it, so nobody sees to its cuff.
+    void doesNotLeakWhereTheConsoleAloneHasATube()
+    {
+        TubeTimeline tube;
+        tube.note(atSeconds(1.0), noted(IntubationStep::CuffInflated, TubeSeat::None), {}); // tried
+        tube.note(atSeconds(1.5), noted(IntubationStep::StyletOut, TubeSeat::None), {});
+        tube.setOverride(atSeconds(2.0), {TubeSeat::Trachea, millimetres(6.0)});
+        QCOMPARE(placeAt(tube, 2.0).leak, 0.0);
+        QVERIFY(!tube.lastOfTubeAt(atSeconds(2.0)));
     }
 
     void emptiesTheCuffOfATubeThatIsTakenOut()
@@ -172,8 +186,7 @@ private Q_SLOTS:
         tube.setOverride(atSeconds(3.0), {TubeSeat::Trachea, millimetres(6.0)});
         QCOMPARE(placeAt(tube, 3.0).obstruction, 0.6);
         tube.setOverride(atSeconds(4.0), {});
-        QCOMPARE(placeAt(tube, 4.0).obstruction, 0.0);
-        tube.setObstruction(atSeconds(4.5), 0.6);
+        QCOMPARE(placeAt(tube, 4.0).obstruction, 0.6); // it is still in
         tube.note(atSeconds(5.0), noted(IntubationStep::TubeOut, TubeSeat::None), {});
         QCOMPARE(placeAt(tube, 5.0).obstruction, 0.0);
     }

@@ -131,7 +131,7 @@ Result<void> writeAnyRecording(const std::filesystem::path& file, const TrackerS
         });
     if (file.extension() == ".tum")
         return writeTrajectories(file, sequence, goesOn);
-    return fail(Errc::UnknownFormat, file.string());
+    return fail(Errc::UnknownFormat, file.string() + ": its name ends in none of .csv, .mha, .tum");
 }
 
 bool canWriteRecording(const std::filesystem::path& file)

@@ -56,7 +56,9 @@ inline constexpr Key kOutcome{"outcome",
 inline constexpr Key kConfidence{"confidence", "in that, 0 to 1"};
 inline constexpr Key kIsRight{"right", "whether it truly is there"};
 inline constexpr Key kAttempts{"attempts", "how often the blade went in, by the monitor"};
-inline constexpr Key kDepth{"depth_at_teeth_mm", "of the tip in the end, by the monitor"};
+inline constexpr Key kDepth{
+    "depth_at_teeth_mm", "of the tip in the end, by the monitor; null where it is frozen, as both "
+                         "shapes of the tube are apart"};
 inline constexpr Key kAboveCarina{"tip_above_carina_mm", "likewise, along the airway"};
 inline constexpr Key kRegistration{"registration_share_mm",
                                    "how far the registration's error moves the tip in the end"};
@@ -130,8 +132,12 @@ inline constexpr Key kTrachea{"trachea", "likewise", 1};
 inline constexpr Key kRightMain{"right_main", "likewise", 1};
 inline constexpr Key kLeftMain{"left_main", "likewise", 1};
 inline constexpr Key kOesophagus{"oesophagus", "likewise", 1};
+inline constexpr Key kFrozen{"depth_frozen",
+                             "runs with the right outcome that tell no depth in the end, as both "
+                             "shapes of the tube are apart"};
 inline constexpr Key kDepth{"depth",
-                            "errors of the depth at the teeth where the outcome is right:"};
+                            "errors of the depth at the teeth of the others, where the outcome is "
+                            "right:"};
 inline constexpr Key kCarina{"above_carina",
                              "of the tip's distance from the carina, likewise, in the airway:"};
 inline constexpr Key kMedian{"median_mm", "of the magnitude", 1};

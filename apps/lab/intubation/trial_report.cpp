@@ -138,6 +138,12 @@ void addScore(QJsonObject& report, const TryMetrics& metrics)
     report[key::kScore] = scoreObject(metrics);
 }
 
+/// Of a depth that is frozen, nothing.
+QJsonValue toldBy(const IntubationCourse& course, Length TipReading::*length)
+{
+    return course.shapes.isIn ? QJsonValue{} : inMillimetres(course.tip.*length);
+}
+
 } // namespace
 
 QJsonValue outsideWord(const MotionParameters& parameters)
@@ -163,8 +169,8 @@ QJsonObject watchedReport(const IntubationSubject& subject, const WatchedIntubat
                        {key::kOutcome, seatWord(watched.course.seat)},
                        {key::kConfidence, watched.course.confidence},
                        {key::kAttempts, watched.course.attempts},
-                       {key::kDepth, inMillimetres(watched.course.tip.depthAtTeeth)},
-                       {key::kAboveCarina, inMillimetres(watched.course.tip.aboveCarina)},
+                       {key::kDepth, toldBy(watched.course, &TipReading::depthAtTeeth)},
+                       {key::kAboveCarina, toldBy(watched.course, &TipReading::aboveCarina)},
                        {key::kTimeline, timelineOf(watched)},
                        {key::kVitals, vitalsOf(readings)},
                        {key::kScore, QJsonValue{}}};

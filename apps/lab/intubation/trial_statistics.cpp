@@ -45,7 +45,10 @@ void TrialStatistics::add(const IntubationTrial& trial)
     const bool isSure = trial.course.confidence >= kSure;
     if (!trial.isWrong()) {
         m_rightSure += isSure ? 1 : 0;
-        addDepth(trial);
+        if (trial.course.shapes.isIn)
+            ++m_frozen;
+        else
+            addDepth(trial);
         return;
     }
     ++m_wrong;
@@ -123,6 +126,7 @@ QJsonObject TrialStatistics::report(const IntubationSubject& subject) const
             {all_key::kUnsure, m_wrongUnsure},
             {all_key::kSurelyRight, m_rightSure},
             {all_key::kConfusion, confusion()},
+            {all_key::kFrozen, m_frozen},
             {all_key::kDepth, lengthsOf(m_depth)},
             {all_key::kCarina, lengthsOf(m_carina)},
             {all_key::kTimes, times()},

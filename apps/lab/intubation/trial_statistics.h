@@ -44,6 +44,7 @@ private:
     int m_outside = 0;
     int m_wrong = 0;
     int m_wrongUnsure = 0;
+    int m_frozen = 0; ///< with the right outcome, that tell no depth
     int m_rightSure = 0;
     int m_wrongAttempts = 0;
     int m_missed = 0;

@@ -125,6 +125,23 @@ private Q_SLOTS:
         QVERIFY(wrong[0][QStringLiteral("outside")].isNull());
     }
 
+    /// A depth that is frozen is not told, and so not wrong.
+    void countsNoErrorOfAFrozenDepth()
+    {
+        IntubationTrial apart = told(TrueSeat::Trachea, TubeSeat::Trachea, 0.4);
+        apart.course.shapes.isIn = true;
+        TrialStatistics statistics;
+        statistics.add(apart);
+        const QJsonObject report = statistics.report(subject());
+        QCOMPARE(report[QStringLiteral("depth_frozen")].toInt(), 1);
+        QCOMPARE(report[QStringLiteral("depth")][QStringLiteral("greatest_mm")].toDouble(), 0.0);
+        IntubationTrial whole = trialOf(MotionKind::Good);
+        QVERIFY(trialReport(subject(), whole)[QStringLiteral("depth_at_teeth_mm")].isDouble());
+        whole.course.shapes.isIn = true;
+        QVERIFY(trialReport(subject(), whole)[QStringLiteral("depth_at_teeth_mm")].isNull());
+        QVERIFY(trialReport(subject(), whole)[QStringLiteral("tip_above_carina_mm")].isNull());
+    }
+
     void saysInWhichShapeTheTubeWasShown()
     {
         IntubationSubject bending = subject();

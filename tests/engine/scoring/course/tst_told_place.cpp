@@ -114,6 +114,7 @@ private Q_SLOTS:
         course.at(35.0, IntubationStep::FirstBreath);
         QCOMPARE(metricsWith(course, {{32.0, TubeSeat::RightMain}}).firstBreath, courseTime(30.0));
         QVERIFY(!metricsWith(course, {{32.0, TubeSeat::Oesophagus}}).firstBreath);
+        QCOMPARE(metricsWith(course, {{32.0, TubeSeat::RightMain}}).throughCords, courseTime(20.0));
     }
 
     /// Where it went after the cords does not matter.
@@ -160,6 +161,9 @@ private Q_SLOTS:
         HandWrittenCourse course = goodCourse();
         course.at(40.0, IntubationStep::BackAboveCords, TubeSeat::None)
             .at(45.0, IntubationStep::ThroughCords, TubeSeat::Trachea);
+        const TryMetrics still = metricsWith(course, {{35.0, TubeSeat::Oesophagus}});
+        QVERIFY(!still.throughCords); // by the monitor alone
+        QVERIFY(!still.oesophagus.at(0).out);
         const TryMetrics metrics =
             metricsWith(course, {{35.0, TubeSeat::Oesophagus}, {50.0, TubeSeat::Trachea}});
         QCOMPARE(metrics.outcome, TryOutcome::Trachea);

@@ -79,6 +79,20 @@ private Q_SLOTS:
         QCOMPARE(placeAt(tube, 8.0).seat, TubeSeat::Trachea);
     }
 
+    /// By the monitor it is above the cords all the while.
+    void takesATubePastTheTeethForOneInTheMouth()
+    {
+        for (const auto next : {IntubationStep::TubePastTeeth, IntubationStep::ShapesApart}) {
+            TubeTimeline tube;
+            tube.note(atSeconds(1.0), noted(IntubationStep::TubePastTeeth, TubeSeat::None), {});
+            tube.note(atSeconds(2.0), noted(next, TubeSeat::None), {});
+            tube.setOverride(atSeconds(3.0), {TubeSeat::Trachea, millimetres(7.5)});
+            tube.note(atSeconds(4.0), noted(IntubationStep::TubeOut, TubeSeat::None), {});
+            QVERIFY(tube.isOverriddenAt(atSeconds(3.0)));
+            QVERIFY(!tube.isOverriddenAt(atSeconds(4.0)));
+        }
+    }
+
     void knowsTheLastEntryAboutATubeInTheMouth()
     {
         TubeTimeline tube;
@@ -189,6 +203,17 @@ private Q_SLOTS:
         QCOMPARE(placeAt(tube, 4.0).obstruction, 0.6); // it is still in
         tube.note(atSeconds(5.0), noted(IntubationStep::TubeOut, TubeSeat::None), {});
         QCOMPARE(placeAt(tube, 5.0).obstruction, 0.0);
+    }
+
+    void isObstructedNoLongerOnceTheConsoleHasNoTube()
+    {
+        TubeTimeline tube;
+        tube.setObstruction(atSeconds(0.5), 0.6); // of the tube that is to come
+        tube.setOverride(atSeconds(1.0), {TubeSeat::Trachea, millimetres(6.0)});
+        QCOMPARE(placeAt(tube, 1.0).obstruction, 0.6);
+        tube.setOverride(atSeconds(2.0), {});
+        tube.setOverride(atSeconds(3.0), {TubeSeat::Trachea, millimetres(6.0)});
+        QCOMPARE(placeAt(tube, 3.0).obstruction, 0.0);
     }
 
     void isObstructedAtTheConsoleWhereverTheTrackedTubeGoes()

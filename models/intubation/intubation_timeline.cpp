@@ -146,7 +146,7 @@ IntubationEvent asSet(IntubationEvent event, const SetTube& set)
     return event;
 }
 
-/// What was noted, set and given, in the order in which it happened.
+/// What was noted, set and given, in the order in which it happened; the last kMostNotes of it.
 std::vector<TimelineEntry> entriesOf(const RespirationTimeline& patient)
 {
     const TubeTimeline& tube = patient.tube();
@@ -162,6 +162,8 @@ std::vector<TimelineEntry> entriesOf(const RespirationTimeline& patient)
         all.push_back({change.from, IntubationTimeline::tr("Console: tube %1", "where")
                                         .arg(setTubeText(change.value.tube))});
     std::ranges::stable_sort(all, {}, &TimelineEntry::at);
+    if (all.size() > TubeTimeline::kMostNotes)
+        all.erase(all.begin(), all.end() - std::ptrdiff_t(TubeTimeline::kMostNotes));
     return all;
 }
 

@@ -39,7 +39,7 @@ void TubeTimeline::note(SessionTime from, const IntubationEvent& event, Length i
     case IntubationStep::TubeOut:
         m_stylet.set(from, true);
         m_cuff.set(from, false);
-        if (m_override.at(from).isOfNoted)
+        if (m_override.at(from).seatOfNoted())
             m_override.set(from, {});
         if (!m_override.at(from).tube.isSet())
             m_obstruction.set(from, 0.0);

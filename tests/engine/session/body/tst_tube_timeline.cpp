@@ -79,6 +79,17 @@ private Q_SLOTS:
         QCOMPARE(placeAt(tube, 8.0).seat, TubeSeat::Trachea);
     }
 
+    /// A tube that comes out ends what is said of it; where nothing is, nothing changes.
+    void tellsNoEndOfWhatWasTakenBack()
+    {
+        TubeTimeline tube;
+        tube.note(atSeconds(1.0), noted(IntubationStep::ThroughCords, TubeSeat::Trachea), {});
+        tube.setOverride(atSeconds(2.0), {TubeSeat::Oesophagus, millimetres(7.5)});
+        tube.setOverride(atSeconds(3.0), {});
+        tube.note(atSeconds(4.0), noted(IntubationStep::TubeOut, TubeSeat::None), {});
+        QCOMPARE(tube.overrides().size(), std::size_t{2});
+    }
+
     /// By the monitor it is above the cords all the while.
     void takesATubePastTheTeethForOneInTheMouth()
     {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "tests/support/patience.h"
+
 #include <QCoreApplication>
 #include <QDeadlineTimer>
 #include <QTimer>
@@ -14,8 +16,9 @@ namespace carina::test
 /// The waiting macros of QTest sleep 10 ms between events and test every 50 ms, so that a test of
 /// many exchanges mostly sleeps.
 template <class Holds>
-[[nodiscard]] bool soon(const Holds& holds,
-                        std::chrono::milliseconds patience = std::chrono::seconds{5})
+[[nodiscard]] bool
+soon(const Holds& holds,
+     std::chrono::milliseconds patience = std::chrono::milliseconds{kPatience_ms})
 {
     const QDeadlineTimer end{patience};
     QTimer looking;

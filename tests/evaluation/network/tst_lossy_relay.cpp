@@ -1,6 +1,7 @@
 #include "evaluation/network/lossy_relay.h"
 
 #include "engine/core/monotonic_clock.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_class.h"
 
 namespace carina::lossy_relay_test
@@ -10,7 +11,6 @@ namespace
 
 using namespace std::chrono_literals;
 
-constexpr int kSoonMs = 2000;
 const QHostAddress kHere{QHostAddress::LocalHost};
 
 /// A host and a client with a relay between them.
@@ -47,13 +47,13 @@ private Q_SLOTS:
         Course course{{{.delay = 20ms}, {.delay = 30ms}}};
         const LocalTime sent = monotonicNow();
         course.sendToHost("there");
-        QTRY_VERIFY_WITH_TIMEOUT(course.host.hasPendingDatagrams(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(course.host.hasPendingDatagrams(), kPatience_ms);
         QVERIFY(monotonicNow() - sent >= 20ms);
         quint16 port = 0;
         QCOMPARE(read(course.host, &port), QByteArray{"there"});
         const LocalTime answered = monotonicNow();
         course.host.writeDatagram("back", kHere, port);
-        QTRY_VERIFY_WITH_TIMEOUT(course.client.hasPendingDatagrams(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(course.client.hasPendingDatagrams(), kPatience_ms);
         QVERIFY(monotonicNow() - answered >= 30ms);
         QCOMPARE(read(course.client), QByteArray{"back"});
         QCOMPARE(course.relay->bytes(), std::uint64_t{9});
@@ -64,7 +64,7 @@ private Q_SLOTS:
         Course course{{{.duplication = 1.0}, {}}};
         course.sendToHost("twin");
         for (int i = 0; i < 2; ++i) {
-            QTRY_VERIFY_WITH_TIMEOUT(course.host.hasPendingDatagrams(), kSoonMs);
+            QTRY_VERIFY_WITH_TIMEOUT(course.host.hasPendingDatagrams(), kPatience_ms);
             QCOMPARE(read(course.host), QByteArray{"twin"});
         }
         QCOMPARE(course.relay->toHost().size(), std::size_t{2});
@@ -74,11 +74,11 @@ private Q_SLOTS:
     {
         Course course{{{.cutFrom = 0s, .cutFor = 3600s}, {}}};
         course.sendToHost("before");
-        QTRY_VERIFY_WITH_TIMEOUT(course.host.hasPendingDatagrams(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(course.host.hasPendingDatagrams(), kPatience_ms);
         QCOMPARE(read(course.host), QByteArray{"before"});
         course.relay->beginAt(machineTime(monotonicNow()));
         course.sendToHost("cut");
-        QTRY_COMPARE_WITH_TIMEOUT(course.relay->bytes(), std::uint64_t{9}, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(course.relay->bytes(), std::uint64_t{9}, kPatience_ms);
         QCOMPARE(course.relay->toHost().size(), std::size_t{1});
     }
 };

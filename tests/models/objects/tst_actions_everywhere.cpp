@@ -44,14 +44,14 @@ void TestActionsEverywhere::areTheSameForALateJoinerAndAfterARestart()
     const std::uint16_t port = host->node->port();
     sharePatient(*host->node, kStation, "Adult");
     Console anna{join(*host->node, "Anna")};
-    QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna.node) && anna.object.chosen(), kSoonMs);
+    QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna.node) && anna.object.chosen(), kPatience_ms);
     host->object.handOver(anna.node->self());
-    QTRY_VERIFY_WITH_TIMEOUT(anna.object.isOwn(), kSoonMs);
+    QTRY_VERIFY_WITH_TIMEOUT(anna.object.isOwn(), kPatience_ms);
     anna.model.setSpeed(180.0);
     anna.model.start();
-    QTRY_VERIFY_WITH_TIMEOUT(anna.model.canStop() && !anna.model.isInPlace(), kSoonMs);
+    QTRY_VERIFY_WITH_TIMEOUT(anna.model.canStop() && !anna.model.isInPlace(), kPatience_ms);
     anna.model.stop();
-    QTRY_VERIFY_WITH_TIMEOUT(!anna.model.canStop(), kSoonMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!anna.model.canStop(), kPatience_ms);
 
     Console late{join(*host->node, "Ben")};
     const auto agree = [&anna](const Console& other) {
@@ -59,14 +59,14 @@ void TestActionsEverywhere::areTheSameForALateJoinerAndAfterARestart()
         expected.back() = QStringLiteral("Anna");
         return other.told() == expected;
     };
-    QTRY_VERIFY_WITH_TIMEOUT(agree(late), kSoonMs);
+    QTRY_VERIFY_WITH_TIMEOUT(agree(late), kPatience_ms);
     late.object.ask();
     QTRY_COMPARE_WITH_TIMEOUT(anna.object.wishText(), QStringLiteral("Asking for it: Ben"),
-                              kSoonMs);
-    QTRY_VERIFY_WITH_TIMEOUT(agree(*host), kSoonMs);
+                              kPatience_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(agree(*host), kPatience_ms);
     host.reset();
     host = std::make_unique<Console>(carina::host(disk, port));
-    QTRY_VERIFY_WITH_TIMEOUT(agree(*host), kSoonMs);
+    QTRY_VERIFY_WITH_TIMEOUT(agree(*host), kPatience_ms);
     QVERIFY(!host->model.isInPlace());
     sharePatient(*host->node, kStation, "Adult");
     QCOMPARE(host->object.objects().size(), std::size_t{1});
@@ -80,17 +80,17 @@ void TestActionsEverywhere::whatIsPutBackStaysInItsPlaceAfterARestart()
     const std::uint16_t port = host->node->port();
     shareLiftables(*host->node, kStation);
     Console anna{join(*host->node, "Anna")};
-    QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna.node) && anna.object.objects().size() > 1, kSoonMs);
+    QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna.node) && anna.object.objects().size() > 1, kPatience_ms);
     const ObjectId lungs = anna.object.objects().at(1).id;
     anna.object.choose(lungs);
     anna.object.lift();
-    QTRY_VERIFY_WITH_TIMEOUT(anna.object.isOwn(), kSoonMs);
+    QTRY_VERIFY_WITH_TIMEOUT(anna.object.isOwn(), kPatience_ms);
     anna.model.setSpeed(180.0);
     anna.model.start();
-    QTRY_VERIFY_WITH_TIMEOUT(anna.model.canStop() && !anna.model.isInPlace(), kSoonMs);
+    QTRY_VERIFY_WITH_TIMEOUT(anna.model.canStop() && !anna.model.isInPlace(), kPatience_ms);
     anna.model.stop();
     host->object.choose(lungs);
-    QTRY_COMPARE_WITH_TIMEOUT(host->model.placeText(), anna.model.placeText(), kSoonMs);
+    QTRY_COMPARE_WITH_TIMEOUT(host->model.placeText(), anna.model.placeText(), kPatience_ms);
 
     const auto restart = [&] {
         host.reset();
@@ -98,16 +98,16 @@ void TestActionsEverywhere::whatIsPutBackStaysInItsPlaceAfterARestart()
         host->object.choose(lungs);
     };
     restart();
-    QTRY_COMPARE_WITH_TIMEOUT(host->model.placeText(), anna.model.placeText(), kSoonMs);
+    QTRY_COMPARE_WITH_TIMEOUT(host->model.placeText(), anna.model.placeText(), kPatience_ms);
     anna.model.putBack();
     const auto isBack = [](const Console& console) {
         return console.object.chosen()->owner == kNobody && console.model.isInPlace();
     };
-    QTRY_VERIFY_WITH_TIMEOUT(isBack(anna) && isBack(*host), kSoonMs);
+    QTRY_VERIFY_WITH_TIMEOUT(isBack(anna) && isBack(*host), kPatience_ms);
     restart();
     QVERIFY(isBack(*host));
     host->object.lift();
-    QTRY_VERIFY_WITH_TIMEOUT(host->object.isOwn(), kSoonMs);
+    QTRY_VERIFY_WITH_TIMEOUT(host->object.isOwn(), kPatience_ms);
     QVERIFY(host->model.isInPlace());
 }
 

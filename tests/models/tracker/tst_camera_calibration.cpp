@@ -2,6 +2,7 @@
 
 #include "engine/io/site/devices/camera_file.h"
 #include "tests/engine/vision/board_pictures.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_class.h"
 
 #include <QSignalSpy>
@@ -12,7 +13,6 @@ namespace carina::camera_calibration_test
 namespace
 {
 
-constexpr int kPatience_ms = 60'000;
 constexpr double kSquare_mm = 28.0;
 constexpr double kFocalTolerance = 0.01; ///< share
 

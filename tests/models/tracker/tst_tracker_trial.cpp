@@ -1,6 +1,7 @@
 #include "models/tracker/tracker_trial.h"
 
 #include "tests/evaluation/polaris/served_device.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_class.h"
 
 #include <QTcpServer>
@@ -9,8 +10,6 @@ namespace carina::tracker_trial_test
 {
 namespace
 {
-
-constexpr int kPatience_ms = 10'000;
 
 std::uint16_t freeTcpPort()
 {

@@ -1,5 +1,6 @@
 #include "models/patient/set_words.h"
 #include "tests/engine/io/mesh/surface_files.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_class.h"
 #include "ui/import/import_dialog.h"
 
@@ -18,8 +19,6 @@ namespace carina::import_dialog_test
 {
 namespace
 {
-
-constexpr int kPatience_ms = 20'000;
 
 /// A set of two surfaces and a broken file, on its way in.
 struct Importing {

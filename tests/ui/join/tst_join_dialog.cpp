@@ -4,6 +4,7 @@
 #include "models/errors/error_text.h"
 #include "tests/engine/net/node/free_port.h"
 #include "tests/models/fake_session_node.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_class.h"
 #include "ui/join/join_dialog.h"
 
@@ -58,7 +59,6 @@ class TestJoinDialog : public QObject
     Q_OBJECT
 
 private:
-    static constexpr int kSoonMs = 5000;
     static JoinForm complete()
     {
         return {QStringLiteral("192.0.2.7"), QStringLiteral("45000"), QStringLiteral("7K3QM-XW2PD"),
@@ -99,7 +99,7 @@ private Q_SLOTS:
         Entrance entrance{{}, join()};
         JoinDialog dialog{sessions, entrance, {}};
         dialog.show();
-        QTRY_COMPARE_WITH_TIMEOUT(sessions.rowCount(), 1, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(sessions.rowCount(), 1, kPatience_ms);
         QVERIFY(sessions.index(0).data().toString().contains(QStringLiteral("Ward 3")));
         auto& list = find<QListView>(dialog, "sessions");
         list.setFocus();
@@ -133,7 +133,7 @@ private Q_SLOTS:
         for (int i = 0; i < Entrance::kPatience; ++i)
             entrance.look();
         QTRY_VERIFY_WITH_TIMEOUT(
-            dialog.height() >= dialog.layout()->totalHeightForWidth(dialog.width()), kSoonMs);
+            dialog.height() >= dialog.layout()->totalHeightForWidth(dialog.width()), kPatience_ms);
         const auto& missing = find<QLabel>(dialog, "missing");
         const auto& more = find<QPushButton>(dialog, "more");
         QVERIFY(missing.text().contains(QStringLiteral("not answered yet")));
@@ -152,7 +152,7 @@ private Q_SLOTS:
         JoinDialog dialog{sessions, entrance, {.name = QStringLiteral("Anna")}};
         dialog.show();
         QTRY_COMPARE_WITH_TIMEOUT(find<QLineEdit>(dialog, "port").text(), QStringLiteral("45000"),
-                                  kSoonMs);
+                                  kPatience_ms);
         QCOMPARE(find<QLineEdit>(dialog, "address").text(), QStringLiteral("127.0.0.1"));
         QCOMPARE(dialog.focusWidget()->objectName(), QStringLiteral("code"));
     }
@@ -181,11 +181,11 @@ private Q_SLOTS:
         JoinDialog dialog{sessions, entrance, last.form()};
         dialog.show();
         const auto another = SessionBeacon::open(ward(), false, port);
-        QTRY_COMPARE_WITH_TIMEOUT(dialog.form().port, QStringLiteral("45000"), kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(dialog.form().port, QStringLiteral("45000"), kPatience_ms);
         const auto known = SessionBeacon::open({sessionKey(last.session), "Ward 4", 45004}, false,
                                                port, Announced::ToThoseWhoKnowIt);
         QVERIFY(another && known);
-        QTRY_COMPARE_WITH_TIMEOUT(dialog.form().port, QStringLiteral("45004"), kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(dialog.form().port, QStringLiteral("45004"), kPatience_ms);
         QCOMPARE(dialog.form().address, QStringLiteral("127.0.0.1"));
         QCOMPARE(dialog.focusWidget()->objectName(), QStringLiteral("join"));
         QVERIFY(sessions.index(*sessions.knownRow())
@@ -205,11 +205,11 @@ private Q_SLOTS:
         JoinDialog dialog{sessions, entrance, last.form()};
         dialog.show();
         const auto another = SessionBeacon::open(ward(), false, port);
-        QTRY_COMPARE_WITH_TIMEOUT(dialog.form().port, QStringLiteral("45000"), kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(dialog.form().port, QStringLiteral("45000"), kPatience_ms);
         find<QLineEdit>(dialog, "code").setText(QStringLiteral("7K3QM-XW2PD"));
         const auto known = SessionBeacon::open({sessionKey(last.session), "Ward 4", 45004}, false,
                                                port, Announced::ToThoseWhoKnowIt);
-        QTRY_COMPARE_WITH_TIMEOUT(sessions.rowCount(), 2, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(sessions.rowCount(), 2, kPatience_ms);
         QCOMPARE(dialog.form().port, QStringLiteral("45000"));
     }
 
@@ -239,7 +239,7 @@ private Q_SLOTS:
         FoundSessionsModel sessions{port};
         Entrance entrance{{}, join()};
         JoinDialog dialog{sessions, entrance, complete()};
-        QTRY_COMPARE_WITH_TIMEOUT(sessions.rowCount(), 1, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(sessions.rowCount(), 1, kPatience_ms);
         QCOMPARE(dialog.form().address, complete().address);
     }
 
@@ -340,7 +340,7 @@ private Q_SLOTS:
         m_node->isRefused({Errc::WrongCode, {}});
         entrance.look();
         const auto beacon = SessionBeacon::open(ward(), false, port);
-        QTRY_COMPARE_WITH_TIMEOUT(sessions.rowCount(), 1, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(sessions.rowCount(), 1, kPatience_ms);
         QCOMPARE(find<QLabel>(dialog, "missing").text(), errorText({Errc::WrongCode, {}}));
     }
 
@@ -409,9 +409,9 @@ private Q_SLOTS:
         FoundSessionsModel sessions{port};
         Entrance entrance{{}, join()};
         JoinDialog dialog{sessions, entrance, {}};
-        QTRY_COMPARE_WITH_TIMEOUT(sessions.rowCount(), 1, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(sessions.rowCount(), 1, kPatience_ms);
         beacon->reset();
-        QTRY_COMPARE_WITH_TIMEOUT(sessions.rowCount(), 0, 2 * kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(sessions.rowCount(), 0, kPatience_ms);
         QVERIFY(find<QLabel>(dialog, "searching").text().contains(QStringLiteral("Looking")));
     }
 

@@ -1,3 +1,4 @@
+#include "tests/support/patience.h"
 #include "ui/registration/devices_box.h"
 
 #include "engine/io/site/site_file.h"
@@ -22,8 +23,6 @@ namespace
 {
 
 using test::TwoTrackers;
-
-constexpr int kPatience_ms = 10'000;
 
 /// The box on a site without devices, beside which two are described.
 struct BoxDesk {

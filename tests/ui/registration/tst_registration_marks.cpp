@@ -1,3 +1,4 @@
+#include "tests/support/patience.h"
 #include "tests/support/test_class.h"
 #include "tests/ui/registration/registration_desk.h"
 #include "widgets/scene/view/graphics.h"
@@ -11,9 +12,8 @@ namespace
 {
 
 constexpr int kFrames = 3;
-constexpr int kPatience_ms = 30'000; ///< a loaded software renderer
-constexpr int kReach = 16;           ///< pixels, beyond the largest mark
-constexpr double kContrast = 3.0;    ///< that WCAG 2.1 asks of what is no text
+constexpr int kReach = 16;        ///< pixels, beyond the largest mark
+constexpr double kContrast = 3.0; ///< that WCAG 2.1 asks of what is no text
 
 /// Relative luminance, as WCAG has it.
 double luminance(const QColor& color)

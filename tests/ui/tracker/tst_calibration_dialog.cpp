@@ -1,3 +1,4 @@
+#include "tests/support/patience.h"
 #include "ui/tracker/calibration_dialog.h"
 
 #include "tests/engine/vision/board_pictures.h"
@@ -11,8 +12,6 @@ namespace carina::calibration_dialog_test
 {
 namespace
 {
-
-constexpr int kPatience_ms = 60'000;
 
 template <class Widget> Widget& find(const QWidget& window, const char* name)
 {

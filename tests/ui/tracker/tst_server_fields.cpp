@@ -1,3 +1,4 @@
+#include "tests/support/patience.h"
 #include "ui/tracker/server_fields.h"
 #include "ui/tracker/tracker_dialog.h"
 
@@ -15,8 +16,6 @@ namespace carina::server_fields_test
 {
 namespace
 {
-
-constexpr int kPatience_ms = 10'000;
 
 template <class Widget> Widget& find(const QWidget& window, const char* name)
 {

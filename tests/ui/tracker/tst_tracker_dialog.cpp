@@ -1,3 +1,4 @@
+#include "tests/support/patience.h"
 #include "ui/tracker/tracker_dialog.h"
 
 #include "engine/core/monotonic_clock.h"
@@ -23,8 +24,6 @@ namespace carina::tracker_dialog_test
 {
 namespace
 {
-
-constexpr int kPatience_ms = 10'000;
 
 std::vector<OfferedAddress> onePort()
 {

@@ -1,5 +1,6 @@
 #include "apps/lab/attack/attacks.h"
 #include "tests/engine/net/node/nodes.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_class.h"
 
 #include <QTimer>
@@ -18,8 +19,6 @@ using lab::Attack;
 using lab::AttackKind;
 using lab::Measured;
 using lab::Target;
-
-constexpr int kPatienceMs = 20'000;
 
 /// A session with a trainee.
 struct Course {
@@ -72,18 +71,18 @@ private Q_SLOTS:
     {
         Course course;
         course.anna->publish(ObjectKind::Tube, "Tube", stillTube(*course.anna));
-        QTRY_VERIFY_WITH_TIMEOUT(onlyObject(*course.instructor), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(onlyObject(*course.instructor), kPatience_ms);
         const UnderWay attack{"false-tube", course.target()};
-        QTRY_VERIFY_WITH_TIMEOUT(attack.isHeld(), kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(attack.isHeld(), kPatience_ms);
         QVERIFY(attack->sent() > 0);
     }
 
     void falseTokensAreOfferedAndRefused()
     {
         Course course;
-        QTRY_VERIFY_WITH_TIMEOUT(isIn(*course.anna), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*course.anna), kPatience_ms);
         const UnderWay attack{"false-token", course.target()};
-        QTRY_VERIFY_WITH_TIMEOUT(attack.isHeld(), kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(attack.isHeld(), kPatience_ms);
         QVERIFY(!attack->isTakenForAnother());
     }
 
@@ -100,7 +99,7 @@ private Q_SLOTS:
         Target target = course.target();
         target.from = QHostAddress{from};
         const UnderWay attack{"paths", target};
-        QTRY_VERIFY_WITH_TIMEOUT(attack->sent() > 2, kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(attack->sent() > 2, kPatience_ms);
         QVERIFY(attack->mostPaths() > 0);
         QVERIFY(attack->mostPaths() <= attack->sent());
     }
@@ -121,7 +120,7 @@ private Q_SLOTS:
         Target target = course.target();
         target.port = silent.localPort();
         const UnderWay attack{name.toStdString(), target};
-        QTRY_VERIFY_WITH_TIMEOUT(silent.hasPendingDatagrams(), kSoonMs); // it was tried
+        QTRY_VERIFY_WITH_TIMEOUT(silent.hasPendingDatagrams(), kPatience_ms); // it was tried
         QCOMPARE(attack->sent(), std::int64_t{0});
         QCOMPARE(attack->mostPaths(), std::int64_t{0});
     }
@@ -130,14 +129,14 @@ private Q_SLOTS:
     {
         Course course;
         const UnderWay attack{"names", course.target()};
-        QTRY_VERIFY_WITH_TIMEOUT(attack.isHeld(), kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(attack.isHeld(), kPatience_ms);
     }
 
     void countsThePatientsThatAnInstructorHadLaid()
     {
         Course course;
         const UnderWay attack{"instructing", course.target()};
-        QTRY_VERIFY_WITH_TIMEOUT(attack->patientsLaid() > 1, kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(attack->patientsLaid() > 1, kPatience_ms);
     }
 };
 

@@ -4,6 +4,7 @@
 #include "engine/io/mesh/mesh_file_codec.h"
 #include "engine/io/mesh/surface_reader_exit.h"
 #include "tests/engine/io/mesh/texture_files.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_class.h"
 
 #include <QFile>
@@ -26,7 +27,6 @@ namespace fs = std::filesystem;
 
 constexpr qint64 kMebibyte = 1 << 20;
 constexpr qint64 kMemory = 256 * kMebibyte;
-constexpr int kPatience_ms = 20'000;
 constexpr const char* kWithoutLandlock =
     "this kernel has no Landlock: what lies outside the folder is not kept from who was taken over";
 

@@ -17,7 +17,7 @@ bool listensOverTcp(std::uint16_t port)
 {
     QTcpSocket socket;
     socket.connectToHost(kHere, port);
-    return socket.waitForConnected(kSoonMs);
+    return socket.waitForConnected(kPatience_ms);
 }
 
 } // namespace
@@ -41,12 +41,12 @@ private Q_SLOTS:
         serve();
         m_host->propose(kStation, fact::AnatomyChosen{test::kSetHash, "Somebody"});
         const auto trainee = join(*m_host, "Tom");
-        QTRY_VERIFY_WITH_TIMEOUT(trainee->door().has_value(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(trainee->door().has_value(), kPatience_ms);
         QCOMPARE(trainee->door()->port, m_host->port());
         QCOMPARE(trainee->door()->address, std::string{"127.0.0.1"});
-        QTRY_VERIFY_WITH_TIMEOUT(isChosen(*trainee), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(isChosen(*trainee), kPatience_ms);
         const SetFetch fetch{*trainee->door(), test::kSetHash, m_root / "here"};
-        QTRY_VERIFY_WITH_TIMEOUT(fetch.status().state == FetchStatus::State::Here, kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(fetch.status().state == FetchStatus::State::Here, kPatience_ms);
         QVERIFY(CarriedSets{m_root / "here"}.load(fetch.status().set.digest, test::kSetHash));
     }
 
@@ -59,18 +59,18 @@ private Q_SLOTS:
             const auto door = trainee->door();
             return door && door->offer.identity.who.participant == trainee->self();
         };
-        QTRY_VERIFY_WITH_TIMEOUT(hasToken(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(hasToken(), kPatience_ms);
         const SetFetch fetch{*trainee->door(), test::kSetHash, m_root / "here"};
-        QTRY_VERIFY_WITH_TIMEOUT(fetch.status().state == FetchStatus::State::Here, kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(fetch.status().state == FetchStatus::State::Here, kPatience_ms);
     }
 
     void setsThatNoStationHasStayAtTheHost()
     {
         serve();
         const auto trainee = join(*m_host, "Tom");
-        QTRY_VERIFY_WITH_TIMEOUT(trainee->door().has_value(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(trainee->door().has_value(), kPatience_ms);
         const SetFetch fetch{*trainee->door(), test::kSetHash, m_root / "here"};
-        QTRY_VERIFY_WITH_TIMEOUT(fetch.status().state == FetchStatus::State::Failed, kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(fetch.status().state == FetchStatus::State::Failed, kPatience_ms);
         QVERIFY(fetch.status().fault->code == Errc::SetNotNamed);
     }
 
@@ -83,14 +83,14 @@ private Q_SLOTS:
             const auto door = trainee->door();
             return door && door->offer.identity.who.participant == trainee->self();
         };
-        QTRY_VERIFY_WITH_TIMEOUT(hasToken(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(hasToken(), kPatience_ms);
         const HostDoor door = *trainee->door();
         const ParticipantId id = trainee->self();
         m_host->propose(kStation, fact::ParticipantRemoved{id, false, "too loud"});
         QTRY_VERIFY_WITH_TIMEOUT(m_host->state()->participants().at(id).removal.has_value(),
-                                 kSoonMs);
+                                 kPatience_ms);
         const SetFetch fetch{door, test::kSetHash, m_root / "here"};
-        QTRY_VERIFY_WITH_TIMEOUT(fetch.status().fault.has_value(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(fetch.status().fault.has_value(), kPatience_ms);
         QVERIFY(fetch.status().fault->code == Errc::HostSilent);
         QVERIFY(fetch.status().state == FetchStatus::State::Asking);
     }

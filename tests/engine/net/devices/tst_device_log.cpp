@@ -6,6 +6,7 @@
 #include "engine/tracking/ndi/ndi_conversation.h"
 #include "tests/engine/net/devices/igtl_offers.h"
 #include "tests/evaluation/polaris/served_device.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_class.h"
 
 #include <QTcpServer>
@@ -62,7 +63,7 @@ std::vector<PoseSample> samplesLogged(
         serve();
         return tracker->tools()[0].history->samples().size() > 30;
     };
-    if (!QTest::qWaitFor(isEnough, 20000))
+    if (!QTest::qWaitFor(isEnough, kPatience_ms))
         return {};
     tracker->stop();
     return tracker->tools()[0].history->samples();

@@ -3,6 +3,7 @@
 #include "engine/core/monotonic_clock.h"
 #include "engine/net/devices/device_tracker.h"
 #include "tests/engine/net/devices/igtl_offers.h"
+#include "tests/support/patience.h"
 #include "tests/support/soon.h"
 #include "tests/support/test_class.h"
 
@@ -117,7 +118,8 @@ private Q_SLOTS:
         const auto tracker = trackerAt(port, device.constData(), static_cast<IgtlPoses>(poses));
         QVERIFY(tracker->start());
         PoseHistory& history = *tracker->tools()[0].history;
-        QTRY_VERIFY2_WITH_TIMEOUT(history.samples().size() > 20, tracker->trouble().c_str(), 15000);
+        QTRY_VERIFY2_WITH_TIMEOUT(history.samples().size() > 20, tracker->trouble().c_str(),
+                                  kPatience_ms);
         tracker->stop();
         for (const PoseSample& sample : history.samples()) {
             const Vec3 p_mm = 1e3 * sample.X_FO.translation();

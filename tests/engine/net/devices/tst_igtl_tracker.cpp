@@ -3,6 +3,7 @@
 
 #include "engine/core/monotonic_clock.h"
 #include "tests/engine/net/devices/igtl_offers.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_class.h"
 
 #include <QTcpServer>
@@ -72,7 +73,7 @@ private Q_SLOTS:
             server->give(tubeOffer(std::uint64_t(given) << 28U, given)); // 16 a second
             return samplesOf(*tracker) > 5;
         };
-        QTRY_VERIFY_WITH_TIMEOUT(hasCome(), 10000);
+        QTRY_VERIFY_WITH_TIMEOUT(hasCome(), kPatience_ms);
         tracker->stop();
         for (const PoseSample& sample : tracker->tools()[0].history->samples()) {
             QCOMPARE(sample.validity, Validity::Tracked);
@@ -114,9 +115,9 @@ private Q_SLOTS:
             server = IgtlServer::listen(place).value();
             server->give(tubeOffer(std::uint64_t(i)));
             const std::size_t before = samplesOf(*tracker);
-            QTRY_VERIFY_WITH_TIMEOUT(samplesOf(*tracker) > before, 10000);
+            QTRY_VERIFY_WITH_TIMEOUT(samplesOf(*tracker) > before, kPatience_ms);
             server.reset();
-            QTRY_VERIFY_WITH_TIMEOUT(!tracker->trouble().empty(), 10000);
+            QTRY_VERIFY_WITH_TIMEOUT(!tracker->trouble().empty(), kPatience_ms);
         }
     }
 
@@ -129,7 +130,7 @@ private Q_SLOTS:
         QTRY_VERIFY(other.hasPendingConnections());
         other.nextPendingConnection()->write(QByteArray{100, 'x'});
         QTRY_VERIFY(tracker->trouble().find("OpenIGTLink") != std::string::npos);
-        QTRY_VERIFY_WITH_TIMEOUT(other.hasPendingConnections(), 5000); // and tries again
+        QTRY_VERIFY_WITH_TIMEOUT(other.hasPendingConnections(), kPatience_ms); // and tries again
     }
 
     void refusesAnAddressThatIsNone_data()

@@ -2,6 +2,7 @@
 
 #include "engine/core/monotonic_clock.h"
 #include "tests/evaluation/polaris/served_device.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_class.h"
 
 #include <QTcpServer>
@@ -115,7 +116,7 @@ private Q_SLOTS:
         const auto tracker = DeviceTracker::make(describedAt(link), sessionNow);
         QVERIFY(tracker);
         QVERIFY((*tracker)->start());
-        QTRY_VERIFY_WITH_TIMEOUT(samplesOf(**tracker) > 60, 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(samplesOf(**tracker) > 60, kPatience_ms);
         (*tracker)->stop();
         const TrackedTool tool = (*tracker)->tools()[0];
         QCOMPARE(tool.role, ToolRole::Tube);
@@ -138,7 +139,7 @@ private Q_SLOTS:
         for (int times = 0; times < 2; ++times) {
             const std::size_t before = samplesOf(**tracker);
             QVERIFY((*tracker)->start());
-            QTRY_VERIFY_WITH_TIMEOUT(samplesOf(**tracker) > before + 10, 20000);
+            QTRY_VERIFY_WITH_TIMEOUT(samplesOf(**tracker) > before + 10, kPatience_ms);
             QVERIFY(device.isTracking());
             (*tracker)->stop();
             QTRY_VERIFY(!device.isTracking());
@@ -156,7 +157,7 @@ private Q_SLOTS:
             DeviceTracker::make(describedAt("127.0.0.1:" + std::to_string(port)), sessionNow);
         QVERIFY(tracker);
         QVERIFY((*tracker)->start());
-        QTRY_VERIFY_WITH_TIMEOUT(samplesOf(**tracker) > 10, 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(samplesOf(**tracker) > 10, kPatience_ms);
         QVERIFY(device.isTracking());
         (*tracker)->stop();
         QTRY_VERIFY(!device.isTracking());
@@ -172,9 +173,9 @@ private Q_SLOTS:
         QTRY_VERIFY((*tracker)->trouble().find(link) != std::string::npos);
         {
             const ServedTerminal device{link};
-            QTRY_VERIFY_WITH_TIMEOUT(samplesOf(**tracker) > 10, 20000);
+            QTRY_VERIFY_WITH_TIMEOUT(samplesOf(**tracker) > 10, kPatience_ms);
         }
-        QTRY_VERIFY_WITH_TIMEOUT(!(*tracker)->trouble().empty(), 10000);
+        QTRY_VERIFY_WITH_TIMEOUT(!(*tracker)->trouble().empty(), kPatience_ms);
         QCOMPARE((*tracker)->sightOf(0), ToolSight::Silent);
         const auto lastIsLost = [&] {
             return (*tracker)->tools()[0].history->samples().back().validity == Validity::Lost;
@@ -182,7 +183,7 @@ private Q_SLOTS:
         QTRY_VERIFY(lastIsLost());
         const std::size_t before = samplesOf(**tracker);
         const ServedTerminal device{link};
-        QTRY_VERIFY_WITH_TIMEOUT(samplesOf(**tracker) > before + 10, 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(samplesOf(**tracker) > before + 10, kPatience_ms);
     }
 
     /// What is off refuses no connection either.
@@ -193,7 +194,8 @@ private Q_SLOTS:
             describedAt("127.0.0.1:" + std::to_string(host.port())), sessionNow);
         QVERIFY(tracker);
         QVERIFY((*tracker)->start());
-        QTRY_VERIFY_WITH_TIMEOUT((*tracker)->trouble().ends_with(": it does not answer"), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT((*tracker)->trouble().ends_with(": it does not answer"),
+                                 kPatience_ms);
     }
 
     void refusesAnAddressThatIsNone_data()

@@ -6,6 +6,7 @@
 #include "engine/net/secure/dtls.h"
 #include "tests/engine/net/discovery/notices.h"
 #include "tests/engine/net/node/free_port.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_class.h"
 
 #include <set>
@@ -18,8 +19,6 @@ class SessionBeaconTest : public QObject
     Q_OBJECT
 
 private:
-    static constexpr int kSoonMs = 5000;
-
     static std::set<std::string> namesIn(const SessionFinder& finder)
     {
         std::set<std::string> names;
@@ -38,8 +37,8 @@ private Q_SLOTS:
         QVERIFY(closed && open && second);
         int changes = 0;
         const SessionFinder finder{[&] { ++changes; }, port};
-        QTRY_COMPARE_WITH_TIMEOUT(namesIn(finder),
-                                  (std::set<std::string>{"Closed", "Closed too", "Open"}), kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(
+            namesIn(finder), (std::set<std::string>{"Closed", "Closed too", "Open"}), kPatience_ms);
         QVERIFY(changes > 0);
         const auto found = finder.sessions();
         QVERIFY(found[0].notice == noticeOf(1, "Closed"));
@@ -57,7 +56,7 @@ private Q_SLOTS:
                             QHostAddress{QHostAddress::LocalHost}, port);
         asker.writeDatagram(viewOf(encodeQuestion({.nonce = 6})),
                             QHostAddress{QStringLiteral("127.255.255.255")}, port);
-        QTRY_VERIFY_WITH_TIMEOUT(asker.hasPendingDatagrams(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(asker.hasPendingDatagrams(), kPatience_ms);
         const auto answer = readRaw(asker);
         QVERIFY(decodeAnswer(std::as_bytes(octets(answer->bytes)), 6) == noticeOf(1));
         QVERIFY(!asker.hasPendingDatagrams()); // what was sent to an address of a network
@@ -76,7 +75,7 @@ private Q_SLOTS:
         asker.writeDatagram(viewOf(encodeQuestion({.nonce = 5})), all, port);
         asker.writeDatagram(viewOf(encodeQuestion({6, noticeOf(2).session})), all, port);
         asker.writeDatagram(viewOf(encodeQuestion({7, noticeOf(1).session})), all, port);
-        QTRY_VERIFY_WITH_TIMEOUT(asker.hasPendingDatagrams(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(asker.hasPendingDatagrams(), kPatience_ms);
         const auto answer = readRaw(asker);
         QVERIFY(decodeAnswer(std::as_bytes(octets(answer->bytes)), 7) == noticeOf(1));
         QVERIFY(!asker.hasPendingDatagrams());
@@ -91,10 +90,10 @@ private Q_SLOTS:
         const auto shown = SessionBeacon::open(noticeOf(2, "Shown"), false, port);
         QVERIFY(hidden && shown);
         SessionFinder finder{[] {}, port};
-        QTRY_COMPARE_WITH_TIMEOUT(namesIn(finder), std::set<std::string>{"Shown"}, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(namesIn(finder), std::set<std::string>{"Shown"}, kPatience_ms);
         finder.lookFor(noticeOf(1).session);
         QTRY_COMPARE_WITH_TIMEOUT(namesIn(finder), (std::set<std::string>{"Hidden", "Shown"}),
-                                  kSoonMs);
+                                  kPatience_ms);
     }
 
     void floodOfQuestionsGetsFewAnswers()

@@ -1,4 +1,5 @@
 #include "engine/net/entry/client_credentials.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_class.h"
 
 #include <QTemporaryDir>
@@ -10,7 +11,6 @@ namespace
 
 const std::string kSession = "00112233445566778899aabbccddeeff";
 const std::string kOther = "ffeeddccbbaa99887766554433221100";
-constexpr int kSoonMs = 2000;
 
 struct Person {
     explicit Person(std::optional<JoinCode> code = JoinCode::random(),
@@ -46,14 +46,14 @@ private Q_SLOTS:
         QVERIFY(!credentials.offerFor(kSession));
         QVERIFY(!credentials.mayTry());
         QVERIFY(!credentials.offerFor(kSession)); // not a second time meanwhile
-        QTRY_VERIFY_WITH_TIMEOUT(credentials.mayTry(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(credentials.mayTry(), kPatience_ms);
         const auto offer = credentials.offerFor(kSession);
         QVERIFY(offer);
         QCOMPARE(toText(offer->identity), "trainee:" + kSession + ":new");
         QVERIFY(credentials.offerFor(kSession));
         QCOMPARE(anna.derivations.load(), 1);
         QVERIFY(!credentials.offerFor(kOther)); // needs a key of its own
-        QTRY_VERIFY_WITH_TIMEOUT(credentials.mayTry(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(credentials.mayTry(), kPatience_ms);
         QCOMPARE(anna.derivations.load(), 2);
     }
 
@@ -102,7 +102,7 @@ private Q_SLOTS:
         QVERIFY(!anna.credentials.hasToken());
         QVERIFY(!anna.credentials.refusal());
         QVERIFY(!anna.credentials.offerFor(kSession));
-        QTRY_COMPARE_WITH_TIMEOUT(anna.derivations.load(), 1, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(anna.derivations.load(), 1, kPatience_ms);
     }
 
     void codeIsGivenUpAfterThreeRejections()
@@ -209,7 +209,7 @@ private Q_SLOTS:
         bool told = false;
         anna.credentials.onChange([&] { told = true; });
         QVERIFY(!anna.credentials.offerFor(kSession));
-        QTRY_VERIFY_WITH_TIMEOUT(told, kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(told, kPatience_ms);
         QCOMPARE(anna.credentials.refusal()->code, Errc::NotEnoughMemory);
     }
 };

@@ -3,13 +3,13 @@
 #include "engine/core/monotonic_clock.h"
 #include "engine/net/node/session_node.h"
 #include "tests/engine/net/node/memory_store.h"
+#include "tests/support/patience.h"
 
 namespace carina
 {
 
 using namespace std::chrono_literals;
 
-inline constexpr int kSoonMs = 2000;
 inline constexpr StationId kStation{0};
 inline constexpr Duration kClockTolerance = 5ms;
 

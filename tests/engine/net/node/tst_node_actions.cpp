@@ -15,16 +15,16 @@ private Q_SLOTS:
         const auto instructor = host(disk);
         const auto anna = join(*instructor, "Anna");
         const auto ben = join(*instructor, "Ben");
-        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna) && isIn(*ben), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna) && isIn(*ben), kPatience_ms);
         anna->propose(kStation, fact::ObjectShared{{}, anna->self(), ObjectKind::Jaw, "jaw"});
-        QTRY_VERIFY_WITH_TIMEOUT(!anna->state()->objects().empty(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!anna->state()->objects().empty(), kPatience_ms);
         const ObjectId jaw = anna->state()->objects().begin()->first;
         QVERIFY(!anna->shown(jaw, *anna->now()));
 
         const ActedPose from{RigidTransform::translation(Vec3{1.0, 2.0, 3.0}), 1.5};
         anna->act(jaw, {ActionKind::Rotation, Vec3::UnitZ(), 0.5, from});
         for (const auto* node : {anna.get(), instructor.get(), ben.get()})
-            QTRY_VERIFY_WITH_TIMEOUT(node->shown(jaw, *node->now()), kSoonMs);
+            QTRY_VERIFY_WITH_TIMEOUT(node->shown(jaw, *node->now()), kPatience_ms);
         const SessionTime t = *instructor->now() + 1s;
         QVERIFY(anna->clock() && anna->clock()->bound > 0ns);
         QVERIFY(std::chrono::abs(
@@ -51,25 +51,25 @@ private Q_SLOTS:
         MemoryDisk disk;
         const auto instructor = host(disk);
         const auto anna = join(*instructor, "Anna");
-        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kPatience_ms);
         anna->propose(kStation, fact::ObjectShared{{}, anna->self(), ObjectKind::Jaw, "jaw"});
-        QTRY_VERIFY_WITH_TIMEOUT(!anna->state()->objects().empty(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!anna->state()->objects().empty(), kPatience_ms);
         const SharedObject jaw = anna->state()->objects().begin()->second;
 
         instructor->act(jaw.id, {});
-        QTRY_VERIFY_WITH_TIMEOUT(instructor->refusal(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(instructor->refusal(), kPatience_ms);
         QCOMPARE(instructor->refusal()->code, Errc::NotPermitted);
         instructor->propose(kStation,
                             fact::ObjectHandedOver{jaw.id, instructor->self(), jaw.epoch});
         QTRY_COMPARE_WITH_TIMEOUT(anna->state()->objects().at(jaw.id).owner, instructor->self(),
-                                  kSoonMs);
+                                  kPatience_ms);
         instructor->act(jaw.id, {ActionKind::Translation, Vec3::UnitX(), 0.0, {}});
-        QTRY_VERIFY_WITH_TIMEOUT(anna->shown(jaw.id, *anna->now()), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(anna->shown(jaw.id, *anna->now()), kPatience_ms);
         anna->act(jaw.id, {});
-        QTRY_VERIFY_WITH_TIMEOUT(anna->refusal(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(anna->refusal(), kPatience_ms);
         // What has passed on meanwhile is not taken, and whoever tries hears why.
         instructor->propose(kStation, fact::ObjectHandedOver{jaw.id, anna->self(), jaw.epoch});
-        QTRY_VERIFY_WITH_TIMEOUT(instructor->refusal(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(instructor->refusal(), kPatience_ms);
         QCOMPARE(instructor->refusal()->code, Errc::OwnerChanged);
     }
 
@@ -78,13 +78,13 @@ private Q_SLOTS:
         MemoryDisk disk;
         const auto instructor = host(disk);
         const auto olga = join(*instructor, "Olga", Role::Observer);
-        QTRY_VERIFY_WITH_TIMEOUT(isIn(*olga), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*olga), kPatience_ms);
         olga->propose(kStation, fact::ObjectShared{{}, olga->self(), ObjectKind::Jaw, "jaw"});
-        QTRY_VERIFY_WITH_TIMEOUT(olga->refusal(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(olga->refusal(), kPatience_ms);
         QCOMPARE(olga->refusal()->code, Errc::NotPermitted);
         QVERIFY(instructor->state()->objects().empty());
         olga->act(ObjectId{1}, {});
-        QTRY_VERIFY_WITH_TIMEOUT(olga->refusal(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(olga->refusal(), kPatience_ms);
         QCOMPARE(olga->refusal()->code, Errc::NotPermitted);
     }
 };

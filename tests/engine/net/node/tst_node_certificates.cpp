@@ -52,9 +52,9 @@ private Q_SLOTS:
         JoinSettings byAddress = guest(*instructor, "Ben");
         byAddress.certificate->name.clear();
         const auto ben = join(byAddress);
-        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna) && isIn(*ben), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna) && isIn(*ben), kPatience_ms);
         anna->propose(kStation, fact::BreathingRateSet{perMinute(12.0)});
-        QTRY_VERIFY_WITH_TIMEOUT(anna->refusal().has_value(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(anna->refusal().has_value(), kPatience_ms);
         QCOMPARE(anna->refusal()->code, Errc::NotPermitted); // a trainee as ever
     }
 
@@ -64,7 +64,7 @@ private Q_SLOTS:
         MemoryDisk disk;
         const auto instructor = certifiedHost(disk);
         const auto anna = join(guest(*instructor, "Anna"));
-        QTRY_VERIFY_WITH_TIMEOUT(anna->door().has_value(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(anna->door().has_value(), kPatience_ms);
         QCOMPARE(anna->door()->offer.identity.who.participant, std::optional{anna->self()});
     }
 
@@ -73,13 +73,13 @@ private Q_SLOTS:
         MemoryDisk disk;
         const auto instructor = certifiedHost(disk);
         const auto olga = join(guest(*instructor, "Olga", Role::Observer));
-        QTRY_VERIFY_WITH_TIMEOUT(isIn(*olga), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*olga), kPatience_ms);
         const std::size_t facts = disk.facts.size();
         olga->publish(ObjectKind::Tube, "Tube", stillTube(*olga));
         olga->propose(kStation, fact::TidalVolumeSet{5e-4});
-        QTRY_VERIFY_WITH_TIMEOUT(olga->refusal().has_value(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(olga->refusal().has_value(), kPatience_ms);
         QCOMPARE(olga->refusal()->code, Errc::NotPermitted);
-        QTRY_VERIFY_WITH_TIMEOUT(olga->pending().empty(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(olga->pending().empty(), kPatience_ms);
         QVERIFY(instructor->state()->objects().empty());
         QCOMPARE(disk.facts.size(), facts);
     }
@@ -91,7 +91,7 @@ private Q_SLOTS:
         JoinSettings settings = guest(*instructor, "Mallory", Role::Instructor);
         settings.code = instructor->joinCodes().at(Role::Observer);
         const auto mallory = join(settings);
-        QTRY_VERIFY_WITH_TIMEOUT(mallory->refusal().has_value(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(mallory->refusal().has_value(), kPatience_ms);
         QCOMPARE(mallory->refusal()->code, Errc::WrongCode);
         QCOMPARE(instructor->state()->participants().size(), std::size_t{1});
     }
@@ -105,15 +105,15 @@ private Q_SLOTS:
         JoinSettings settings = guest(*instructor, "Anna");
         settings.tokens = tokens.path().toStdString();
         auto anna = join(settings);
-        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kPatience_ms);
         const ParticipantId id = anna->self();
-        QTRY_VERIFY_WITH_TIMEOUT(!QDir{tokens.path()}.isEmpty(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!QDir{tokens.path()}.isEmpty(), kPatience_ms);
         instructor.reset();
         anna.reset();
         settings.code.reset(); // the token alone has to do
         instructor = certifiedHost(disk, port);
         anna = join(settings);
-        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kPatience_ms);
         QCOMPARE(anna->self(), id);
     }
 
@@ -129,7 +129,7 @@ private Q_SLOTS:
         JoinSettings wantsOne = joinSettings(*plain, "Ben");
         wantsOne.certificate = ExpectedHost{"carina.example", m_made->certificate("ours")};
         const auto ben = join(wantsOne);
-        QTRY_VERIFY_WITH_TIMEOUT(anna->refusal() && ben->refusal(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(anna->refusal() && ben->refusal(), kPatience_ms);
         QCOMPARE(anna->refusal()->code, Errc::CertificateNeeded);
         QCOMPARE(ben->refusal()->code, Errc::CertificateMissing);
         QCOMPARE(plain->certificateName(), std::string{});

@@ -71,17 +71,18 @@ private Q_SLOTS:
     {
         Course course;
         const auto ina = join(*course.instructor, "Ina", Role::Instructor);
-        QTRY_VERIFY_WITH_TIMEOUT(course.isReady() && isIn(*ina), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(course.isReady() && isIn(*ina), kPatience_ms);
         const ParticipantId id = course.anna->self();
         ina->propose(kStation, fact::ParticipantRemoved{id, false, "too loud"});
-        QTRY_COMPARE_WITH_TIMEOUT(linkOf(*course.anna), LinkState::Ended, kSoonMs);
-        QTRY_COMPARE_WITH_TIMEOUT(refusalOf(*course.anna), std::optional{Errc::Removed}, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(linkOf(*course.anna), LinkState::Ended, kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(refusalOf(*course.anna), std::optional{Errc::Removed},
+                                  kPatience_ms);
         QCOMPARE(course.anna->refusal()->detail, std::string{"Ina: too loud"});
         QVERIFY(!course.asKnown(id).present);
         QCOMPARE(course.instructor->paths()->empty(), false); // Ina's
         // Another run of her program comes in; that one does not.
         const auto again = join(course.annas);
-        QTRY_VERIFY_WITH_TIMEOUT(isIn(*again), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*again), kPatience_ms);
         QCOMPARE(again->self(), id);
         QVERIFY(!course.asKnown(id).removal && !course.asKnown(id).tokenReplaced);
         QCOMPARE(linkOf(*course.anna), LinkState::Ended);
@@ -127,39 +128,41 @@ private Q_SLOTS:
     void bannedParticipantComesInByNothingUntilTheBanIsLifted()
     {
         Course course;
-        QTRY_VERIFY_WITH_TIMEOUT(course.isReady(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(course.isReady(), kPatience_ms);
         const ParticipantId id = course.anna->self();
         course.decide(fact::ParticipantRemoved{id, true, "too loud"});
-        QTRY_COMPARE_WITH_TIMEOUT(refusalOf(*course.anna), std::optional{Errc::Banned}, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(refusalOf(*course.anna), std::optional{Errc::Banned},
+                                  kPatience_ms);
         course.anna = join(course.annas); // by the token, which is void, and then by the code
         QTRY_COMPARE_WITH_TIMEOUT(refusalOf(*course.anna), std::optional{Errc::Banned},
-                                  2 * kSoonMs);
+                                  kPatience_ms);
         QCOMPARE(course.anna->refusal()->detail, std::string{"Dr Hall: too loud"});
         JoinSettings byToken = course.annas;
         byToken.code.reset();
         const auto withToken = join(byToken);
         QTRY_COMPARE_WITH_TIMEOUT(refusalOf(*withToken), std::optional{Errc::WrongCode},
-                                  2 * kSoonMs);
+                                  kPatience_ms);
         course.decide(fact::BanLifted{id});
-        QTRY_VERIFY_WITH_TIMEOUT(!course.asKnown(id).removal->banned, kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!course.asKnown(id).removal->banned, kPatience_ms);
         course.anna = join(course.annas);
-        QTRY_VERIFY_WITH_TIMEOUT(isIn(*course.anna), 2 * kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*course.anna), kPatience_ms);
         QCOMPARE(course.anna->self(), id);
     }
 
     void lockedSessionTakesThoseWithATokenOnly()
     {
         Course course;
-        QTRY_VERIFY_WITH_TIMEOUT(course.isReady(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(course.isReady(), kPatience_ms);
         course.decide(fact::SessionLocked{true});
-        QTRY_VERIFY_WITH_TIMEOUT(course.instructor->state()->isLocked(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(course.instructor->state()->isLocked(), kPatience_ms);
         const auto ben = join(*course.instructor, "Ben");
-        QTRY_COMPARE_WITH_TIMEOUT(refusalOf(*ben), std::optional{Errc::SessionLocked}, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(refusalOf(*ben), std::optional{Errc::SessionLocked},
+                                  kPatience_ms);
         course.anna = join(course.annas);
-        QTRY_VERIFY_WITH_TIMEOUT(isIn(*course.anna), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*course.anna), kPatience_ms);
         QCOMPARE(ben->self(), kNobody);
         course.decide(fact::SessionLocked{false});
-        QTRY_VERIFY_WITH_TIMEOUT(isIn(*ben), 2 * kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*ben), kPatience_ms);
         QVERIFY(!ben->refusal());
         // Whose token is void proves nothing, though the name is known.
         course.decide(fact::ParticipantRemoved{course.anna->self(), true, {}});
@@ -167,46 +170,48 @@ private Q_SLOTS:
         course.decide(fact::SessionLocked{true});
         course.anna = join(course.annas);
         QTRY_COMPARE_WITH_TIMEOUT(refusalOf(*course.anna), std::optional{Errc::SessionLocked},
-                                  2 * kSoonMs);
+                                  kPatience_ms);
     }
 
     void mutedParticipantSeesAndChangesNothing()
     {
         Course course;
         course.anna->publish(ObjectKind::Tube, "Tube", stillTube(*course.anna));
-        QTRY_VERIFY_WITH_TIMEOUT(
-            onlyObject(*course.instructor) && onlyObject(*course.instructor)->newest(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(onlyObject(*course.instructor)
+                                     && onlyObject(*course.instructor)->newest(),
+                                 kPatience_ms);
         const ParticipantId id = course.anna->self();
         const ObjectId tube = course.instructor->state()->objects().begin()->first;
         course.decide(fact::ParticipantMuted{id, true});
-        QTRY_VERIFY_WITH_TIMEOUT(course.anna->state()->participants().at(id).muted, kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(course.anna->state()->participants().at(id).muted, kPatience_ms);
         const std::size_t facts = course.instructor->state()->lastApplied().value;
         course.anna->propose(kStation, fact::ObjectWanted{tube});
-        QTRY_COMPARE_WITH_TIMEOUT(refusalOf(*course.anna), std::optional{Errc::Muted}, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(refusalOf(*course.anna), std::optional{Errc::Muted},
+                                  kPatience_ms);
         course.anna->act(tube, {ActionKind::Rotation, Vec3::UnitZ(), 0.5, {}});
         course.anna->publish(ObjectKind::Stylus, "Stylus", stillTube(*course.anna));
-        QTRY_VERIFY_WITH_TIMEOUT(course.anna->pending().empty(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(course.anna->pending().empty(), kPatience_ms);
         QVERIFY(!course.anna->shown(tube, *course.anna->now()));
         QCOMPARE(course.instructor->state()->lastApplied().value, facts);
         const auto newest = onlyObject(*course.instructor)->newest();
         course.decide(fact::BreathingRateSet{perMinute(20.0)}); // which she sees
-        QTRY_COMPARE_WITH_TIMEOUT(ratePerMinute(*course.anna), 20.0, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(ratePerMinute(*course.anna), 20.0, kPatience_ms);
         QCOMPARE(onlyObject(*course.instructor)->newest()->time, newest->time);
         course.decide(fact::ParticipantMuted{id, false});
-        QTRY_VERIFY_WITH_TIMEOUT(!course.anna->refusal(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!course.anna->refusal(), kPatience_ms);
         QTRY_COMPARE_WITH_TIMEOUT(course.instructor->state()->objects().size(), std::size_t{2},
-                                  kSoonMs); // what was refused is proposed again
+                                  kPatience_ms); // what was refused is proposed again
         QTRY_VERIFY_WITH_TIMEOUT(course.instructor->object(tube)->newest()->time > newest->time,
-                                 kSoonMs);
+                                 kPatience_ms);
     }
 
     void changedCodeLetsNobodyInByTheOldOne()
     {
         Course course;
-        QTRY_VERIFY_WITH_TIMEOUT(course.isReady(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(course.isReady(), kPatience_ms);
         const JoinCodes before = course.instructor->joinCodes();
         course.decide(fact::RoleCodeChanged{Role::Trainee});
-        QTRY_VERIFY_WITH_TIMEOUT(course.instructor->joinCodes() != before, kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(course.instructor->joinCodes() != before, kPatience_ms);
         const JoinCodes after = course.instructor->joinCodes();
         QVERIFY(after.at(Role::Trainee) != before.at(Role::Trainee));
         QVERIFY(after.at(Role::Observer) == before.at(Role::Observer));
@@ -214,12 +219,12 @@ private Q_SLOTS:
         JoinSettings late = joinSettings(*course.instructor, "Ben");
         late.code = before.at(Role::Trainee);
         const auto ben = join(late);
-        QTRY_COMPARE_WITH_TIMEOUT(refusalOf(*ben), std::optional{Errc::WrongCode}, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(refusalOf(*ben), std::optional{Errc::WrongCode}, kPatience_ms);
         const auto carl = join(*course.instructor, "Carl");
-        QTRY_VERIFY_WITH_TIMEOUT(isIn(*carl), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*carl), kPatience_ms);
         QVERIFY(isIn(*course.anna)); // inside stays, and comes back by the token
         course.anna = join(course.annas);
-        QTRY_VERIFY_WITH_TIMEOUT(isIn(*course.anna), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*course.anna), kPatience_ms);
         course.instructor.reset();
         QVERIFY(host(course.disk)->joinCodes() == after);
     }
@@ -227,7 +232,7 @@ private Q_SLOTS:
     void codeIsNotChangedWhereItCannotBeKept()
     {
         Course course;
-        QTRY_VERIFY_WITH_TIMEOUT(course.isReady(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(course.isReady(), kPatience_ms);
         const JoinCodes before = course.instructor->joinCodes();
         const FactNumber last = course.instructor->state()->lastApplied();
         const QString folder = course.disk.folder.path();
@@ -236,7 +241,7 @@ private Q_SLOTS:
         QVERIFY(inItsPlace.open(QFile::WriteOnly));
         course.decide(fact::RoleCodeChanged{Role::Trainee});
         QTRY_COMPARE_WITH_TIMEOUT(refusalOf(*course.instructor), std::optional{Errc::StoreFailed},
-                                  kSoonMs);
+                                  kPatience_ms);
         QVERIFY(inItsPlace.remove());
         QVERIFY(course.instructor->joinCodes() == before);
         QCOMPARE(course.instructor->state()->lastApplied(), last);
@@ -257,7 +262,7 @@ private Q_SLOTS:
             return (*access)->keyOf({{role, {}}, session}).state;
         };
         using State = HostTransport::KeyAnswer::State;
-        QTRY_VERIFY_WITH_TIMEOUT((*access)->fault().has_value(), kSoonMs); // the new code's
+        QTRY_VERIFY_WITH_TIMEOUT((*access)->fault().has_value(), kPatience_ms); // the new code's
         QVERIFY(stateOf(Role::Observer) == State::Known);
         QVERIFY(stateOf(Role::Trainee) == State::NotYet);
         (*access)->changeCode(Role::Observer);
@@ -336,7 +341,7 @@ private Q_SLOTS:
         const auto access = HostAccess::open({}, session, cheapKey);
         const PskIdentity trainee{{Role::Trainee, {}}, session};
         const auto keyNow = [&] { return (*access)->keyOf(trainee).key; };
-        QTRY_VERIFY_WITH_TIMEOUT(!(*access)->isDeriving(Role::Trainee), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!(*access)->isDeriving(Role::Trainee), kPatience_ms);
         QVERIFY((*access)->write() && !(*access)->isUnwritten());
         const JoinCodes before = (*access)->codes();
         const AccessKey key = keyNow();
@@ -365,7 +370,7 @@ private Q_SLOTS:
     void tokenThatTwoHaveIsReplacedAndBothAreTold()
     {
         Course course;
-        QTRY_VERIFY_WITH_TIMEOUT(course.isReady(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(course.isReady(), kPatience_ms);
         const ParticipantId id = course.anna->self();
         const QTemporaryDir copied;
         const QString file = QDir{course.tokens.path()}.entryList(QDir::Files).first();
@@ -376,19 +381,19 @@ private Q_SLOTS:
         withCopy.tokens = copied.path().toStdString();
         withCopy.code.reset();
         const auto thief = join(withCopy);
-        QTRY_COMPARE_WITH_TIMEOUT(linkOf(*course.anna), LinkState::Ended, 2 * kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(linkOf(*course.anna), LinkState::Ended, kPatience_ms);
         QTRY_COMPARE_WITH_TIMEOUT(refusalOf(*course.anna), std::optional{Errc::UsedElsewhere},
-                                  kSoonMs);
-        QTRY_VERIFY_WITH_TIMEOUT(isIn(*thief), kSoonMs);
+                                  kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*thief), kPatience_ms);
         QCOMPARE(thief->self(), id);
-        QTRY_VERIFY_WITH_TIMEOUT(thief->state()->participants().at(id).tokenReplaced, kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(thief->state()->participants().at(id).tokenReplaced, kPatience_ms);
         QVERIFY(course.asKnown(id).tokenReplaced);
-        QTRY_VERIFY_WITH_TIMEOUT(onlyFileIn(copied.path()) != token, kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(onlyFileIn(copied.path()) != token, kPatience_ms);
         QCOMPARE(onlyFileIn(course.tokens.path()), token); // which is void
         JoinSettings byOldToken = course.annas;
         byOldToken.code.reset();
         const auto late = join(byOldToken);
-        QTRY_COMPARE_WITH_TIMEOUT(refusalOf(*late), std::optional{Errc::WrongCode}, 2 * kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(refusalOf(*late), std::optional{Errc::WrongCode}, kPatience_ms);
         QVERIFY(isIn(*thief));
     }
 
@@ -396,12 +401,12 @@ private Q_SLOTS:
     void restartedProgramIsNoSecondOne()
     {
         Course course;
-        QTRY_VERIFY_WITH_TIMEOUT(course.isReady(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(course.isReady(), kPatience_ms);
         const ParticipantId id = course.anna->self();
         const QByteArray token = onlyFileIn(course.tokens.path());
         for (int i = 0; i < 3; ++i) {
             course.anna = join(course.annas); // the old one ends once the new one has begun
-            QTRY_VERIFY_WITH_TIMEOUT(isIn(*course.anna), kSoonMs);
+            QTRY_VERIFY_WITH_TIMEOUT(isIn(*course.anna), kPatience_ms);
             QCOMPARE(course.anna->self(), id);
         }
         QVERIFY(!course.asKnown(id).tokenReplaced);
@@ -444,14 +449,14 @@ private Q_SLOTS:
         Course course;
         course.anna->publish(ObjectKind::Tube, "Tube", stillTube(*course.anna));
         const SessionNode& instructor = *course.instructor;
-        QTRY_VERIFY_WITH_TIMEOUT(trafficAt(instructor).samplesPerSecond > 20.0, 2 * kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(trafficAt(instructor).samplesPerSecond > 20.0, kPatience_ms);
         QVERIFY(trafficAt(instructor).samplesPerSecond < 90.0);
         QVERIFY(trafficAt(instructor).bytesPerSecond
                 > 20.0 * trafficAt(instructor).samplesPerSecond);
         QCOMPARE(trafficAt(instructor).facts, std::uint64_t{1}); // that she shares the tube
         QCOMPARE(trafficAt(instructor).refused, std::uint64_t{0});
         course.anna->propose(kStation, fact::BreathingRateSet{perMinute(20.0)});
-        QTRY_COMPARE_WITH_TIMEOUT(trafficAt(instructor).refused, std::uint64_t{1}, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(trafficAt(instructor).refused, std::uint64_t{1}, kPatience_ms);
         QVERIFY(!course.anna->paths()->front().traffic);
     }
 };

@@ -84,7 +84,7 @@ private Q_SLOTS:
         JoinSettings settings = joinSettings(*instructor, "Anna");
         settings.code = JoinCode::random();
         const auto anna = join(settings);
-        QTRY_VERIFY_WITH_TIMEOUT(anna->refusal().has_value(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(anna->refusal().has_value(), kPatience_ms);
         QCOMPARE(*anna->refusal(), (Error{Errc::WrongCode, settings.code->text()}));
         QCOMPARE(anna->self(), kNobody);
         QCOMPARE(instructor->state()->participants().size(), std::size_t{1});
@@ -97,7 +97,7 @@ private Q_SLOTS:
         JoinSettings settings = joinSettings(*instructor, "Anna", Role::Instructor);
         settings.code = instructor->joinCodes().at(Role::Trainee);
         const auto anna = join(settings);
-        QTRY_VERIFY_WITH_TIMEOUT(anna->refusal().has_value(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(anna->refusal().has_value(), kPatience_ms);
         QCOMPARE(anna->refusal()->code, Errc::WrongCode);
     }
 
@@ -226,13 +226,13 @@ private Q_SLOTS:
         MemoryDisk disk;
         const auto instructor = host(disk);
         const auto olga = join(*instructor, "Olga", Role::Observer);
-        QTRY_VERIFY_WITH_TIMEOUT(isIn(*olga), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*olga), kPatience_ms);
         const std::size_t facts = disk.facts.size();
         olga->propose(kStation, fact::BreathingRateSet{perMinute(12.0)});
-        QTRY_VERIFY_WITH_TIMEOUT(olga->refusal().has_value(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(olga->refusal().has_value(), kPatience_ms);
         QCOMPARE(olga->refusal()->code, Errc::NotPermitted);
         olga->publish(ObjectKind::Tube, "Tube", stillTube(*olga));
-        QTRY_VERIFY_WITH_TIMEOUT(olga->pending().empty(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(olga->pending().empty(), kPatience_ms);
         QVERIFY(instructor->state()->objects().empty());
         QCOMPARE(disk.facts.size(), facts);
     }
@@ -249,10 +249,10 @@ private Q_SLOTS:
         settings.tokens = tokens.path().toStdString();
         settings.derive = derivations.counted();
         auto anna = join(settings);
-        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kPatience_ms);
         const ParticipantId id = anna->self();
         QCOMPARE(derivations.count.load(), 1);
-        QTRY_VERIFY_WITH_TIMEOUT(!QDir{tokens.path()}.isEmpty(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!QDir{tokens.path()}.isEmpty(), kPatience_ms);
 
         instructor.reset();
         anna.reset();
@@ -262,7 +262,7 @@ private Q_SLOTS:
         instructor = *SessionNode::host(again, std::make_unique<MemoryStore>(disk));
         QVERIFY(instructor->joinCodes() == codes);
         anna = join(settings);
-        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kPatience_ms);
         QCOMPARE(anna->self(), id);
         QCOMPARE(derivations.count.load(), 1); // neither of them derived anything
     }
@@ -277,7 +277,7 @@ private Q_SLOTS:
         instructor = host(disk);
         QVERIFY(instructor->joinCodes() != codes);
         const auto anna = join(*instructor, "Anna");
-        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kPatience_ms);
     }
 
     void hostWithoutMemoryForKeysSaysSo()
@@ -289,7 +289,7 @@ private Q_SLOTS:
         };
         const auto instructor = *SessionNode::host(settings, std::make_unique<MemoryStore>(disk));
         instructor->propose(kStation, fact::BreathingRateSet{perMinute(12.0)});
-        QTRY_VERIFY_WITH_TIMEOUT(instructor->refusal().has_value(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(instructor->refusal().has_value(), kPatience_ms);
         QCOMPARE(*instructor->refusal(), (Error{Errc::NotEnoughMemory, "256 MiB"}));
     }
 
@@ -318,7 +318,7 @@ private Q_SLOTS:
             JoinSettings guest = joinSettings(*instructor, text.c_str());
             guest.address = text;
             const auto anna = join(guest);
-            QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kSoonMs);
+            QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kPatience_ms);
         }
     }
 };

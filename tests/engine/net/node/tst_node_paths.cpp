@@ -28,8 +28,8 @@ private Q_SLOTS:
             const auto path = std::ranges::find(*paths, node.self(), &PathReport::peer);
             return path != paths->end() && path->clockOffset;
         };
-        QTRY_VERIFY_WITH_TIMEOUT(isMeasured(*anna), kSoonMs);
-        QTRY_VERIFY_WITH_TIMEOUT(isMeasured(*ben), 5 * kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(isMeasured(*anna), kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(isMeasured(*ben), 5 * kPatience_ms);
         const LocalTime now = monotonicNow();
         const Duration offset =
             instructor->sessionTime(now)->time_since_epoch() - now.time_since_epoch();
@@ -49,7 +49,7 @@ private Q_SLOTS:
             const auto path = std::ranges::find(*paths, anna->self(), &PathReport::peer);
             return path == paths->end() ? std::nullopt : path->loss;
         };
-        QTRY_VERIFY_WITH_TIMEOUT(lossOfAnna(), 2 * kSoonMs); // a hundred datagrams
+        QTRY_VERIFY_WITH_TIMEOUT(lossOfAnna(), kPatience_ms); // a hundred datagrams
         QVERIFY(*lossOfAnna() < 0.5);
     }
 
@@ -60,7 +60,7 @@ private Q_SLOTS:
         const auto anna = join(*instructor, "Anna");
         QCOMPARE(anna->paths()->size(), std::size_t{1});
         QCOMPARE(anna->paths()->front().peer, ParticipantId{0});
-        QTRY_VERIFY_WITH_TIMEOUT(anna->paths()->front().delays.size() >= 10, kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(anna->paths()->front().delays.size() >= 10, kPatience_ms);
         const PathReport path = anna->paths()->front();
         QVERIFY(path.roundTrip.value() > 0ns && path.roundTrip.value() < kLongestLoopback);
         QVERIFY(path.meanDelay.value() < kLongestLoopback);
@@ -101,9 +101,9 @@ private Q_SLOTS:
         MemoryDisk disk;
         const auto instructor = host(disk);
         auto anna = join(*instructor, "Anna");
-        QTRY_COMPARE_WITH_TIMEOUT(instructor->paths()->size(), std::size_t{1}, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(instructor->paths()->size(), std::size_t{1}, kPatience_ms);
         anna.reset();
-        QTRY_VERIFY_WITH_TIMEOUT(instructor->paths()->empty(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(instructor->paths()->empty(), kPatience_ms);
     }
 };
 

@@ -23,7 +23,8 @@ private Q_SLOTS:
         const auto ben = join(*instructor, "Ben");
         anna->publish(ObjectKind::Tube, "Tube", stillTube(*anna));
         for (const auto* node : {instructor.get(), ben.get()}) {
-            QTRY_VERIFY_WITH_TIMEOUT(onlyObject(*node) && onlyObject(*node)->newest(), kSoonMs);
+            QTRY_VERIFY_WITH_TIMEOUT(onlyObject(*node) && onlyObject(*node)->newest(),
+                                     kPatience_ms);
             const auto pose = onlyObject(*node)->at(*node->now());
             QVERIFY(pose);
             QCOMPARE(pose->validity, Validity::Tracked);
@@ -31,7 +32,7 @@ private Q_SLOTS:
             const auto reports = node->objectReports();
             QCOMPARE(reports.size(), std::size_t{1});
             QVERIFY(reports[0].age < 200ms);
-            QTRY_VERIFY_WITH_TIMEOUT(node->objectReports()[0].driftMm, kSoonMs);
+            QTRY_VERIFY_WITH_TIMEOUT(node->objectReports()[0].driftMm, kPatience_ms);
             QVERIFY(*node->objectReports()[0].driftMm < 0.02);
         }
         QVERIFY(!onlyObject(*anna)); // one's own is not fetched from the session
@@ -60,14 +61,14 @@ private Q_SLOTS:
         anna->publishShape(ObjectKind::Tube, bends(*anna));
         for (const auto* node : {instructor.get(), ben.get()}) {
             QTRY_VERIFY_WITH_TIMEOUT(onlyObject(*node) && onlyObject(*node)->shapeAt(*node->now()),
-                                     kSoonMs);
+                                     kPatience_ms);
             const auto shape = onlyObject(*node)->shapeAt(*node->now());
             QVERIFY(shape && std::abs(shape->to.length - 0.3) < 1e-5);
             QVERIFY(std::abs(shape->to.perMetre[0] - 1.0) < kCurvatureOff);
             QVERIFY(std::abs(shape->to.perMetre[1] + 2.0) < kCurvatureOff);
         }
         anna->publishShape(ObjectKind::Tube, [] { return std::nullopt; });
-        QTRY_VERIFY_WITH_TIMEOUT(!onlyObject(*ben)->shapeAt(*ben->now()), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!onlyObject(*ben)->shapeAt(*ben->now()), kPatience_ms);
         QVERIFY(onlyObject(*ben)->newest());
     }
 
@@ -77,7 +78,7 @@ private Q_SLOTS:
         const auto instructor = host(disk);
         instructor->publish(ObjectKind::Head, "Head", stillTube(*instructor));
         const auto anna = join(*instructor, "Anna");
-        QTRY_VERIFY_WITH_TIMEOUT(onlyObject(*anna) && onlyObject(*anna)->newest(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(onlyObject(*anna) && onlyObject(*anna)->newest(), kPatience_ms);
     }
 
     void posesGoStaleWhenTheirOwnerFallsSilent()
@@ -87,7 +88,7 @@ private Q_SLOTS:
         auto anna = join(*instructor, "Anna");
         anna->publish(ObjectKind::Tube, "Tube", stillTube(*anna));
         QTRY_VERIFY_WITH_TIMEOUT(onlyObject(*instructor) && onlyObject(*instructor)->newest(),
-                                 kSoonMs);
+                                 kPatience_ms);
         const auto tube = onlyObject(*instructor);
         anna.reset();
         const SessionTime last = tube->newest()->time;
@@ -104,10 +105,11 @@ private Q_SLOTS:
         auto anna = join(*instructor, "Anna");
         anna->publish(ObjectKind::Tube, "Tube", stillTube(*anna));
         for (const SessionNode* node : {instructor.get(), olga.get()})
-            QTRY_VERIFY_WITH_TIMEOUT(onlyObject(*node) && onlyObject(*node)->newest(), kSoonMs);
+            QTRY_VERIFY_WITH_TIMEOUT(onlyObject(*node) && onlyObject(*node)->newest(),
+                                     kPatience_ms);
         anna.reset();
         for (const SessionNode* node : {instructor.get(), olga.get()})
-            QTRY_VERIFY_WITH_TIMEOUT(!onlyObject(*node), kSoonMs);
+            QTRY_VERIFY_WITH_TIMEOUT(!onlyObject(*node), kPatience_ms);
         QCOMPARE(instructor->state()->objects().size(), std::size_t{1});
     }
 };

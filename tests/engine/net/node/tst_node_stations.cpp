@@ -17,8 +17,8 @@ private Q_SLOTS:
         Course course;
         const auto anna = course.comes("Anna", "room 5");
         const auto ben = course.comes("Ben", "");
-        QTRY_COMPARE_WITH_TIMEOUT(ownStation(*anna), kRoom, kSoonMs);
-        QTRY_COMPARE_WITH_TIMEOUT(ownStation(*ben), kStation, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(ownStation(*anna), kRoom, kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(ownStation(*ben), kStation, kPatience_ms);
         QCOMPARE(ownStation(*course.instructor), kStation);
     }
 
@@ -26,7 +26,7 @@ private Q_SLOTS:
     {
         Course course;
         const auto anna = course.comes("Anna", "Room 6");
-        QTRY_VERIFY_WITH_TIMEOUT(anna->refusal(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(anna->refusal(), kPatience_ms);
         QCOMPARE(anna->refusal()->code, Errc::StationUnknown);
         QCOMPARE(anna->refusal()->detail, std::string{"open: Station 1, Room 5"});
         QCOMPARE(ownStation(*anna), kNoStation);
@@ -47,17 +47,17 @@ private Q_SLOTS:
     {
         Course course;
         const auto anna = course.comes("Anna", "Station 1");
-        QTRY_COMPARE_WITH_TIMEOUT(ownStation(*anna), kStation, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(ownStation(*anna), kStation, kPatience_ms);
         course.instructor->propose(kRoom, fact::ParticipantMoved{anna->self()});
-        QTRY_COMPARE_WITH_TIMEOUT(ownStation(*anna), kRoom, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(ownStation(*anna), kRoom, kPatience_ms);
         // The way to the host is lost and found again, and no wish is repeated.
         const std::uint16_t port = course.instructor->port();
         course.instructor.reset();
-        QTRY_VERIFY_WITH_TIMEOUT(linkOf(*anna) != LinkState::Connected, kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(linkOf(*anna) != LinkState::Connected, kPatience_ms);
         course.instructor = host(course.disk, port);
-        QTRY_COMPARE_WITH_TIMEOUT(linkOf(*anna), LinkState::Connected, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(linkOf(*anna), LinkState::Connected, kPatience_ms);
         QTRY_COMPARE_WITH_TIMEOUT(anna->state()->lastApplied(),
-                                  course.instructor->state()->lastApplied(), kSoonMs);
+                                  course.instructor->state()->lastApplied(), kPatience_ms);
         QCOMPARE(ownStation(*anna), kRoom);
     }
 
@@ -70,11 +70,11 @@ private Q_SLOTS:
             const auto tube = onlyObject(*course.instructor);
             return tube && tube->newest();
         };
-        QTRY_VERIFY_WITH_TIMEOUT(isSeen(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(isSeen(), kPatience_ms);
         const auto before = onlyObject(*course.instructor);
         course.instructor->propose(kRoom, fact::ParticipantMoved{anna->self()});
-        QTRY_VERIFY_WITH_TIMEOUT(onlyObject(*course.instructor) != before, kSoonMs);
-        QTRY_VERIFY_WITH_TIMEOUT(isSeen(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(onlyObject(*course.instructor) != before, kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(isSeen(), kPatience_ms);
         const auto state = course.instructor->state();
         QCOMPARE(state->objects().size(), std::size_t{1});
         QCOMPARE(state->objects().begin()->second.station, kRoom);

@@ -1,5 +1,6 @@
 #include "engine/io/fact_store/sql_fact_store.h"
 #include "tests/engine/net/node/nodes.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_class.h"
 
 #include <QDir>
@@ -11,8 +12,6 @@ namespace carina::node_store_test
 {
 namespace
 {
-
-constexpr int kNoticedMs = 1000;
 
 /// A host whose session is in a file.
 std::unique_ptr<SessionNode> hostFile(const MemoryDisk& disk, const QString& file)
@@ -74,15 +73,15 @@ private Q_SLOTS:
         auto instructor = hostFile(disk, file);
         QVERIFY(instructor);
         instructor->propose(kStation, fact::BreathingRateSet{perMinute(25.0)});
-        QTRY_COMPARE_WITH_TIMEOUT(ratePerMinute(*instructor), 25.0, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(ratePerMinute(*instructor), 25.0, kPatience_ms);
         QVERIFY(!instructor->refusal());
         harm(file);
-        QTRY_VERIFY_WITH_TIMEOUT(instructor->refusal(), kNoticedMs);
+        QTRY_VERIFY_WITH_TIMEOUT(instructor->refusal(), kPatience_ms);
         QCOMPARE(instructor->refusal()->code, Errc::StoreReplaced);
         QCOMPARE(instructor->refusal()->detail, next.toStdString());
 
         instructor->propose(kStation, fact::BreathingRateSet{perMinute(26.0)});
-        QTRY_COMPARE_WITH_TIMEOUT(ratePerMinute(*instructor), 26.0, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(ratePerMinute(*instructor), 26.0, kPatience_ms);
         const std::uint64_t facts = instructor->state()->lastApplied().value;
         const std::string id = instructor->state()->sessionId();
         const JoinCodes codes = instructor->joinCodes();
@@ -101,13 +100,13 @@ private Q_SLOTS:
         MemoryDisk disk;
         const auto instructor = host(disk);
         disk.full = true;
-        QTRY_VERIFY_WITH_TIMEOUT(instructor->refusal(), kNoticedMs);
+        QTRY_VERIFY_WITH_TIMEOUT(instructor->refusal(), kPatience_ms);
         QCOMPARE(instructor->refusal()->code, Errc::StoreFailed);
         instructor->propose(kStation, fact::BreathingRateSet{perMinute(25.0)});
-        QTRY_VERIFY_WITH_TIMEOUT(instructor->refusal(), kNoticedMs);
+        QTRY_VERIFY_WITH_TIMEOUT(instructor->refusal(), kPatience_ms);
         disk.full = false;
         disk.moved = "elsewhere/session_2.sqlite";
-        QTRY_COMPARE_WITH_TIMEOUT(instructor->refusal()->code, Errc::StoreReplaced, kNoticedMs);
+        QTRY_COMPARE_WITH_TIMEOUT(instructor->refusal()->code, Errc::StoreReplaced, kPatience_ms);
     }
 
     void clockThatContradictsTheLogIsSaid()

@@ -65,11 +65,11 @@ private Q_SLOTS:
         const auto instructor = host(disk);
         const auto anna = join(*instructor, "Anna");
         const auto ben = join(*instructor, "Ben", Role::Observer);
-        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna) && isIn(*ben), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna) && isIn(*ben), kPatience_ms);
         QVERIFY(anna->self() != ben->self());
         instructor->propose(kStation, fact::BreathingRateSet{perMinute(25.0)});
-        QTRY_COMPARE_WITH_TIMEOUT(ratePerMinute(*anna), 25.0, kSoonMs);
-        QTRY_COMPARE_WITH_TIMEOUT(ratePerMinute(*ben), 25.0, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(ratePerMinute(*anna), 25.0, kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(ratePerMinute(*ben), 25.0, kPatience_ms);
         QCOMPARE(ratePerMinute(*instructor), 25.0);
         QCOMPARE(anna->state()->lastApplied(), instructor->state()->lastApplied());
         QVERIFY(apart(*anna, *instructor) < kClockTolerance);
@@ -88,7 +88,7 @@ private Q_SLOTS:
         const auto instructor = host(disk);
         for (const double rate : {21.0, 22.0, 23.0, 24.0, 25.0}) {
             instructor->propose(kStation, fact::BreathingRateSet{perMinute(rate)});
-            QTRY_VERIFY_WITH_TIMEOUT(instructor->pending().empty(), kSoonMs);
+            QTRY_VERIFY_WITH_TIMEOUT(instructor->pending().empty(), kPatience_ms);
             QCOMPARE(ratePerMinute(*instructor), rate);
         }
     }
@@ -99,8 +99,8 @@ private Q_SLOTS:
         const auto instructor = host(disk);
         const auto second = join(*instructor, "Dr Rolland", Role::Instructor);
         second->propose(kStation, fact::BreathingRateSet{perMinute(12.0)}); // before it is in
-        QTRY_COMPARE_WITH_TIMEOUT(ratePerMinute(*instructor), 12.0, kSoonMs);
-        QTRY_VERIFY_WITH_TIMEOUT(second->pending().empty(), kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(ratePerMinute(*instructor), 12.0, kPatience_ms);
+        QTRY_VERIFY_WITH_TIMEOUT(second->pending().empty(), kPatience_ms);
         QVERIFY(!second->refusal());
     }
 
@@ -109,13 +109,13 @@ private Q_SLOTS:
         MemoryDisk disk;
         const auto instructor = host(disk);
         const auto anna = join(*instructor, "Anna");
-        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kPatience_ms);
         anna->propose(kStation, fact::BreathingRateSet{perMinute(12.0)});
-        QTRY_VERIFY_WITH_TIMEOUT(anna->refusal().has_value(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(anna->refusal().has_value(), kPatience_ms);
         QCOMPARE(anna->refusal()->code, Errc::NotPermitted);
         QVERIFY(anna->pending().empty());
         instructor->propose(kStation, fact::BreathingRateSet{perMinute(1000.0)});
-        QTRY_VERIFY_WITH_TIMEOUT(instructor->refusal().has_value(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(instructor->refusal().has_value(), kPatience_ms);
         QCOMPARE(instructor->refusal()->code, Errc::OutOfRange);
         QCOMPARE(ratePerMinute(*instructor), 19.0);
     }
@@ -127,9 +127,9 @@ private Q_SLOTS:
         std::atomic<int> changes = 0;
         instructor->onChange([&] { ++changes; });
         instructor->propose(kStation, fact::BreathingRateSet{perMinute(25.0)});
-        QTRY_VERIFY_WITH_TIMEOUT(changes > 0, kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(changes > 0, kPatience_ms);
         const auto anna = join(*instructor, "Anna");
-        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna) && changes > 1, kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna) && changes > 1, kPatience_ms);
         instructor->onChange({});
     }
 
@@ -184,7 +184,7 @@ private Q_SLOTS:
         const auto instructor = host(disk);
         disk.full = true;
         instructor->propose(kStation, fact::BreathingRateSet{perMinute(25.0)});
-        QTRY_VERIFY_WITH_TIMEOUT(instructor->refusal().has_value(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(instructor->refusal().has_value(), kPatience_ms);
         QCOMPARE(instructor->refusal()->code, Errc::StoreFailed);
         QCOMPARE(ratePerMinute(*instructor), 19.0);
     }
@@ -199,7 +199,7 @@ private Q_SLOTS:
             stranger.writeDatagram(QByteArray{size, 'C'}, QHostAddress::LocalHost,
                                    instructor->port());
         const auto anna = join(*instructor, "Anna");
-        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kPatience_ms);
         QVERIFY(!stranger.hasPendingDatagrams());
     }
 
@@ -208,7 +208,7 @@ private Q_SLOTS:
         MemoryDisk disk;
         const auto instructor = host(disk);
         const auto anna = join(*instructor, "Anna");
-        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kPatience_ms);
         std::clock_t used = std::clock();
         QTest::qWait(500);
         used = std::clock() - used;
@@ -220,19 +220,19 @@ private Q_SLOTS:
         MemoryDisk disk;
         const auto instructor = host(disk);
         const auto anna = join(*instructor, "Anna");
-        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kPatience_ms);
         instructor->propose(kStation, fact::PhaseChanged{SessionPhase::Running});
         instructor->propose(kStation, fact::PhaseChanged{SessionPhase::Ended});
         const auto hasEnded = [&] {
             return anna->state()->phaseAt(SessionTime::max()) == SessionPhase::Ended;
         };
-        QTRY_VERIFY_WITH_TIMEOUT(hasEnded(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(hasEnded(), kPatience_ms);
         anna->propose(kStation, fact::ManikinBreathed{}); // refused: it has ended
         anna->propose(kStation, fact::ObjectShared{{}, anna->self(), ObjectKind::Jaw, "jaw"});
-        QTRY_VERIFY_WITH_TIMEOUT(!anna->state()->objects().empty(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!anna->state()->objects().empty(), kPatience_ms);
         QVERIFY(!anna->refusal());
         anna->propose(kStation, fact::BreathingRateSet{perMinute(20.0)}); // a person's
-        QTRY_VERIFY_WITH_TIMEOUT(anna->refusal(), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(anna->refusal(), kPatience_ms);
     }
 };
 

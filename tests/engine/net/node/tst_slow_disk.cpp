@@ -189,7 +189,7 @@ private Q_SLOTS:
     {
         HeldStore::Disk disk;
         DriverWorld world{disk};
-        QTRY_VERIFY_WITH_TIMEOUT(hasKeyOfTrainees(*world.host), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(hasKeyOfTrainees(*world.host), kPatience_ms);
         const JoinCode before = world.host->access().codes().at(Role::Trainee);
         disk.hold();
         const auto& anna = world.add("Anna");
@@ -246,7 +246,7 @@ private Q_SLOTS:
     {
         HeldStore::Disk disk;
         DriverWorld world{disk};
-        QTRY_VERIFY_WITH_TIMEOUT(hasKeyOfTrainees(*world.host), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(hasKeyOfTrainees(*world.host), kPatience_ms);
         for (int i = 0; i < 50; ++i)
             world.host->propose(kStation, fact::RoleCodeChanged{Role::Trainee}, world.now);
         world.run(1ms);

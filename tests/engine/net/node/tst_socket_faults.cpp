@@ -1,4 +1,5 @@
 #include "tests/engine/net/node/nodes.h"
+#include "tests/support/patience.h"
 #include "tests/support/socket_faults.h"
 #include "tests/support/test_class.h"
 
@@ -13,16 +14,15 @@ namespace
 
 namespace faults = test::socket_faults;
 
-constexpr int kPatienceMs = 8000;
 constexpr int kMany = 15; // about four seconds of a client that nobody answers
 
 /// A second instructor joins and changes the rate; all is over when both have it as a fact.
 void change(SessionNode& host, SessionNode& second, double perMinuteRate)
 {
     second.propose(kStation, fact::BreathingRateSet{perMinute(perMinuteRate)});
-    QTRY_VERIFY_WITH_TIMEOUT(second.pending().empty(), kPatienceMs);
-    QTRY_COMPARE_WITH_TIMEOUT(ratePerMinute(host), perMinuteRate, kPatienceMs);
-    QTRY_COMPARE_WITH_TIMEOUT(ratePerMinute(second), perMinuteRate, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(second.pending().empty(), kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(ratePerMinute(host), perMinuteRate, kPatience_ms);
+    QTRY_COMPARE_WITH_TIMEOUT(ratePerMinute(second), perMinuteRate, kPatience_ms);
 }
 
 void session(const faults::Plan& plan)
@@ -32,7 +32,7 @@ void session(const faults::Plan& plan)
     QVERIFY(instructor);
     faults::begin(plan);
     auto second = join(*instructor, "Dr Rolland", Role::Instructor);
-    QTRY_VERIFY_WITH_TIMEOUT(isIn(*second), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(isIn(*second), kPatience_ms);
     change(*instructor, *second, 17.0);
     change(*instructor, *second, 23.0);
     QCOMPARE(second->state()->lastApplied(), instructor->state()->lastApplied());

@@ -4,6 +4,7 @@
 #include "engine/net/secure/dtls_record.h"
 #include "engine/net/secure/host_transport.h"
 #include "evaluation/network/transport_pump.h"
+#include "tests/support/patience.h"
 
 #include <QSslPreSharedKeyAuthenticator>
 
@@ -16,7 +17,6 @@ namespace carina
 using namespace std::chrono_literals;
 
 inline const std::string kSession = "00112233445566778899aabbccddeeff";
-inline constexpr int kHandshakeMs = 3000;
 inline const QHostAddress kLoopback{QHostAddress::LocalHost};
 
 inline std::vector<std::byte> textBytes(const char* text)

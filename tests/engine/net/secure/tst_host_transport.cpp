@@ -27,7 +27,7 @@ const std::string kNewTrainee = "trainee:" + kSession + ":new";
 QByteArray firstHelloOf(QUdpSocket& catcher)
 {
     RawClient client{catcher.localPort(), kNewTrainee, {}};
-    if (!catcher.waitForReadyRead(kHandshakeMs))
+    if (!catcher.waitForReadyRead(kPatience_ms))
         return {};
     return readRaw(catcher)->bytes;
 }
@@ -54,7 +54,7 @@ QByteArray withAnotherRandom(QByteArray hello, int round)
 /// reads none. @returns whether that came about
 bool isReadElsewhere(const HostTransport& host)
 {
-    const LocalTime end = monotonicNow() + std::chrono::milliseconds{kHandshakeMs};
+    const LocalTime end = monotonicNow() + std::chrono::milliseconds{kPatience_ms};
     while (host.nextWake() == LocalTime::min() && monotonicNow() < end)
         std::this_thread::yield();
     return host.nextWake() != LocalTime::min();
@@ -97,10 +97,10 @@ private Q_SLOTS:
     {
         TestHost host;
         RawClient client{host.port(), kNewTrainee, host.keys.at(Role::Trainee)};
-        QTRY_VERIFY_WITH_TIMEOUT(client.isIn() && !host.heard.paths.empty(), kHandshakeMs);
+        QTRY_VERIFY_WITH_TIMEOUT(client.isIn() && !host.heard.paths.empty(), kPatience_ms);
         QVERIFY((host.heard.paths.begin()->second == Credential{Role::Trainee, std::nullopt}));
         client.send("hello");
-        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{1}, kHandshakeMs);
+        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{1}, kPatience_ms);
         QVERIFY(host.heard.received[0] == textBytes("hello"));
     }
 
@@ -121,7 +121,7 @@ private Q_SLOTS:
         RawClient client{host.port(), identity.toStdString(), host.keys.at(Role::Observer)};
         QTRY_VERIFY_WITH_TIMEOUT(!client.answers.empty()
                                      && isWrongKeyAlert(octets(client.answers.back())),
-                                 kHandshakeMs);
+                                 kPatience_ms);
         QVERIFY(host.heard.paths.empty());
         QCOMPARE(host.transport->handshakes(), std::size_t{0});
     }
@@ -153,11 +153,11 @@ private Q_SLOTS:
         const bool hasToken = identity == QByteArray::fromStdString(kAnnas);
         RawClient client{between.port(), identity.toStdString(),
                          hasToken ? host.tokens.at(kAnna) : host.keys.at(Role::Trainee)};
-        QTRY_VERIFY_WITH_TIMEOUT(between.isHeld() && host.asked == 1, kHandshakeMs);
+        QTRY_VERIFY_WITH_TIMEOUT(between.isHeld() && host.asked == 1, kPatience_ms);
         QCOMPARE(host.transport->handshakes(), std::size_t{1});
         apply(change, host);
         between.letGo();
-        QTRY_COMPARE_WITH_TIMEOUT(host.transport->handshakes(), std::size_t{0}, kHandshakeMs);
+        QTRY_COMPARE_WITH_TIMEOUT(host.transport->handshakes(), std::size_t{0}, kPatience_ms);
         QCOMPARE(host.transport->paths(), std::size_t{comesIn ? 1U : 0U});
         QCOMPARE(!host.heard.paths.empty(), comesIn);
     }
@@ -168,8 +168,8 @@ private Q_SLOTS:
         host.keys.erase(Role::Trainee);
         RawClient client{host.port(), kNewTrainee, randomKey()};
         // Cookie request, then the host's part; no word about the key.
-        QTRY_COMPARE_WITH_TIMEOUT(client.answers.size(), std::size_t{2}, kHandshakeMs);
-        QTRY_COMPARE_WITH_TIMEOUT(host.transport->handshakes(), std::size_t{0}, kHandshakeMs);
+        QTRY_COMPARE_WITH_TIMEOUT(client.answers.size(), std::size_t{2}, kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(host.transport->handshakes(), std::size_t{0}, kPatience_ms);
         QCOMPARE(client.answers.size(), std::size_t{2});
     }
 
@@ -180,7 +180,7 @@ private Q_SLOTS:
         QVERIFY(stranger.bind(kLoopback, 0));
         const QByteArray hello = firstHelloOf(stranger);
         stranger.writeDatagram(hello, kLoopback, host.port());
-        QTRY_VERIFY_WITH_TIMEOUT(stranger.hasPendingDatagrams(), kHandshakeMs);
+        QTRY_VERIFY_WITH_TIMEOUT(stranger.hasPendingDatagrams(), kPatience_ms);
         const QByteArray answer = readRaw(stranger)->bytes;
         QVERIFY(answer.size() < hello.size()); // of no use for flooding others
         QCOMPARE(int{octets(answer)[13]}, 3);  // HelloVerifyRequest
@@ -199,12 +199,10 @@ private Q_SLOTS:
             host.pump.serve();
         }
         QCOMPARE(host.transport->handshakes(), std::size_t{0});
-        const LocalTime begin = monotonicNow();
+        // Had each been counted, this source could say hello again after 7 s only, and this client
+        // says hello only once.
         RawClient client{host.port(), kNewTrainee, host.keys.at(Role::Trainee)};
-        QTRY_VERIFY_WITH_TIMEOUT(client.isIn() && !host.heard.paths.empty(), kHandshakeMs);
-        // Had each been counted, this source could say hello again after 7 s only.
-        QVERIFY(monotonicNow() - begin
-                < (500 - HelloLimiter::kRate.burst) * HelloLimiter::kRate.interval / 2);
+        QTRY_VERIFY_WITH_TIMEOUT(client.isIn() && !host.heard.paths.empty(), kPatience_ms);
     }
 
     /// As by somebody who saw it on its way, or who sits behind the same address.
@@ -221,7 +219,7 @@ private Q_SLOTS:
         LossyRelay relay{host.port(), {}, 1};
         TestClient client{relay.port(), host.keys.at(Role::Trainee)};
         QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty() && !host.heard.paths.empty(),
-                                 kHandshakeMs);
+                                 kPatience_ms);
         const auto captured = provedHello(relay);
         QVERIFY(captured);
         int round = 0;
@@ -244,7 +242,7 @@ private Q_SLOTS:
         });
         storm.start(0);
         RawClient neighbour{host.port(), kNewTrainee, host.keys.at(Role::Trainee)};
-        QTRY_VERIFY_WITH_TIMEOUT(neighbour.isIn(), kHandshakeMs); // it says hello only once
+        QTRY_VERIFY_WITH_TIMEOUT(neighbour.isIn(), kPatience_ms); // it says hello only once
     }
 
     void capturedHelloIsVoidOnceItsCookieIsOld_data()
@@ -264,7 +262,7 @@ private Q_SLOTS:
         LossyRelay relay{host.port(), {}, 1};
         TestClient client{relay.port(), host.keys.at(Role::Trainee)};
         QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty() && !host.heard.paths.empty(),
-                                 kHandshakeMs);
+                                 kPatience_ms);
         const auto captured = provedHello(relay);
         QVERIFY(captured);
         const LocalTime later = monotonicNow() + std::chrono::seconds{age_s};
@@ -282,7 +280,7 @@ private Q_SLOTS:
         TestHost host;
         RawClient flooder{host.port(), kNewTrainee, host.keys.at(Role::Trainee)};
         RawClient other{host.port(), kNewTrainee, host.keys.at(Role::Trainee)};
-        QTRY_COMPARE_WITH_TIMEOUT(host.transport->paths(), std::size_t{2}, kHandshakeMs);
+        QTRY_COMPARE_WITH_TIMEOUT(host.transport->paths(), std::size_t{2}, kPatience_ms);
         for (int round = 0; round < 6; ++round) {
             for (int i = 0; i < 100; ++i)
                 flooder.send("flood");
@@ -290,7 +288,7 @@ private Q_SLOTS:
         }
         other.send("one");
         QTRY_VERIFY_WITH_TIMEOUT(std::ranges::count(host.heard.received, textBytes("one")) == 1,
-                                 kHandshakeMs);
+                                 kPatience_ms);
         QVERIFY(std::ranges::count(host.heard.received, textBytes("flood"))
                 >= std::ptrdiff_t(ArrivalQueue::kMostOfOne));
     }
@@ -299,18 +297,18 @@ private Q_SLOTS:
     {
         TestHost host;
         RawClient client{host.port(), kNewTrainee, host.keys.at(Role::Trainee)};
-        QTRY_VERIFY_WITH_TIMEOUT(client.isIn() && !host.heard.paths.empty(), kHandshakeMs);
+        QTRY_VERIFY_WITH_TIMEOUT(client.isIn() && !host.heard.paths.empty(), kPatience_ms);
         const std::size_t answers = client.answers.size();
         host.transport->end(host.heard.paths.begin()->first, host.heard, monotonicNow());
         QCOMPARE(host.transport->paths(), std::size_t{0});
-        QTRY_COMPARE_WITH_TIMEOUT(client.answers.size(), answers + 1, kHandshakeMs); // close_notify
+        QTRY_COMPARE_WITH_TIMEOUT(client.answers.size(), answers + 1, kPatience_ms); // close_notify
     }
 
     void whatIsNotEncryptedIsNotHeard()
     {
         TestHost host;
         RawClient client{host.port(), kNewTrainee, host.keys.at(Role::Trainee)};
-        QTRY_VERIFY_WITH_TIMEOUT(client.isIn() && !host.heard.paths.empty(), kHandshakeMs);
+        QTRY_VERIFY_WITH_TIMEOUT(client.isIn() && !host.heard.paths.empty(), kPatience_ms);
         QUdpSocket stranger;
         QVERIFY(stranger.bind(kLoopback, 0));
         QByteArray plain{23, '\0'}; // an application record in the clear
@@ -321,7 +319,7 @@ private Q_SLOTS:
                                         QByteArray(9000, 'C'), plain, encrypted})
             stranger.writeDatagram(bytes, kLoopback, host.port());
         client.send("hello");
-        QTRY_VERIFY_WITH_TIMEOUT(!host.heard.received.empty(), kHandshakeMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!host.heard.received.empty(), kPatience_ms);
         QCOMPARE(host.heard.received.size(), std::size_t{1});
         QCOMPARE(host.heard.paths.size(), std::size_t{1});
         QVERIFY(!stranger.hasPendingDatagrams());
@@ -332,15 +330,15 @@ private Q_SLOTS:
         TestHost host;
         LossyRelay relay{host.port(), {}, 1};
         TestClient client{relay.port(), host.keys.at(Role::Trainee)};
-        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty(), kHandshakeMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty(), kPatience_ms);
         client.send("once");
-        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{1}, kHandshakeMs);
+        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{1}, kPatience_ms);
         const auto captured = relay.toHost(); // from the first hello on
         for (int i = 0; i < 2; ++i)
             for (const auto& passed : captured)
                 relay.replay(passed);
         client.send("again");
-        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{2}, kHandshakeMs);
+        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{2}, kPatience_ms);
         QVERIFY(host.heard.received[1] == textBytes("again"));
         QVERIFY(host.heard.ended.empty());
         QCOMPARE(host.heard.paths.size(), std::size_t{1});
@@ -352,19 +350,17 @@ private Q_SLOTS:
         TestHost host;
         std::optional<RawClient> client;
         client.emplace(host.port(), kNewTrainee, host.keys.at(Role::Trainee));
-        QTRY_VERIFY_WITH_TIMEOUT(client->isIn(), kHandshakeMs);
+        QTRY_VERIFY_WITH_TIMEOUT(client->isIn(), kPatience_ms);
         const std::uint16_t port = client->port();
         client.reset(); // without a word
-        const LocalTime begin = monotonicNow();
         client.emplace(host.port(), kNewTrainee, host.keys.at(Role::Trainee), port);
-        QTRY_VERIFY_WITH_TIMEOUT(client->isIn(), kHandshakeMs);
-        QVERIFY(monotonicNow() - begin < 1s);
+        QTRY_VERIFY_WITH_TIMEOUT(client->isIn(), kPatience_ms); // it says hello only once
         QCOMPARE(client->port(), port);
         QCOMPARE(host.transport->paths(), std::size_t{1});
         QVERIFY(host.heard.ended == std::vector<PeerAddress>{1});
         QVERIFY(host.heard.paths.contains(2));
         client->send("back");
-        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{1}, kHandshakeMs);
+        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{1}, kPatience_ms);
     }
 
     void pathIsReplacedOnlyByOneThatIsProved()
@@ -372,14 +368,14 @@ private Q_SLOTS:
         TestHost host;
         LossyRelay relay{host.port(), {}, 1};
         TestClient client{relay.port(), host.keys.at(Role::Trainee)};
-        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty(), kHandshakeMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!client.heard.paths.empty(), kPatience_ms);
         // A stranger at the same address and port, as the host sees it, with another key.
         const std::uint16_t clientPort = relay.toHost().back().clientPort;
         QUdpSocket catcher;
         QVERIFY(catcher.bind(kLoopback, 0));
         relay.replay({clientPort, firstHelloOf(catcher)});
         client.send("still here");
-        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{1}, kHandshakeMs);
+        QTRY_COMPARE_WITH_TIMEOUT(host.heard.received.size(), std::size_t{1}, kPatience_ms);
         QVERIFY(host.heard.ended.empty());
     }
 
@@ -387,7 +383,7 @@ private Q_SLOTS:
     {
         TestHost host;
         RawClient client{host.port(), kNewTrainee, host.keys.at(Role::Trainee)};
-        QTRY_COMPARE_WITH_TIMEOUT(host.transport->paths(), std::size_t{1}, kHandshakeMs);
+        QTRY_COMPARE_WITH_TIMEOUT(host.transport->paths(), std::size_t{1}, kPatience_ms);
         const LocalTime now = monotonicNow();
         host.transport->serve(host.heard, now + HostTransport::kPathTimeout - 1s);
         QCOMPARE(host.transport->paths(), std::size_t{1});

@@ -1,4 +1,5 @@
 #include "engine/net/secure/dtls.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_class.h"
 
 namespace carina::raw_datagrams_test
@@ -6,7 +7,6 @@ namespace carina::raw_datagrams_test
 namespace
 {
 
-constexpr int kSoonMs = 2000;
 const QHostAddress kHere{QHostAddress::LocalHost};
 
 } // namespace
@@ -43,10 +43,10 @@ private Q_SLOTS:
             ear.send("taken by the turn");
             QMetaObject::invokeMethod(
                 &ear.socket, [&ear] { ear.readAll(); }, Qt::QueuedConnection);
-            QTRY_COMPARE_WITH_TIMEOUT(ear.heard, 3 * round - 2, kSoonMs);
+            QTRY_COMPARE_WITH_TIMEOUT(ear.heard, 3 * round - 2, kPatience_ms);
             for (int next = 1; next <= 2; ++next) {
                 ear.send("told by the signal");
-                QTRY_COMPARE_WITH_TIMEOUT(ear.heard, 3 * round - 2 + next, kSoonMs);
+                QTRY_COMPARE_WITH_TIMEOUT(ear.heard, 3 * round - 2 + next, kPatience_ms);
             }
         }
     }
@@ -57,8 +57,8 @@ private Q_SLOTS:
         ear.send({});
         ear.send(QByteArray(1201, 'x'));
         ear.send(QByteArray(1200, 'y'));
-        QTRY_VERIFY_WITH_TIMEOUT(ear.socket.hasPendingDatagrams(), kSoonMs);
-        QTRY_COMPARE_WITH_TIMEOUT((ear.readAll(), ear.heard), 1, kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(ear.socket.hasPendingDatagrams(), kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT((ear.readAll(), ear.heard), 1, kPatience_ms);
     }
 
     void nothingIsReadWhereNothingIs()
@@ -80,7 +80,7 @@ private Q_SLOTS:
         }
         ear.socket.writeDatagram("anybody?", kHere, closed);
         ear.send("hello");
-        QTRY_COMPARE_WITH_TIMEOUT((ear.readAll(), ear.heard), 1, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT((ear.readAll(), ear.heard), 1, kPatience_ms);
     }
 };
 

@@ -1,4 +1,5 @@
 #include "engine/net/secure/socket_drain.h"
+#include "tests/support/patience.h"
 #include "tests/support/test_class.h"
 
 #include <algorithm>
@@ -11,7 +12,6 @@ namespace carina::socket_drain_test
 namespace
 {
 
-constexpr int kSoonMs = 5000;
 constexpr int kFits = 100; ///< datagrams that any system keeps of a socket
 constexpr int kRounds = 6;
 const QHostAddress kHere{QHostAddress::LocalHost};
@@ -65,12 +65,12 @@ private Q_SLOTS:
         for (int round = 0; round < kRounds; ++round) {
             for (int i = 0; i < kFits; ++i)
                 flooder.writeDatagram(QByteArray::number(number++), kHere, drained.port());
-            QTRY_VERIFY_WITH_TIMEOUT(!drained.socket.hasPendingDatagrams(), kSoonMs);
+            QTRY_VERIFY_WITH_TIMEOUT(!drained.socket.hasPendingDatagrams(), kPatience_ms);
         }
         QUdpSocket other;
         QVERIFY(other.bind(kHere));
         other.writeDatagram("one", kHere, drained.port());
-        QTRY_VERIFY_WITH_TIMEOUT(drained.take(other.localPort()) > 0, kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(drained.take(other.localPort()) > 0, kPatience_ms);
 
         std::vector<QByteArray> flood;
         std::vector<QByteArray> others;
@@ -97,9 +97,9 @@ private Q_SLOTS:
             QUdpSocket stranger;
             stranger.writeDatagram("strange", kHere, drained.port());
             if (i % kFits == 0)
-                QTRY_VERIFY_WITH_TIMEOUT(!drained.socket.hasPendingDatagrams(), kSoonMs);
+                QTRY_VERIFY_WITH_TIMEOUT(!drained.socket.hasPendingDatagrams(), kPatience_ms);
         }
-        QTRY_COMPARE_WITH_TIMEOUT(drained.take(friendly.localPort()), std::size_t{2}, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(drained.take(friendly.localPort()), std::size_t{2}, kPatience_ms);
     }
 
     /// A host that is busy is not called for each of them.
@@ -109,13 +109,13 @@ private Q_SLOTS:
         QUdpSocket sender;
         for (int i = 0; i < 5; ++i) {
             sender.writeDatagram("news", kHere, drained.port());
-            QTRY_VERIFY_WITH_TIMEOUT(!drained.socket.hasPendingDatagrams(), kSoonMs);
+            QTRY_VERIFY_WITH_TIMEOUT(!drained.socket.hasPendingDatagrams(), kPatience_ms);
         }
-        QTRY_COMPARE_WITH_TIMEOUT(drained.news.load(), 1, kSoonMs);
-        QTRY_COMPARE_WITH_TIMEOUT(drained.take(sender.localPort()), std::size_t{5}, kSoonMs);
+        QTRY_COMPARE_WITH_TIMEOUT(drained.news.load(), 1, kPatience_ms);
+        QTRY_COMPARE_WITH_TIMEOUT(drained.take(sender.localPort()), std::size_t{5}, kPatience_ms);
         const int before = drained.news;
         sender.writeDatagram("more", kHere, drained.port());
-        QTRY_VERIFY_WITH_TIMEOUT(drained.news > before, kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(drained.news > before, kPatience_ms);
     }
 
     void leavesOutWhatNobodySends()
@@ -125,7 +125,7 @@ private Q_SLOTS:
         sender.writeDatagram({}, kHere, drained.port());
         sender.writeDatagram(QByteArray(kLongestRaw + 1, 'x'), kHere, drained.port());
         sender.writeDatagram(QByteArray(kLongestRaw, 'y'), kHere, drained.port());
-        QTRY_VERIFY_WITH_TIMEOUT(drained.take(sender.localPort()) > 0, kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(drained.take(sender.localPort()) > 0, kPatience_ms);
         QCOMPARE(drained.taken.size(), std::size_t{1});
         QCOMPARE(drained.taken.front().bytes, QByteArray(kLongestRaw, 'y'));
     }

@@ -50,7 +50,7 @@ private Q_SLOTS:
         settings.role = link->role;
         settings.code = link->code;
         const auto anna = join(settings);
-        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(isIn(*anna), kPatience_ms);
     }
 
     void bothCodesAreShownAndOneIsPictured()
@@ -139,7 +139,7 @@ private Q_SLOTS:
         QCOMPARE(wanted.first().first().value<Role>(), Role::Observer);
         const JoinCode old = node->joinCodes().at(Role::Observer);
         node->propose(kStation, fact::RoleCodeChanged{Role::Observer});
-        QTRY_VERIFY_WITH_TIMEOUT(node->joinCodes().at(Role::Observer) != old, kSoonMs);
+        QTRY_VERIFY_WITH_TIMEOUT(node->joinCodes().at(Role::Observer) != old, kPatience_ms);
         panel.show(*node, SessionReach::ThisComputer);
         QVERIFY(pictured(panel)->code == node->joinCodes().at(Role::Observer));
     }
@@ -171,7 +171,8 @@ private Q_SLOTS:
         panel.QWidget::show();
         const auto shown = [&](bool isLocked) {
             node->propose(kStation, fact::SessionLocked{isLocked});
-            return QTest::qWaitFor([&] { return node->state()->isLocked() == isLocked; }, kSoonMs);
+            return QTest::qWaitFor([&] { return node->state()->isLocked() == isLocked; },
+                                   kPatience_ms);
         };
         QVERIFY(shown(true));
         panel.show(*node, SessionReach::ThisComputer);

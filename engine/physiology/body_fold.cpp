@@ -22,11 +22,6 @@ constexpr double kRoomOxygen = 0.21;
 /// after some minutes of pure oxygen, as Benumof et al. assume (Anesthesiology 1997;87:979).
 constexpr double kBesideMask = 0.09;
 
-bool isInAirway(TubeSeat seat)
-{
-    return seat == TubeSeat::Trachea || seat == TubeSeat::RightMain || seat == TubeSeat::LeftMain;
-}
-
 /// The quiet turnover that is left: less in those who sleep, and in those who make no effort to
 /// breathe, who are taken for anaesthetised.
 double turnover(double hypnosis, bool isRelaxed)
@@ -100,7 +95,7 @@ bool BodyFold::samplesGas() const
 /// ventilator loses gas there instead.
 GasShares BodyFold::supplied(const RespiratoryFold& breathing) const
 {
-    const bool hasTube = isInAirway(m_settings.tube.seat);
+    const bool hasTube = isThroughCords(m_settings.tube.seat);
     const bool hasMask = m_settings.tube.seat == TubeSeat::None && m_settings.gas.maskHeld;
     if (!hasTube && !hasMask)
         return {kRoomOxygen, 0.0};
@@ -150,7 +145,7 @@ void BodyFold::sampleGas(double moved_ml)
     sampled.exhaled_mmHg = kDryPressure_mmHg * m_state.gas.airway.front().carbonDioxide;
     if (tube.seat == TubeSeat::Oesophagus)
         sampled.stomachRate_perS = m_settings.stomachBreaths.si;
-    else if (isInAirway(tube.seat))
+    else if (isThroughCords(tube.seat))
         sampled.passing = passingShare(tube, exhaledShare(m_state.gas));
     else if (!m_settings.gas.maskHeld)
         sampled.passing = 0.0;

@@ -18,15 +18,9 @@ bool isPassage(IntubationStep step)
     case IntubationStep::BladeOut:
     case IntubationStep::TubePastTeeth:
     case IntubationStep::TubeOut:
-    case IntubationStep::ThroughCords:
-    case IntubationStep::BackAboveCords:
-    case IntubationStep::InOesophagus:
-    case IntubationStep::OutOfOesophagus:
-    case IntubationStep::PastCarina:
-    case IntubationStep::BackAboveCarina:
         return true;
     default:
-        return false;
+        return isOfWay(step);
     }
 }
 

@@ -41,6 +41,22 @@ inline constexpr IntubationStep kLastIntubationStep = IntubationStep::AtRest;
            || step == IntubationStep::GlottisSeen;
 }
 
+/// Whether it is of the way that the tip takes beyond the teeth.
+[[nodiscard]] constexpr bool isOfWay(IntubationStep step)
+{
+    switch (step) {
+    case IntubationStep::ThroughCords:
+    case IntubationStep::BackAboveCords:
+    case IntubationStep::InOesophagus:
+    case IntubationStep::OutOfOesophagus:
+    case IntubationStep::PastCarina:
+    case IntubationStep::BackAboveCarina:
+        return true;
+    default:
+        return false;
+    }
+}
+
 /// One entry of an intubation's course, with what it rests on. Poses are those of one station.
 struct IntubationEvent {
     IntubationStep step = IntubationStep::BladeIn;

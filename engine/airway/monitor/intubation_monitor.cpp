@@ -46,10 +46,6 @@ double normalBelow(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2);
 
 double probabilityOf(double logOdds) { return 1.0 / (1.0 + std::exp(-logOdds)); }
 
-bool isBronchus(TubeSeat seat) { return seat == TubeSeat::RightMain || seat == TubeSeat::LeftMain; }
-
-bool isAirway(TubeSeat seat) { return seat == TubeSeat::Trachea || isBronchus(seat); }
-
 } // namespace
 
 Length PlacementError::atCords() const
@@ -270,10 +266,11 @@ TubeSeat IntubationMonitor::presentSeat(const AirwayMoment& moment) const
     const double odds = m_course.left.logOdds(m_error.atCords());
     const bool isBent = m_course.left.isBent(m_error.atCords());
     const double concluded = isBent ? kBentConcluded : kCarinaConcluded;
-    const bool isConcluded = std::abs(odds) >= kConvincing
-                             || (!isBronchus(m_course.seat) && moment.aboveCarina.si < -concluded);
+    const bool isConcluded =
+        std::abs(odds) >= kConvincing
+        || (!isInMainBronchus(m_course.seat) && moment.aboveCarina.si < -concluded);
     if (!isConcluded)
-        return isBronchus(m_course.seat) ? m_course.seat : TubeSeat::Trachea;
+        return isInMainBronchus(m_course.seat) ? m_course.seat : TubeSeat::Trachea;
     return odds > 0.0 ? TubeSeat::LeftMain : TubeSeat::RightMain;
 }
 
@@ -284,9 +281,9 @@ void IntubationMonitor::sit(TubeSeat seat, const AirwayMoment& moment)
     const TipReading& cords = m_course.throughCords.reading;
     if (seat == TubeSeat::Oesophagus)
         note(IntubationStep::InOesophagus, cords, seat, confidence);
-    if (isAirway(seat) && !isAirway(m_course.seat))
+    if (isThroughCords(seat) && !isThroughCords(m_course.seat))
         note(IntubationStep::ThroughCords, cords, TubeSeat::Trachea, confidence);
-    if (isBronchus(seat))
+    if (isInMainBronchus(seat))
         note(IntubationStep::PastCarina, m_course.pastCarina.reading, seat, confidence);
     m_course.seat = seat;
 }
@@ -294,11 +291,11 @@ void IntubationMonitor::sit(TubeSeat seat, const AirwayMoment& moment)
 void IntubationMonitor::leave(TubeSeat next, double confidence)
 {
     const TipReading& cords = m_course.throughCords.reading;
-    if (isBronchus(m_course.seat)) {
-        const TipReading& carina = isAirway(next) ? m_course.pastCarina.reading : cords;
+    if (isInMainBronchus(m_course.seat)) {
+        const TipReading& carina = isThroughCords(next) ? m_course.pastCarina.reading : cords;
         note(IntubationStep::BackAboveCarina, carina, TubeSeat::Trachea, confidence);
     }
-    if (isAirway(m_course.seat) && !isAirway(next))
+    if (isThroughCords(m_course.seat) && !isThroughCords(next))
         note(IntubationStep::BackAboveCords, cords, TubeSeat::None, confidence);
     if (m_course.seat == TubeSeat::Oesophagus)
         note(IntubationStep::OutOfOesophagus, cords, TubeSeat::None, confidence);
@@ -325,7 +322,7 @@ double IntubationMonitor::wayConfidence(TubeSeat seat) const
     double confidence = 1.0;
     if (seat != TubeSeat::None)
         confidence = toldApart(m_course.behind, seat == TubeSeat::Oesophagus);
-    if (isBronchus(seat))
+    if (isInMainBronchus(seat))
         confidence = std::min(confidence, toldApart(m_course.left, seat == TubeSeat::LeftMain));
     return m_course.shapes.isIn ? kShapesDiffer * confidence : confidence;
 }
@@ -333,7 +330,8 @@ double IntubationMonitor::wayConfidence(TubeSeat seat) const
 /// Of the change to a seat.
 double IntubationMonitor::seatConfidence(const AirwayMoment& moment, TubeSeat seat) const
 {
-    const bool isAtCarina = isBronchus(seat) || (isBronchus(m_course.seat) && isAirway(seat));
+    const bool isAtCarina =
+        isInMainBronchus(seat) || (isInMainBronchus(m_course.seat) && isThroughCords(seat));
     const Passage& passage = isAtCarina ? m_course.pastCarina : m_course.throughCords;
     return std::min(wayConfidence(seat), confidenceOf(moment.tube, passage));
 }
@@ -346,7 +344,7 @@ double IntubationMonitor::presentConfidence(const AirwayMoment& moment) const
         margin = Length{} - moment.pastCords;
     else if (m_course.seat == TubeSeat::Trachea)
         margin = std::min(moment.pastCords, moment.aboveCarina);
-    else if (isBronchus(m_course.seat))
+    else if (isInMainBronchus(m_course.seat))
         margin = Length{} - moment.aboveCarina;
     return std::min(wayConfidence(m_course.seat), normalBelow(margin / m_error.atCords()));
 }

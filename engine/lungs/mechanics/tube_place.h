@@ -19,6 +19,17 @@ enum class TubeSeat : std::uint8_t {
 inline constexpr std::array kTubeSeats{TubeSeat::None, TubeSeat::Trachea, TubeSeat::RightMain,
                                        TubeSeat::LeftMain, TubeSeat::Oesophagus};
 
+[[nodiscard]] constexpr bool isInMainBronchus(TubeSeat seat)
+{
+    return seat == TubeSeat::RightMain || seat == TubeSeat::LeftMain;
+}
+
+/// Whether the tip is beyond the vocal cords, in the airway.
+[[nodiscard]] constexpr bool isThroughCords(TubeSeat seat)
+{
+    return seat == TubeSeat::Trachea || isInMainBronchus(seat);
+}
+
 /// A tube as the mechanics and the gas exchange of a patient know it.
 struct TubePlace {
     TubeSeat seat = TubeSeat::None;

@@ -5,31 +5,8 @@ namespace carina
 namespace
 {
 
-/// Whether the step is one of the way that the tip takes beyond the teeth.
-bool isOfWay(IntubationStep step)
-{
-    switch (step) {
-    case IntubationStep::ThroughCords:
-    case IntubationStep::BackAboveCords:
-    case IntubationStep::InOesophagus:
-    case IntubationStep::OutOfOesophagus:
-    case IntubationStep::PastCarina:
-    case IntubationStep::BackAboveCarina:
-        return true;
-    default:
-        return false;
-    }
-}
-
-bool isOfBronchus(TubeSeat seat)
-{
-    return seat == TubeSeat::RightMain || seat == TubeSeat::LeftMain;
-}
-
 /// Above the cords, in the airway or in the oesophagus.
-TubeSeat wayOf(TubeSeat seat) { return isOfBronchus(seat) ? TubeSeat::Trachea : seat; }
-
-bool isBelowCords(TubeSeat seat) { return seat == TubeSeat::Trachea || isOfBronchus(seat); }
+TubeSeat wayOf(TubeSeat seat) { return isInMainBronchus(seat) ? TubeSeat::Trachea : seat; }
 
 } // namespace
 
@@ -95,15 +72,15 @@ std::vector<IntubationEvent> ToldPlace::between(TubeSeat from, TubeSeat to, Sess
         return steps;
     if (from == TubeSeat::Oesophagus)
         step(IntubationStep::OutOfOesophagus, TubeSeat::None);
-    if (isOfBronchus(from))
+    if (isInMainBronchus(from))
         step(IntubationStep::BackAboveCarina, TubeSeat::Trachea);
-    if (isBelowCords(from) && !isBelowCords(to))
+    if (isThroughCords(from) && !isThroughCords(to))
         step(IntubationStep::BackAboveCords, TubeSeat::None);
     if (to == TubeSeat::Oesophagus)
         step(IntubationStep::InOesophagus, TubeSeat::Oesophagus);
-    if (isBelowCords(to) && !isBelowCords(from))
+    if (isThroughCords(to) && !isThroughCords(from))
         step(IntubationStep::ThroughCords, TubeSeat::Trachea);
-    if (isOfBronchus(to))
+    if (isInMainBronchus(to))
         step(IntubationStep::PastCarina, to);
     return steps;
 }

@@ -10,11 +10,6 @@ namespace carina
 namespace
 {
 
-bool isInAirway(TubeSeat seat)
-{
-    return seat == TubeSeat::Trachea || seat == TubeSeat::RightMain || seat == TubeSeat::LeftMain;
-}
-
 /// Goes through the events of a try once.
 class CourseReader
 {
@@ -92,7 +87,7 @@ void CourseReader::readTube(const IntubationEvent& event)
             stays.pop_back();
         break;
     case IntubationStep::FirstBreath:
-        if (isInAirway(event.seat))
+        if (isThroughCords(event.seat))
             m_course.firstBreath = event.at;
         break;
     case IntubationStep::CuffInflated:
@@ -126,7 +121,7 @@ void CourseReader::readPlace(const IntubationEvent& event)
     const double confidence =
         isOfBlade(event.step) && m_course.depth ? m_course.depth->confidence : event.confidence;
     m_course.depth.reset();
-    if (isInAirway(m_seat) && !m_areApart)
+    if (isThroughCords(m_seat) && !m_areApart)
         m_course.depth = {event.at, event.depthAtTeeth, event.tipAboveCarina, confidence};
 }
 

@@ -59,11 +59,6 @@ Volume leftOf(Volume delivered, double leak)
 
 } // namespace
 
-bool isThroughCords(TubeSeat seat)
-{
-    return seat == TubeSeat::Trachea || seat == TubeSeat::RightMain || seat == TubeSeat::LeftMain;
-}
-
 bool reachesLungs(const TubePlace& tube, const GasSupply& gas)
 {
     if (tube.seat == TubeSeat::Oesophagus)

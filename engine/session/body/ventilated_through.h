@@ -7,9 +7,6 @@
 namespace carina
 {
 
-/// Whether the tip of a tube is beyond the vocal cords.
-[[nodiscard]] bool isThroughCords(TubeSeat seat);
-
 /// Whether what a bag or ventilator delivers reaches the lungs. It does not through a tube in the
 /// oesophagus, nor where a tube that is watched (TubeTimeline::placeAt) lies above the cords and no
 /// mask is held. Where nobody watches a tube it does: a session whose console alone says how the

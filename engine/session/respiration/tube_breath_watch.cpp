@@ -1,6 +1,6 @@
 #include "engine/session/respiration/tube_breath_watch.h"
 
-#include "engine/session/body/ventilated_through.h"
+#include "engine/lungs/mechanics/tube_place.h"
 
 #include <utility>
 

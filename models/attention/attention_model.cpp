@@ -346,24 +346,28 @@ void AttentionModel::addTracker(const SessionState& state, const TrackerSight& s
                    .participant = self});
 }
 
-/// Of those beyond the cords, or behind them, whose place the console does not set.
+/// Of those beyond the cords, or behind them, whose place the console does not set: what is known
+/// is told where it is not the trachea, and what is not known is asked.
 void AttentionModel::addTubes(const SessionState& state, SessionTime now, Reports& all)
 {
     for (const auto& [id, station] : state.stations()) {
         const TubeTimeline& tube = station.respiration.tube();
         const auto last = tube.lastOfTubeAt(now);
-        if (station.closed || !last || last->seat == TubeSeat::None
-            || last->confidence >= kLeastTold || tube.isOverriddenAt(now))
+        if (station.closed || !last || last->seat == TubeSeat::None || tube.isOverriddenAt(now))
+            continue;
+        const bool isKnown = last->confidence >= kLeastTold;
+        if (isKnown && last->seat == TubeSeat::Trachea)
             continue;
         const QString place =
             asSureAs(tr("Tube %1", "where").arg(seatText(last->seat)), last->confidence);
-        all.push_back(
-            {.concern = Concern::TubePlace,
-             .text = atStation(
-                 state, id,
-                 tr("%1: if you see where it is, set it", "a question where a tube is").arg(place)),
-             .action = tr("Show"),
-             .station = id});
+        const QString text =
+            isKnown
+                ? place
+                : tr("%1: if you see where it is, set it", "a question where a tube is").arg(place);
+        all.push_back({.concern = Concern::TubePlace,
+                       .text = atStation(state, id, text),
+                       .action = tr("Show"),
+                       .station = id});
     }
 }
 

@@ -22,7 +22,7 @@ enum class Concern : std::uint8_t {
     Refused,        ///< the host refused what was done here
     TwoPrograms,    ///< two programs had one participant's token
     Asked,          ///< somebody asks for an object
-    TubePlace,      ///< nothing tells where a tube is
+    TubePlace,      ///< a tube is not in the trachea, or nothing tells where it is
     Away,           ///< a participant's program is not heard of, and they did not leave
     Unseen,         ///< a tool of a participant is not seen by their tracker
     Tracker,        ///< that of this program does not track

@@ -164,6 +164,22 @@ private Q_SLOTS:
         QCOMPARE(console.texts(), QStringList{});
     }
 
+    void tellsATubeThatIsNotInTheTrachea()
+    {
+        Console console;
+        console.notes(IntubationStep::InOesophagus, TubeSeat::Oesophagus, 0.99);
+        QCOMPARE(console.texts(), QStringList{QStringLiteral("Tube in the oesophagus")});
+        console.notes(IntubationStep::CuffInflated, TubeSeat::Oesophagus, 0.6);
+        QCOMPARE(console.texts(),
+                 QStringList{QStringLiteral("Tube in the oesophagus (60\u00a0% sure)")});
+        console.notes(IntubationStep::OutOfOesophagus, TubeSeat::None, 1.0);
+        QCOMPARE(console.texts(), QStringList{});
+        console.notes(IntubationStep::PastCarina, TubeSeat::RightMain, 0.9);
+        QCOMPARE(console.texts(), QStringList{QStringLiteral("Tube in the right main bronchus")});
+        console.notes(IntubationStep::BackAboveCarina, TubeSeat::Trachea, 0.9);
+        QCOMPARE(console.texts(), QStringList{});
+    }
+
     void saysWhoIsAwayAndWhereThatIsSeen()
     {
         Console console;

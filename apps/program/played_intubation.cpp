@@ -30,7 +30,9 @@ Result<MotionKind> motionNamed(const QString& name)
 
 Result<void> wrongNumber(const QString& word, const char* range)
 {
-    return fail(Errc::WrongOption, "\"" + word.toStdString() + "\" is not a number " + range);
+    return fail(
+        Errc::WrongOption,
+        QStringLiteral("\"%1\" is not a number %2").arg(word, QLatin1String{range}).toStdString());
 }
 
 /// One word, if it is about an intubation.

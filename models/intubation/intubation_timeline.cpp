@@ -210,8 +210,15 @@ int IntubationTimeline::rowCount(const QModelIndex& parent) const
 QVariant IntubationTimeline::data(const QModelIndex& index, int role) const
 {
     const bool isThere = index.isValid() && index.row() < rowCount();
-    return isThere && role == Qt::DisplayRole ? QVariant{m_lines[std::size_t(index.row())]}
+    return isThere && role == Qt::DisplayRole ? QVariant{m_lines[std::size_t(index.row())].text}
                                               : QVariant{};
+}
+
+int IntubationTimeline::rowAt(SessionTime moment) const
+{
+    const auto later = std::ranges::upper_bound(m_lines, moment, {}, &Line::at);
+    const auto row = later - m_lines.begin() - 1;
+    return m_lines.empty() ? -1 : std::max(int(row), 0);
 }
 
 void IntubationTimeline::refresh()
@@ -221,10 +228,10 @@ void IntubationTimeline::refresh()
     std::vector<TimelineEntry> entries;
     if (station != state->stations().end())
         entries = entriesOf(station->second.respiration);
-    std::vector<QString> lines;
+    std::vector<Line> lines;
     for (const TimelineEntry& each : entries)
-        lines.push_back(tr("%1  %2", "running time; what happened")
-                            .arg(timeText(state->runningTime(each.at)), each.text));
+        lines.push_back({each.at, tr("%1  %2", "running time; what happened")
+                                      .arg(timeText(state->runningTime(each.at)), each.text)});
     if (lines == m_lines)
         return;
     beginResetModel();

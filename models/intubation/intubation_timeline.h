@@ -27,13 +27,23 @@ public:
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    /// The latest step that is not later than a moment; the first where all are, -1 where there is
+    /// none.
+    [[nodiscard]] int rowAt(SessionTime moment) const;
 
 private:
+    struct Line {
+        SessionTime at{};
+        QString text;
+
+        friend bool operator==(const Line&, const Line&) = default;
+    };
+
     void refresh();
 
     SessionModel& m_session;
     StationId m_station;
-    std::vector<QString> m_lines;
+    std::vector<Line> m_lines; ///< in ascending time
 };
 
 /// From this confidence on something is told, and not asked. Of ours.

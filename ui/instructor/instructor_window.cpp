@@ -106,6 +106,8 @@ void InstructorWindow::fillPanels(const ProgramTracker& tracker)
     m_ui->waveforms->setTrace(m_models.trace);
     m_ui->laryngoscope->setStation(stationScene());
     m_ui->tries->setModel(m_models.tries);
+    m_ui->tries->linkMoments();
+    connect(m_ui->tries, &TryPanel::momentAsked, m_ui->pane, &PatientPane::chooseStep);
     m_models.tries.setEffort([scope = QPointer<LaryngoscopePanel>{m_ui->laryngoscope}] {
         return scope ? scope->effort() : std::nullopt;
     });

@@ -31,9 +31,20 @@ IntubationLine::IntubationLine(QWidget* parent) : QListView{parent}
 
 void IntubationLine::setTimeline(IntubationTimeline& timeline)
 {
+    m_timeline = &timeline;
     setModel(&timeline);
     connect(&timeline, &QAbstractItemModel::modelReset, this, &IntubationLine::follow);
     follow();
+}
+
+void IntubationLine::choose(SessionTime moment)
+{
+    const QModelIndex step = m_timeline->index(m_timeline->rowAt(moment), 0);
+    if (!step.isValid())
+        return;
+    setFocus(Qt::OtherFocusReason);
+    setCurrentIndex(step);
+    scrollTo(step, QAbstractItemView::PositionAtCenter);
 }
 
 /// Down to the newest, unless a person reads further up.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "engine/core/session_time.h"
+
 #include <QListView>
 
 namespace carina
@@ -21,6 +23,9 @@ public:
 
     /// @pre the timeline outlives the list.
     void setTimeline(IntubationTimeline& timeline);
+    /// Chooses the step that was the latest at a moment, brings it into sight, and has the
+    /// keyboard.
+    void choose(SessionTime moment);
 
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
@@ -28,6 +33,7 @@ public:
 private:
     void follow();
 
+    IntubationTimeline* m_timeline = nullptr;
     QString m_newest;
 };
 

@@ -1,6 +1,7 @@
 #include "ui/instructor/panel_docks.h"
 
 #include "models/text/shown_as_is.h"
+#include "ui/instructor/arrows_open_lists.h"
 #include "ui/instructor/wheel_scrolls.h"
 
 #include <QApplication>
@@ -96,6 +97,7 @@ void PanelDocks::makeScrollable(QDockWidget& dock)
 {
     QWidget* panel = dock.widget();
     letWheelScroll(*panel);
+    letArrowsOpenLists(*panel);
     auto* area = new QScrollArea{&dock};
     area->setFocusPolicy(Qt::NoFocus);
     area->setFrameShape(QFrame::NoFrame);

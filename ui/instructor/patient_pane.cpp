@@ -33,6 +33,8 @@ void PatientPane::setModels(StationsModel& stations, AttentionModel& attention,
     m_ui->intubation->setTimeline(intubation);
 }
 
+void PatientPane::chooseStep(SessionTime moment) { m_ui->intubation->choose(moment); }
+
 void PatientPane::show(const PatientModel& patient, StationView& view)
 {
     m_view = &view;

@@ -35,6 +35,8 @@ public:
     /// Draws a patient from now on. @pre both outlive the pane, or live until the next show.
     void show(const PatientModel& patient, StationView& view);
     using QWidget::show;
+    /// Chooses the step of the intubation that was the latest at a moment.
+    void chooseStep(SessionTime moment);
 
     /// @pre a patient is shown
     [[nodiscard]] StationScene& stationScene() { return *m_stationScene; }

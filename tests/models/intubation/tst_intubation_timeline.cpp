@@ -56,6 +56,18 @@ private Q_SLOTS:
         QCOMPARE(story.line(1), QStringLiteral("01:42  Tube at rest, 20.1 cm at the teeth"));
     }
 
+    void findsTheStepOfAMoment()
+    {
+        Story story;
+        QCOMPARE(story.timeline.rowAt(story.begun), -1);
+        story.notes({.step = IntubationStep::BladeIn}, 12s);
+        story.notes({.step = IntubationStep::GlottisSeen}, 14s);
+        story.notes({.step = IntubationStep::TubePastTeeth}, 20s);
+        for (const auto& [after, row] : {std::pair{0s, 0}, std::pair{12s, 0}, std::pair{13s, 0},
+                                         std::pair{14s, 1}, std::pair{19s, 1}, std::pair{99s, 2}})
+            QCOMPARE(story.timeline.rowAt(story.begun + after), row);
+    }
+
     /// A rigid tube goes there straight, and one that was not seen to pass lies deeper.
     void tellsNoDepthAtTheCords()
     {

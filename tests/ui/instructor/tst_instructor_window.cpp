@@ -8,6 +8,7 @@
 #include "ui/instructor/panel_docks.h"
 #include "ui/instructor/projector_window.h"
 #include "ui/lesson/lesson_scene.h"
+#include "ui/panels/airway/try_panel.h"
 #include "ui/panels/patient/parts_panel.h"
 #include "widgets/checked_spin_box.h"
 #include "widgets/scene/view/graphics.h"
@@ -17,9 +18,11 @@
 #include "widgets/vitals/bedside_monitor.h"
 #include "widgets/waveform_plot.h"
 
+#include <QAbstractItemView>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
+#include <QListView>
 #include <QMenu>
 #include <QPushButton>
 #include <QScrollArea>
@@ -624,6 +627,50 @@ private Q_SLOTS:
         const int before = preset.currentIndex();
         turnWheel(preset);
         QCOMPARE(preset.currentIndex(), before);
+    }
+
+    /// Each choice acts at once: the patient shall not have those that a hand passes.
+    void stepsThroughAListThatIsOpenOnly()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        PanelDocks::bring(shown.dock("gasDock"));
+        auto& seat = shown.find<QComboBox>("tubeSeat");
+        const auto before = shown.node.state()->lastApplied();
+        for (const auto key : {Qt::Key_Down, Qt::Key_Up, Qt::Key_PageDown, Qt::Key_End}) {
+            QTest::keyClick(&seat, key);
+            QVERIFY(test::soon([&] { return seat.view()->isVisible(); }));
+            QCOMPARE(seat.currentIndex(), 0);
+            seat.hidePopup();
+        }
+        QTest::keyClick(&seat, Qt::Key_Down);
+        QVERIFY(test::soon([&] { return seat.view()->isVisible(); }));
+        for (int i = 0; i < 3; ++i)
+            QTest::keyClick(seat.view(), Qt::Key_Down);
+        QCOMPARE(shown.node.state()->lastApplied(), before);
+        QTest::keyClick(seat.view(), Qt::Key_Return);
+        QCOMPARE(seat.currentIndex(), 3);
+        QVERIFY(shown.node.state()->lastApplied() > before);
+    }
+
+    /// Of a point that was lost, among the steps beneath the patient.
+    void leadsFromTheReportToTheMoment()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        shown.decide(SessionPhase::Running);
+        std::vector<SessionTime> noted;
+        for (const auto step : {IntubationStep::BladeIn, IntubationStep::TubePastTeeth,
+                                IntubationStep::ThroughCords}) {
+            shown.node.advance(std::chrono::seconds{2});
+            noted.push_back(*shown.node.now());
+            shown.node.decide(fact::IntubationNoted{.event = {.step = step, .at = noted.back()}});
+        }
+        shown.takeEffect();
+        Q_EMIT shown.find<TryPanel>("tries").momentAsked(noted[1]);
+        const auto& steps = shown.find<QListView>("intubation");
+        QCOMPARE(steps.currentIndex().row(), 1);
+        QVERIFY(steps.hasFocus() || QApplication::activeWindow() != &shown.window);
     }
 
     /// And what leads to the strategies.

@@ -66,6 +66,25 @@ private Q_SLOTS:
         QVERIFY(shown.line.accessibleDescription().contains(QLatin1String{"Tube past the teeth"}));
     }
 
+    void choosesTheStepOfAMoment()
+    {
+        Shown shown;
+        shown.window.resize(400, 300);
+        shown.window.show();
+        shown.line.choose(*shown.node.now()); // there is none yet
+        for (int i = 0; i < 5; ++i) {
+            shown.notes(IntubationStep::BladeIn);
+            shown.notes(IntubationStep::BladeOut);
+        }
+        const SessionTime second = *shown.node.now() - 16s;
+        QCOMPARE(shown.timeline.rowAt(second), 1);
+        shown.line.choose(second);
+        QCOMPARE(shown.line.currentIndex().row(), 1);
+        QVERIFY(shown.line.selectionModel()->isRowSelected(1));
+        QVERIFY(shown.line.viewport()->rect().contains(
+            shown.line.visualRect(shown.line.currentIndex())));
+    }
+
     void goesWithTheStation()
     {
         Shown shown;

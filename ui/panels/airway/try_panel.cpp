@@ -32,15 +32,33 @@ QString adviceLines(const std::vector<Advice>& advice)
     return texts.join(QLatin1Char('\n'));
 }
 
+QString rubricText(const Rubric& rubric)
+{
+    const QString name = QString::fromStdString(rubric.name);
+    const QString source = QString::fromStdString(rubric.source);
+    return source.isEmpty() ? name
+                            : TryPanel::tr("%1 (%2)", "a rubric; its source").arg(name, source);
+}
+
 QString pointsLines(const TryReport& report)
 {
-    const QString rubric = QString::fromStdString(report.rubric.name);
-    const QString source = QString::fromStdString(report.rubric.source);
     return scoreText(report.score) + QLatin1Char('\n') + linesText(judgementLines(report))
-           + QLatin1Char('\n')
-           + (source.isEmpty()
-                  ? rubric
-                  : TryPanel::tr("%1 (%2)", "a rubric; its source").arg(rubric, source));
+           + QLatin1Char('\n') + rubricText(report.rubric);
+}
+
+/// The same as rich text, in which what was lost at a moment is a link: the judgement's number.
+QString linkedPointsLines(const TryReport& report)
+{
+    std::vector<SummaryLine> lines = judgementLines(report);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        lines[i] = {lines[i].name.toHtmlEscaped(), lines[i].value.toHtmlEscaped()};
+        if (report.score.judgements[i].moment)
+            lines[i].value = QStringLiteral("<a href=\"%1\">%2</a>").arg(i).arg(lines[i].value);
+    }
+    const QString text = scoreText(report.score).toHtmlEscaped() + QLatin1Char('\n')
+                         + linesText(lines) + QLatin1Char('\n')
+                         + rubricText(report.rubric).toHtmlEscaped();
+    return QString{text}.replace(QLatin1Char('\n'), QLatin1String{"<br>"});
 }
 
 } // namespace
@@ -102,6 +120,25 @@ void TryPanel::setModel(TryWatch& tries)
     refresh();
 }
 
+void TryPanel::linkMoments()
+{
+    m_linksMoments = true;
+    QLabel& points = *m_points.text;
+    points.setTextFormat(Qt::RichText);
+    points.setTextInteractionFlags(points.textInteractionFlags() | Qt::LinksAccessibleByMouse
+                                   | Qt::LinksAccessibleByKeyboard);
+    points.setToolTip(tr("Points that were lost lead to their moment among the steps beneath the "
+                         "patient"));
+    connect(&points, &QLabel::linkActivated, this, &TryPanel::askMoment);
+    refresh();
+}
+
+void TryPanel::askMoment(const QString& link)
+{
+    const auto& judgements = m_tries->report()->score.judgements;
+    Q_EMIT momentAsked(*judgements.at(link.toUInt()).moment);
+}
+
 /// A part without a text takes no room.
 void TryPanel::tell(const Part& part, const QString& text)
 {
@@ -142,7 +179,7 @@ void TryPanel::showReport(const TryReport& report)
     m_outcome->show();
     tell(m_figures, linesText(tryLines(report)));
     tell(m_advice, adviceLines(report.advice));
-    tell(m_points, pointsLines(report));
+    tell(m_points, m_linksMoments ? linkedPointsLines(report) : pointsLines(report));
     tell(m_literature, linesText(literatureLines(report.metrics)));
     tell(m_missing, notMeasuredText(report.metrics));
 }

@@ -7,6 +7,7 @@
 #include <QApplication>
 #include <QLabel>
 #include <QPushButton>
+#include <QTextDocumentFragment>
 
 #include <array>
 
@@ -52,6 +53,7 @@ private Q_SLOTS:
     void tellsHowATryWent();
     void forgetsItWhenTheNextOneBegins();
     void namesEachPartForAScreenReader();
+    void leadsToTheMomentOfLostPointsByKeyboard();
 };
 
 void TestTryPanel::saysWhenATryBegins()
@@ -123,6 +125,36 @@ void TestTryPanel::namesEachPartForAScreenReader()
     for (const char* part : kParts)
         QVERIFY(!desk.label(part).accessibleName().isEmpty());
     QVERIFY(!desk.finish().text().isEmpty());
+}
+
+/// A blade that is in the mouth for 4 s when 2.5 s are allowed, judged by a rubric whose words are
+/// taken as they are.
+void TestTryPanel::leadsToTheMomentOfLostPointsByKeyboard()
+{
+    Desk desk;
+    desk.tries.setRubric({.name = "<b>Ours</b>",
+                          .source = "",
+                          .criteria = {{.name = "In the <i>trachea</i>"},
+                                       {.name = "Quick & calm",
+                                        .metric = Metric::TimeToCords,
+                                        .bound = Bound::AtMost,
+                                        .limit = 2.5}}});
+    desk.intubate();
+    desk.tries.finish();
+    const auto& lost = desk.tries.report()->score.judgements.at(1);
+    QVERIFY(lost.moment);
+    QLabel& points = desk.label("tryPoints");
+    const QString told = points.text().replace(QChar::Nbsp, QChar::Space); // as toPlainText() does
+    desk.panel.linkMoments();
+    QCOMPARE(points.text().count(QStringLiteral("<a ")), 1);
+    QCOMPARE(QTextDocumentFragment::fromHtml(points.text()).toPlainText(), told);
+    std::vector<SessionTime> asked;
+    connect(&desk.panel, &TryPanel::momentAsked, this,
+            [&](SessionTime moment) { asked.push_back(moment); });
+    points.setFocus(Qt::TabFocusReason);
+    QTest::keyClick(&points, Qt::Key_Tab); // to the first link
+    QTest::keyClick(&points, Qt::Key_Return);
+    QVERIFY(asked == std::vector<SessionTime>{*lost.moment});
 }
 
 CARINA_SCREEN_TEST(TestTryPanel)

@@ -119,9 +119,7 @@ bool coughsAt(double stimulus, const DrugEffect& effect)
 
 double spasmAt(double stimulus, const DrugEffect& effect, TubeSeat seat)
 {
-    const bool isHeldOpen =
-        seat == TubeSeat::Trachea || seat == TubeSeat::RightMain || seat == TubeSeat::LeftMain;
-    if (isHeldOpen)
+    if (isThroughCords(seat)) // which holds them open
         return 0.0;
     const double sleeps = std::clamp((effect.hypnosis - 0.2) / 0.2, 0.0, 1.0);
     const double light = std::clamp(2.0 * felt(stimulus, effect), 0.0, 1.0);

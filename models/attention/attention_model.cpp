@@ -352,7 +352,7 @@ void AttentionModel::addTubes(const SessionState& state, SessionTime now, Report
 {
     for (const auto& [id, station] : state.stations()) {
         const TubeTimeline& tube = station.respiration.tube();
-        const auto last = tube.lastOfTubeAt(now);
+        const auto last = tube.lastOfSeatAt(now);
         if (station.closed || !last || last->seat == TubeSeat::None || tube.isOverriddenAt(now))
             continue;
         const bool isKnown = last->confidence >= kLeastTold;

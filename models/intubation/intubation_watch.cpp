@@ -93,10 +93,11 @@ void IntubationWatch::look()
         forget(); // whoever works meanwhile has another tube
         return;
     }
+    const bool isRunning = m_node.state()->phaseAt(*now) == SessionPhase::Running;
     findLumen();
-    takeMoments(*now);
+    takeMoments(*now, isRunning);
     shareShape();
-    if (m_node.state()->phaseAt(*now) != SessionPhase::Running)
+    if (!isRunning)
         return;
     takeControls(*now);
     takeBreath(*m_taken);
@@ -112,9 +113,8 @@ void IntubationWatch::findLumen()
         m_tube.emplace(m_patient->tube(), m_lumen.lumen());
 }
 
-void IntubationWatch::takeMoments(SessionTime now)
+void IntubationWatch::takeMoments(SessionTime now, bool isRunning)
 {
-    const bool isRunning = m_node.state()->phaseAt(now) == SessionPhase::Running;
     if (!isRunning && !m_tube) {
         m_taken.reset();
         return;

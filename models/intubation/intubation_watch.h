@@ -125,7 +125,7 @@ private:
     void forget();
     [[nodiscard]] bool isAtWork() const;
     void findLumen();
-    void takeMoments(SessionTime now);
+    void takeMoments(SessionTime now, bool isRunning);
     [[nodiscard]] StationMoment momentAt(SessionTime t);
     [[nodiscard]] Surroundings surroundingsAt(SessionTime t);
     [[nodiscard]] AirwayMoment airwayAt(SessionTime t);

@@ -49,7 +49,7 @@ void TryWatch::setStation(StationId station)
     if (std::exchange(m_station, station) == station)
         return;
     m_course = TryCourse{upInAnatomy()};
-    m_place = {};
+    m_told.reset();
     m_patient = {};
     m_report.reset();
     m_judged.reset();
@@ -101,9 +101,10 @@ void TryWatch::takeNotes(const Station& station)
     if (!std::exchange(m_hasLooked, true))
         return;
     for (const NotedStep& note : news) {
-        for (const IntubationEvent& event : m_place.noted(note.event))
-            take(event);
-        if (note.event.step == IntubationStep::TubeOut)
+        take(note.event);
+        // What is said from then on is of another place than that in which the try ended.
+        if (!isUnderWay()
+            && (isOfWay(note.event.step) || note.event.step == IntubationStep::TubeOut))
             m_judged.reset();
     }
 }
@@ -115,14 +116,13 @@ void TryWatch::takeToldPlace(const Station& station)
     if (settings.empty())
         return;
     const auto& last = settings.back();
-    const auto steps = m_place.told(last.value.seatOfNoted(), last.from);
-    if (isUnderWay() || !m_judged || steps.empty()) {
-        for (const IntubationEvent& event : steps)
-            take(event);
+    const std::optional<TubeSeat> seat = last.value.seatOfNoted();
+    if (std::exchange(m_told, seat) == seat)
         return;
-    }
-    for (const IntubationEvent& event : steps)
-        m_judged->course.add(event);
+    m_course.tell(seat, last.from);
+    if (isUnderWay() || !m_judged)
+        return;
+    m_judged->course.tell(seat, last.from);
     judge();
 }
 
@@ -134,7 +134,8 @@ void TryWatch::take(const IntubationEvent& event)
     m_course.add(event);
     if (!isUnderWay())
         return;
-    m_latest = event;
+    if (!isOfBlade(event.step))
+        m_latest = event;
     if (event.step == IntubationStep::TubePastTeeth || event.step == IntubationStep::TubeOut)
         m_isTubeOut = event.step == IntubationStep::TubeOut;
     if (wasUnderWay)
@@ -221,6 +222,7 @@ void TryWatch::end(const Station& station, SessionTime at)
 {
     m_judged =
         Judged{std::exchange(m_course, TryCourse{upInAnatomy()}), at, tubedPatient(station, at)};
+    m_course.tell(m_told, at);
     judge();
     Q_EMIT ended();
 }
@@ -230,9 +232,6 @@ void TryWatch::judge()
     const DepthRule rule = m_rule.value_or(usualDepthRule(m_judged->patient));
     TryMetrics metrics =
         m_judged->course.metrics(m_judged->ended, depthBy(rule, m_judged->patient));
-    metrics.isTold = m_place.isTold();
-    if (metrics.isTold)
-        metrics.confidence = 1.0;
     metrics.isViewRead = metrics.incisors.has_value(); // both by the laryngoscope's picture
     m_report = reportOf(metrics, rule, m_rubric);
     Q_EMIT changed();

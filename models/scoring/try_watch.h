@@ -1,7 +1,6 @@
 #pragma once
 
 #include "engine/anatomy/laryngoscopy/blade_levering.h"
-#include "engine/scoring/course/told_place.h"
 #include "engine/scoring/course/try_course.h"
 #include "engine/session/respiration/respiration_follower.h"
 #include "models/scoring/try_report.h"
@@ -89,7 +88,8 @@ private:
     Rubric m_rubric = publishedRubric();
     std::optional<TryReport> m_report;
 
-    /// The try that ended last, until its tube is out: an instructor may say where it is.
+    /// The try that ended last, while its tube lies where it ended: an instructor may say where
+    /// that is.
     struct Judged {
         TryCourse course;
         SessionTime ended;
@@ -97,7 +97,7 @@ private:
     };
     std::optional<Judged> m_judged;
     TryCourse m_course;
-    ToldPlace m_place;
+    std::optional<TubeSeat> m_told; ///< where the tube is by the console, last
     RespirationFollower m_patient;
     std::uint64_t m_lastNote = 0; ///< number of the last one that was taken
     bool m_hasLooked = false;     ///< what was noted before does not count

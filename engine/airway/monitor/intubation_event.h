@@ -41,6 +41,20 @@ inline constexpr IntubationStep kLastIntubationStep = IntubationStep::AtRest;
            || step == IntubationStep::GlottisSeen;
 }
 
+/// Whether people tell it by their controls, be a tube tracked or not.
+[[nodiscard]] constexpr bool isOfControls(IntubationStep step)
+{
+    return step == IntubationStep::CuffInflated || step == IntubationStep::CuffDeflated
+           || step == IntubationStep::StyletOut;
+}
+
+/// Whether its confidence is that in the seat of the tube, and not in what the step itself tells.
+[[nodiscard]] constexpr bool isSureOfSeat(IntubationStep step)
+{
+    return !isOfBlade(step) && step != IntubationStep::ShapesApart
+           && step != IntubationStep::ShapesTogether && step != IntubationStep::PassedShut;
+}
+
 /// Whether it is of the way that the tip takes beyond the teeth.
 [[nodiscard]] constexpr bool isOfWay(IntubationStep step)
 {
@@ -66,7 +80,7 @@ struct IntubationEvent {
     Length depthAtTeeth{};          ///< of the tip, along the tube; 0 outside
     Length tipAboveCarina{};     ///< along the airway, negative beyond; of meaning in the trachea
     Length besides{};            ///< distance of the two shapes of the tube at its tip
-    double glotticOpening = 0.0; ///< share of the glottis that is seen, 0 to 1
+    double glotticOpening = 0.0; ///< the largest share of the glottis seen in the attempt, 0 to 1
 
     friend bool operator==(const IntubationEvent&, const IntubationEvent&) = default;
 };

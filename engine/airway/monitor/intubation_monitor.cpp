@@ -116,7 +116,7 @@ void IntubationMonitor::takeView(const AirwayMoment& moment)
 {
     if (!m_course.blade.isIn || !moment.glottis)
         return;
-    m_course.glottis = *moment.glottis;
+    m_course.glottis = std::max(m_course.glottis, *moment.glottis);
     TipReading reading = m_course.tip;
     reading.at = moment.at;
     const auto passage = m_course.view.take(*moment.glottis - kLeastView, reading, kViewRule);

@@ -33,7 +33,7 @@ struct IntubationCourse {
     TubeSeat seat = TubeSeat::None; ///< of the tip
     double confidence = 1.0;        ///< in that, as the tip lies
     TipReading tip{};               ///< the latest; its depth is frozen while the shapes are apart
-    double glottis = 0.0;           ///< the share of it that was seen last in this attempt
+    double glottis = 0.0;           ///< the largest share of it that was seen in this attempt
 
     Crossing blade{};       ///< its tip past the teeth
     Crossing view{};        ///< of the glottis, more than kLeastView

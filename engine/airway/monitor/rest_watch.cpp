@@ -9,11 +9,6 @@ namespace carina
 namespace
 {
 
-bool isDeepInAirway(TubeSeat seat)
-{
-    return seat == TubeSeat::Trachea || seat == TubeSeat::RightMain || seat == TubeSeat::LeftMain;
-}
-
 /// Along the tube, or above the carina: a neck that is flexed moves the tip by the second alone.
 Length apart(const TipReading& a, const TipReading& b)
 {
@@ -32,7 +27,7 @@ void add(Length& mean, Length sample, int samples)
 std::optional<IntubationEvent> RestWatch::take(const IntubationMonitor& monitor)
 {
     const IntubationCourse& course = monitor.course();
-    if (!isDeepInAirway(course.seat) || course.shapes.isIn) {
+    if (!isThroughCords(course.seat) || course.shapes.isIn) {
         m_place.reset();
         return std::nullopt;
     }

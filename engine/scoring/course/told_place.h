@@ -2,43 +2,41 @@
 
 #include "engine/airway/monitor/intubation_event.h"
 
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace carina
 {
 
-/// Where a person says that a tube in the mouth is takes, in the course of a try, the place of what
-/// a monitor concluded.
-///
-/// What the monitor notes of the way of the tube is then left out; all else is told of the place
-/// that the person named. What is said holds since the tip came to where the monitor has it: past
-/// the level of the cords, or back above it; where the monitor has it above them, since it is said.
-/// So is what is said next, or that nothing is said any more, and of what is taken back nothing is
-/// left. The first breath since then is that of the present place. A tube that is noted to be out
-/// of the mouth is no longer told.
-class ToldPlace
-{
-public:
-    /// @returns the steps of the course in place of what the monitor noted; often that itself
-    [[nodiscard]] std::vector<IntubationEvent> noted(const IntubationEvent& event);
-    /// The tube is there; nothing: where the monitor notes it.
-    /// @returns the steps of the course by which it gets there
-    [[nodiscard]] std::vector<IntubationEvent> told(std::optional<TubeSeat> seat,
-                                                    SessionTime since);
+/// What a person said in the course of a try of where the tube in the mouth is.
+struct ToldSeat {
+    std::size_t after = 0;          ///< so many events had been noted
+    SessionTime since{};            ///< when it was said
+    std::optional<TubeSeat> seat{}; ///< nothing: where the monitor notes it
 
-    [[nodiscard]] bool isTold() const { return m_told.has_value(); }
-
-private:
-    [[nodiscard]] std::vector<IntubationEvent> between(TubeSeat from, TubeSeat to,
-                                                       SessionTime at) const;
-    [[nodiscard]] IntubationEvent asTold(IntubationEvent event) const;
-
-    IntubationEvent m_last; ///< that was noted
-    /// When the tip passed the level of the cords last, by the monitor.
-    SessionTime m_passedAt{};
-    std::optional<IntubationEvent> m_breath; ///< the first since then, as it was noted
-    std::optional<TubeSeat> m_told;
+    friend bool operator==(const ToldSeat&, const ToldSeat&) = default;
 };
+
+/// The course of a try in which what a person said takes the place of what a monitor concluded.
+///
+/// It is followed from passage to passage of the tip through the level of the cords, by the
+/// monitor. What is in force at the end of such a part holds in all of it, since the tip came
+/// there: what was said before in the same part leaves nothing behind, nor does what was taken
+/// back. Where the monitor has the tip above the cords, what is said there holds since it was said.
+/// What the monitor notes of the way is left out then, but for the depth, and all else is told of
+/// the place that the person named. The first breath in a part is that of the place of this part.
+///
+/// What was said ends with the part before the tube is noted to be out of the mouth, or with that
+/// step where it was said in this part.
+/// @param noted in the order in which they were noted
+/// @param told in the order in which it was said
+[[nodiscard]] std::vector<IntubationEvent> courseAsTold(std::span<const IntubationEvent> noted,
+                                                        std::span<const ToldSeat> told);
+
+/// What a person says at the end of the events.
+[[nodiscard]] std::optional<TubeSeat> toldAtEnd(std::span<const IntubationEvent> noted,
+                                                std::span<const ToldSeat> told);
 
 } // namespace carina

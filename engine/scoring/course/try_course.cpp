@@ -9,10 +9,20 @@ namespace carina
 namespace
 {
 
-bool isIntoALung(const IntubationEvent& event)
+/// An end is known later than it was, by kOutFor and what the monitor takes to note a step.
+constexpr Duration kHeld = TryCourse::kOutFor + std::chrono::seconds{4};
+
+/// The first breath into a lung, of a tube that is still there.
+std::optional<SessionTime> firstBreathIn(std::span<const IntubationEvent> course)
 {
-    return event.step == IntubationStep::FirstBreath && event.seat != TubeSeat::None
-           && event.seat != TubeSeat::Oesophagus;
+    std::optional<SessionTime> breath;
+    for (const IntubationEvent& event : course) {
+        if (event.step == IntubationStep::FirstBreath && isThroughCords(event.seat))
+            breath = event.at;
+        if (event.step == IntubationStep::BackAboveCords)
+            breath.reset();
+    }
+    return breath;
 }
 
 } // namespace
@@ -26,6 +36,17 @@ void TryCourse::add(const IntubationEvent& event)
     if (m_events.size() < kMostEvents)
         m_events.push_back(event);
     follow(event);
+    m_firstBreath = firstBreathIn(courseAsTold(m_events, m_told));
+}
+
+void TryCourse::tell(std::optional<TubeSeat> seat, SessionTime since)
+{
+    const ToldSeat said{m_events.size(), since, seat};
+    if (!m_told.empty() && m_told.back().after == said.after)
+        m_told.back() = said; // the last counts
+    else
+        m_told.push_back(said);
+    m_firstBreath = firstBreathIn(courseAsTold(m_events, m_told));
 }
 
 void TryCourse::follow(const IntubationEvent& event)
@@ -47,13 +68,6 @@ void TryCourse::follow(const IntubationEvent& event)
     case IntubationStep::TubeOut:
         m_tubeIsIn = false;
         break;
-    case IntubationStep::FirstBreath:
-        if (isIntoALung(event))
-            m_firstBreath = event.at;
-        break;
-    case IntubationStep::BackAboveCords:
-        m_firstBreath.reset();
-        break;
     default:
         break;
     }
@@ -66,7 +80,17 @@ void TryCourse::follow(const IntubationEvent& event)
 void TryCourse::addVitals(SessionTime t, const Vitals& vitals)
 {
     if (hasBegun())
-        m_oxygen.add(t, vitals);
+        m_heldVitals.emplace_back(t, vitals);
+    measureUntil(t - kHeld);
+}
+
+/// What was held.
+void TryCourse::measureUntil(SessionTime t)
+{
+    for (; !m_heldVitals.empty() && m_heldVitals.front().first <= t; m_heldVitals.pop_front())
+        m_oxygen.add(m_heldVitals.front().first, m_heldVitals.front().second);
+    for (; !m_heldHeads.empty() && m_heldHeads.front().time <= t; m_heldHeads.pop_front())
+        m_head.add(m_heldHeads.front());
 }
 
 void TryCourse::addBlade(const PoseSample& X_FL)
@@ -86,7 +110,8 @@ void TryCourse::measure(const std::vector<PoseSample>& blade)
 void TryCourse::addHead(const PoseSample& X_FH)
 {
     if (hasBegun())
-        m_head.add(X_FH);
+        m_heldHeads.push_back(X_FH);
+    measureUntil(X_FH.time - kHeld);
 }
 
 void TryCourse::addForces(SessionTime t, Force incisors, Force tongue)
@@ -118,21 +143,26 @@ std::optional<SessionTime> TryCourse::endedBy(SessionTime now) const
 TryMetrics TryCourse::metrics(SessionTime ended, std::optional<Length> depthWanted) const
 {
     CARINA_EXPECTS(hasBegun());
+    const SessionTime end = std::max(ended, m_events.front().at);
     TryCourse whole = *this;
     whole.measure(whole.m_blade.inMouthUntil(ended));
-    std::vector<IntubationEvent> within = m_events;
-    std::erase_if(within, [&](const IntubationEvent& event) {
-        return event.at > std::max(ended, m_events.front().at);
-    });
-    TryMetrics metrics = courseOf(within, std::max(ended, m_events.front().at));
+    whole.measureUntil(end);
+    for (ToldSeat& said : whole.m_told)
+        said.since = std::min(said.since, end); // later: it is said of the end
+    std::vector<IntubationEvent> within = courseAsTold(m_events, whole.m_told);
+    std::erase_if(within, [end](const IntubationEvent& event) { return event.at > end; });
+    TryMetrics metrics = courseOf(within, end);
+    metrics.isTold = toldAtEnd(m_events, m_told).has_value();
+    if (metrics.isTold)
+        metrics.confidence = 1.0;
     metrics.depthWanted = depthWanted;
     metrics.headExtension = m_headExtension;
-    metrics.oxygen = m_oxygen.figures();
+    metrics.oxygen = whole.m_oxygen.figures();
     metrics.incisors = m_incisors.figures();
     metrics.tongue = m_tongue.figures();
     metrics.plane = whole.m_plane.figures();
     metrics.hand = whole.m_hand.figures();
-    metrics.head = m_head.figures();
+    metrics.head = whole.m_head.figures();
     metrics.checks = m_checks;
     return metrics;
 }

@@ -1,9 +1,12 @@
 #pragma once
 
 #include "engine/scoring/course/blade_samples.h"
+#include "engine/scoring/course/told_place.h"
 #include "engine/scoring/course/try_metrics.h"
 
+#include <deque>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace carina
@@ -31,6 +34,9 @@ public:
     /// The next event, in the order in which they were noted. Before the first one that
     /// beginsTry(), all are ignored.
     void add(const IntubationEvent& event);
+    /// A person says where the tube in the mouth is, or says it no more (courseAsTold): also before
+    /// the try begins, and when it has ended, of the end.
+    void tell(std::optional<TubeSeat> seat, SessionTime since);
     void addVitals(SessionTime t, const Vitals& vitals);
     /// Counts where the blade is in the mouth at that time, which may be known later. Samples from
     /// before the try count, too, from the first step on.
@@ -47,20 +53,26 @@ public:
     /// @param now nothing that happened until then will be added any more
     [[nodiscard]] std::optional<SessionTime> endedBy(SessionTime now) const;
 
-    /// All that was measured, without the events later than the end.
+    /// All that was measured until the end.
     /// @param depthWanted by the scenario's rule; nothing where none holds
     /// @pre hasBegun()
     [[nodiscard]] TryMetrics metrics(SessionTime ended, std::optional<Length> depthWanted) const;
 
 private:
+    using HeldVitals = std::pair<SessionTime, Vitals>;
+
     void follow(const IntubationEvent& event);
+    void measureUntil(SessionTime t);
     void measure(const std::vector<PoseSample>& blade);
 
-    std::vector<IntubationEvent> m_events;
+    std::vector<IntubationEvent> m_events; ///< as they were noted
+    std::vector<ToldSeat> m_told;
     bool m_bladeIsIn = false;
     bool m_tubeIsIn = false;
     std::optional<SessionTime> m_outSince;    ///< of tube and blade
     std::optional<SessionTime> m_firstBreath; ///< into a lung
+    std::deque<HeldVitals> m_heldVitals;      ///< until it is known whether they are of the try
+    std::deque<PoseSample> m_heldHeads;
     OxygenMeter m_oxygen;
     ForceMeter m_incisors{kIncisorLimits};
     ForceMeter m_tongue{kTongueLimits};

@@ -33,6 +33,7 @@ private:
     std::optional<SessionTime> m_bladeIn;
     TubeSeat m_seat = TubeSeat::None;
     TubeSeat m_lastPlace = TubeSeat::None; ///< the last seat that was one
+    double m_seatConfidence = 1.0;
     bool m_areApart = false;
 };
 
@@ -52,12 +53,13 @@ void CourseReader::readBlade(const IntubationEvent& event)
     case IntubationStep::GlottisSeen:
         if (!m_course.view)
             m_course.view = event.at;
-        m_course.glotticOpening =
-            std::max(m_course.glotticOpening.value_or(0.0), event.glotticOpening);
         break;
     default:
         break;
     }
+    if (m_course.view) // any step tells the most that was seen by then
+        m_course.glotticOpening =
+            std::max(m_course.glotticOpening.value_or(0.0), event.glotticOpening);
 }
 
 void CourseReader::readTube(const IntubationEvent& event)
@@ -117,12 +119,11 @@ void CourseReader::readPlace(const IntubationEvent& event)
     }
     if (m_seat != TubeSeat::None)
         m_lastPlace = m_seat;
-    // Those of the blade are as sure of the blade as they are, and not of the tube.
-    const double confidence =
-        isOfBlade(event.step) && m_course.depth ? m_course.depth->confidence : event.confidence;
+    if (isSureOfSeat(event.step))
+        m_seatConfidence = event.confidence;
     m_course.depth.reset();
     if (isThroughCords(m_seat) && !m_areApart)
-        m_course.depth = {event.at, event.depthAtTeeth, event.tipAboveCarina, confidence};
+        m_course.depth = {event.at, event.depthAtTeeth, event.tipAboveCarina, m_seatConfidence};
 }
 
 TryMetrics CourseReader::endedAt(SessionTime ended)

@@ -8,7 +8,6 @@ namespace
 {
 
 constexpr double kPublishedPoints = 10.0;
-constexpr double kPublishedSeconds = 150.0;
 constexpr double kExtended_deg = 10.0;
 constexpr double kAppropriate_mm = 10.0;
 
@@ -80,7 +79,7 @@ Rubric publishedRubric()
     depth.limit = kAppropriate_mm;
     Criterion time = publishedItem(Metric::TimeToBreath);
     time.bound = Bound::AtMost;
-    time.limit = kPublishedSeconds;
+    time.limit = toSeconds(kFailedAfter);
     return {.name = "Progressive evaluation scheme",
             .source = "BMC Med Educ 2014;14:144, table 1",
             .criteria = {publishedItem(Metric::Prepared), publishedItem(Metric::MaskVentilated),

@@ -47,8 +47,11 @@ void TubeTimeline::note(SessionTime from, const IntubationEvent& event, Length i
     default:
         break;
     }
-    const bool isInMouth = isInMouthAfter(event, m_noted.at(from).isInMouth);
-    m_noted.set(from, NotedTube{true, isInMouth, event.seat, innerDiameter});
+    const NotedTube before = m_noted.at(from);
+    if (isOfControls(event.step) && !before.isWatched)
+        return; // no sensor has seen a tube
+    m_noted.set(
+        from, NotedTube{true, isInMouthAfter(event, before.isInMouth), event.seat, innerDiameter});
 }
 
 /// A tube that is moved to and fro for long would push out the steps of its try by its rests.
@@ -71,7 +74,9 @@ std::span<const NotedStep> TubeTimeline::notesAfter(std::uint64_t number) const
 
 void TubeTimeline::forgetBefore(SessionTime t)
 {
-    m_override.forgetBefore(t);
+    const auto told = m_override.changes();
+    if (told.size() > kMostNotes)
+        m_override.forgetBefore(std::min(t, told[told.size() - kMostNotes].from));
     m_noted.forgetBefore(t);
     m_blade.forgetBefore(t);
     m_cuff.forgetBefore(t);
@@ -106,10 +111,10 @@ bool TubeTimeline::areShapesApartAt(SessionTime t) const
     return last != m_notes.rend() && last->event.step == IntubationStep::ShapesApart;
 }
 
-std::optional<IntubationEvent> TubeTimeline::lastOfTubeAt(SessionTime t) const
+std::optional<IntubationEvent> TubeTimeline::lastOfSeatAt(SessionTime t) const
 {
     const auto last = std::find_if(m_notes.rbegin(), m_notes.rend(), [t](const NotedStep& note) {
-        return note.effect <= t && !isOfBlade(note.event.step);
+        return note.effect <= t && isSureOfSeat(note.event.step);
     });
     if (last == m_notes.rend() || !m_noted.at(t).isInMouth)
         return std::nullopt;

@@ -60,7 +60,8 @@ public:
 
     /// The console's own setting, or that it sets none.
     void setOverride(SessionTime from, const SetTube& tube);
-    /// An entry about the tube (from IntubationStep::TubePastTeeth on) says where its tip is.
+    /// An entry about the tube (from IntubationStep::TubePastTeeth on) says where its tip is; of
+    /// what people tell by their controls (isOfControls) only once poses have told of a tube.
     /// @param innerDiameter 0 where it is not known
     void note(SessionTime from, const IntubationEvent& event, Length innerDiameter);
     /// Until the tube is out of the mouth again: a cuff is emptied to take it out.
@@ -69,7 +70,7 @@ public:
     void setObstruction(SessionTime from, double share) { m_obstruction.set(from, share); }
     /// Likewise: for the next try the tube has its stylet back.
     void drawStylet(SessionTime from) { m_stylet.set(from, false); }
-    /// As ParameterTimeline; entries stay.
+    /// As ParameterTimeline; entries stay, and the last kMostNotes settings of the console.
     void forgetBefore(SessionTime t);
 
     [[nodiscard]] SetTube overrideAt(SessionTime t) const { return m_override.at(t).tube; }
@@ -102,8 +103,9 @@ public:
     /// The first change after t of what placeAt or bladeInMouthAt tells; SessionTime::max() where
     /// there is none.
     [[nodiscard]] SessionTime changeAfter(SessionTime t) const;
-    /// The last entry about the tube by then; nothing where it is out, or nobody has noted one.
-    [[nodiscard]] std::optional<IntubationEvent> lastOfTubeAt(SessionTime t) const;
+    /// The last entry by then that is as sure as the seat of the tube (isSureOfSeat); nothing where
+    /// it is out, or nobody has noted one.
+    [[nodiscard]] std::optional<IntubationEvent> lastOfSeatAt(SessionTime t) const;
     /// The last kMostNotes entries.
     [[nodiscard]] std::span<const NotedStep> notes() const { return m_notes; }
     /// Those of them that have a higher number: all after the last one that was looked at, also

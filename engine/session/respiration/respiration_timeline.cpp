@@ -188,7 +188,9 @@ void RespirationTimeline::forgetBefore(SessionTime t)
     m_ownBreathing.forgetBefore(t);
     m_bag.forgetBefore(t);
     m_running.forgetBefore(t);
-    m_doses.erase(m_doses.begin(), std::ranges::lower_bound(m_doses, t, {}, &GivenDose::from));
+    const auto past = std::ranges::lower_bound(m_doses, t, {}, &GivenDose::from) - m_doses.begin();
+    const auto beyond = std::ssize(m_doses) - std::ptrdiff_t(kMostDosesTold);
+    m_doses.erase(m_doses.begin(), m_doses.begin() + std::clamp(beyond, std::ptrdiff_t{0}, past));
     // Who goes on from there still hears what was heard in the step before.
     m_breaths.erase(m_breaths.begin(),
                     std::ranges::lower_bound(m_breaths, t - kLongestNews, {}, &HeardBreath::heard));

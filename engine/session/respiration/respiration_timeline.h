@@ -56,6 +56,8 @@ public:
     /// Effect times of changes and breaths that are kept; of ours: far more than come between two
     /// looks of who follows a patient.
     static constexpr std::size_t kMostDecisions = 256;
+    /// Doses that are told however long ago they were given; of ours.
+    static constexpr std::size_t kMostDosesTold = 128;
 
     /// @pre rate is finite and not negative.
     void setRate(SessionTime from, Frequency rate);
@@ -89,7 +91,8 @@ public:
     /// Ignored where it is not later than the last. A change with an earlier effect time that is
     /// added afterwards invalidates it. Only the last kMostCheckpoints are kept, and of the changes
     /// of settings those that have an effect from the first of these on: the state of a session is
-    /// copied with each fact, and who draws looks back for seconds. So it is with breaths.
+    /// copied with each fact, and who draws looks back for seconds. So it is with breaths, and with
+    /// doses beyond the last kMostDosesTold.
     void addCheckpoint(const RespirationState& checkpoint);
 
     /// Nobody looks back further than to this time: the first checkpoint that is kept, once earlier

@@ -150,6 +150,8 @@ private Q_SLOTS:
                                             "where it is, set it")});
         console.notes(IntubationStep::BladeOut, TubeSeat::Trachea, 1.0);
         QCOMPARE(console.texts().size(), 1); // it is as sure of the blade
+        console.notes(IntubationStep::ShapesApart, TubeSeat::Trachea, 1.0);
+        QCOMPARE(console.texts().size(), 1); // and of the shapes
         console.model.act(console.model.all().front());
         QCOMPARE(shown.count(), 1);
         console.node.decide(fact::TubePlaced{{TubeSeat::Oesophagus, millimetres(6.5)}});

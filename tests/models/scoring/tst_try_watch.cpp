@@ -32,6 +32,8 @@ private Q_SLOTS:
     void tellsATubeInTheOesophagusWhenAsked();
     void judgesNoTubeByWhatWasSetBefore();
     void judgesAnEndedTryAnewByWhatTheInstructorSays();
+    void takesAConfirmationOfAnEndedTry();
+    void judgesNoEndedTryByWhatIsSaidOfALaterPlace();
     void believesTheInstructorAboutThePlace();
     void reportsATryThatWasGivenUp();
     void forgetsTheReportWhenAnotherTryBegins();
@@ -222,6 +224,39 @@ void TestTryWatch::judgesAnEndedTryAnewByWhatTheInstructorSays()
     session.note(IntubationStep::BackAboveCords);
     session.note(IntubationStep::TubeOut);
     QVERIFY(say({TubeSeat::Oesophagus, millimetres(6.5)}) == before);
+}
+
+/// Who sees the tube where the monitor has it has answered the question where it is.
+void TestTryWatch::takesAConfirmationOfAnEndedTry()
+{
+    TriedSession session;
+    session.note(IntubationStep::TubePastTeeth);
+    session.node.decide(fact::IntubationNoted{{.step = IntubationStep::ThroughCords,
+                                               .at = *session.node.now(),
+                                               .seat = TubeSeat::Trachea,
+                                               .confidence = 0.4},
+                                              {}});
+    session.run(std::chrono::seconds{1});
+    session.tries.finish();
+    QCOMPARE(session.tries.report()->metrics.confidence, 0.4);
+    session.node.decide(fact::TubePlaced{{TubeSeat::Trachea, millimetres(6.5)}});
+    session.run(std::chrono::seconds{1});
+    const TryMetrics& metrics = session.tries.report()->metrics;
+    QVERIFY(metrics.isTold);
+    QCOMPARE(metrics.confidence, 1.0);
+    QCOMPARE(metrics.outcome, TryOutcome::Trachea);
+}
+
+void TestTryWatch::judgesNoEndedTryByWhatIsSaidOfALaterPlace()
+{
+    TriedSession session;
+    session.intubate();
+    session.tries.finish();
+    const TryReport before = session.tries.report().value();
+    session.note(IntubationStep::BackAboveCords);
+    session.node.decide(fact::TubePlaced{{TubeSeat::Oesophagus, millimetres(6.5)}});
+    session.run(std::chrono::seconds{1});
+    QVERIFY(session.tries.report().value() == before);
 }
 
 /// Who takes it out then has recognised it.

@@ -121,6 +121,33 @@ private Q_SLOTS:
         QVERIFY(run.course.confidence > 0.95);
     }
 
+    /// The view begins small; what is told is the most of it that was seen in the attempt.
+    void tellsTheLargestViewOfAnAttempt()
+    {
+        IntubationMonitor monitor;
+        std::vector<IntubationEvent> events;
+        const auto look = [&](double from, double to, double inMouth, double opening) {
+            for (int i = int(50.0 * from); i < int(50.0 * to); ++i) {
+                AirwayMoment moment;
+                moment.at = SessionTime{fromSeconds(0.02 * i)};
+                moment.blade = Validity::Tracked;
+                moment.bladePastTeeth = metres(inMouth);
+                moment.glottis = opening;
+                std::ranges::copy(monitor.take(moment), std::back_inserter(events));
+            }
+        };
+        look(0.0, 1.0, -0.05, 0.0);
+        look(1.0, 2.0, 0.04, 0.1);
+        look(2.0, 3.0, 0.04, 0.7);
+        look(3.0, 4.0, 0.04, 0.2);
+        look(4.0, 7.0, -0.05, 0.0);
+        look(7.0, 8.0, 0.04, 0.3);
+        const MonitoredRun run{events, monitor.course()};
+        QCOMPARE(run.of(IntubationStep::GlottisSeen).at(0).glotticOpening, 0.1);
+        QCOMPARE(run.of(IntubationStep::BladeOut).at(0).glotticOpening, 0.7);
+        QCOMPARE(run.of(IntubationStep::GlottisSeen).at(1).glotticOpening, 0.3);
+    }
+
     void tellsWhereTheTubeWent_data()
     {
         QTest::addColumn<int>("route");

@@ -20,22 +20,14 @@ using Said = std::map<double, std::optional<TubeSeat>>;
 /// The course of what was noted, with what was said of the place.
 std::vector<IntubationEvent> courseWith(const HandWrittenCourse& noted, const Said& said)
 {
-    ToldPlace place;
-    std::vector<IntubationEvent> course;
-    auto next = said.begin();
-    const auto add = [&course](const std::vector<IntubationEvent>& steps) {
-        course.insert(course.end(), steps.begin(), steps.end());
-    };
-    const auto sayUntil = [&](SessionTime t) {
-        for (; next != said.end() && courseTime(next->first) < t; ++next)
-            add(place.told(next->second, courseTime(next->first)));
-    };
-    for (const IntubationEvent& event : noted.events()) {
-        sayUntil(event.at);
-        add(place.noted(event));
+    std::vector<ToldSeat> told;
+    for (const auto& [seconds, seat] : said) {
+        const SessionTime since = courseTime(seconds);
+        const auto after = std::ranges::count_if(
+            noted.events(), [since](const IntubationEvent& event) { return event.at <= since; });
+        told.push_back({std::size_t(after), since, seat});
     }
-    sayUntil(SessionTime::max());
-    return course;
+    return courseAsTold(noted.events(), told);
 }
 
 TryMetrics metricsWith(const HandWrittenCourse& noted, const Said& said)
@@ -172,6 +164,63 @@ private Q_SLOTS:
         QCOMPARE(metrics.throughCords, courseTime(45.0));
     }
 
+    /// The monitor has the tip above the cords all the while.
+    void holdsAboveTheCordsSinceItIsSaid()
+    {
+        HandWrittenCourse course;
+        course.at(10.0, IntubationStep::TubePastTeeth).at(40.0, IntubationStep::CuffInflated);
+        const Said said{{30.0, TubeSeat::Oesophagus}};
+        const TryMetrics there = metricsWith(course, said);
+        QCOMPARE(there.outcome, TryOutcome::OesophagusUnrecognised);
+        QCOMPARE(there.oesophagus.at(0).in, courseTime(30.0));
+        course.at(50.0, IntubationStep::TubeOut);
+        const TryMetrics out = metricsWith(course, said);
+        QCOMPARE(out.outcome, TryOutcome::OesophagusRecognised);
+        QCOMPARE(out.oesophagus.at(0).out, courseTime(50.0));
+        const TryMetrics ended =
+            metricsWith(course, {{30.0, TubeSeat::Oesophagus}, {51.0, std::nullopt}});
+        QVERIFY(ended == out); // the setting ends with the tube
+    }
+
+    void leavesNothingAboveTheCordsOfWhatIsTakenBack()
+    {
+        HandWrittenCourse course;
+        course.at(10.0, IntubationStep::TubePastTeeth).at(33.0, IntubationStep::CuffInflated);
+        const TryMetrics noted = metricsWith(course, {});
+        const Said takenBack{{30.0, TubeSeat::Oesophagus}, {35.0, std::nullopt}};
+        QVERIFY(metricsWith(course, takenBack) == noted);
+    }
+
+    /// The tip went on to the right, and came to rest deeper, after the first breath.
+    void tellsOfTheEndWhatWasNotedLast()
+    {
+        HandWrittenCourse course = goodCourse();
+        course.deep(260.0, -20.0)
+            .at(40.0, IntubationStep::PastCarina, TubeSeat::RightMain)
+            .deep(265.0, -25.0)
+            .at(42.0, IntubationStep::AtRest);
+        const TryMetrics noted = metricsWith(course, {});
+        QCOMPARE(noted.outcome, TryOutcome::RightMain);
+        const Said takenBack{{45.0, TubeSeat::Oesophagus}, {50.0, std::nullopt}};
+        QVERIFY(metricsWith(course, takenBack) == noted);
+        const TryMetrics told = metricsWith(course, {{45.0, TubeSeat::LeftMain}});
+        QCOMPARE(told.outcome, TryOutcome::LeftMain);
+        QCOMPARE(told.depth->atTeeth, millimetres(265.0));
+        QCOMPARE(told.firstBreath, courseTime(30.0));
+        const TryMetrics drawnBack = metricsWith(course, {{45.0, TubeSeat::Trachea}});
+        QCOMPARE(drawnBack.depth->atTeeth, millimetres(265.0));
+    }
+
+    /// The tip stays where it is said to be as it passes the carina.
+    void tellsTheDepthOfAPassageThatIsLeftOut()
+    {
+        HandWrittenCourse course = goodCourse();
+        course.deep(260.0, -20.0).at(40.0, IntubationStep::PastCarina, TubeSeat::RightMain);
+        const TryMetrics told = metricsWith(course, {{35.0, TubeSeat::Trachea}});
+        QCOMPARE(told.outcome, TryOutcome::Trachea);
+        QCOMPARE(told.depth->atTeeth, millimetres(260.0));
+    }
+
     void isAsSureAsWhoSaysIt()
     {
         HandWrittenCourse course;
@@ -182,6 +231,20 @@ private Q_SLOTS:
         QCOMPARE(metricsWith(course, {{30.0, TubeSeat::Oesophagus}}).confidence, 1.0);
         const Said takenBack{{30.0, TubeSeat::Oesophagus}, {40.0, std::nullopt}};
         QCOMPARE(metricsWith(course, takenBack).confidence, 0.25);
+        course.sure(0.98).at(25.0, IntubationStep::BladeOut);
+        QCOMPARE(metricsWith(course, takenBack).confidence, 0.25); // 0.98 of the blade
+    }
+
+    void knowsWhatIsSaidAtTheEnd()
+    {
+        const std::vector<IntubationEvent> good = goodCourse().events();
+        const ToldSeat said{5, courseTime(25.0), TubeSeat::Oesophagus};
+        QVERIFY(!toldAtEnd(good, {}));
+        QCOMPARE(toldAtEnd(good, std::vector{said}), TubeSeat::Oesophagus);
+        QVERIFY(!toldAtEnd(good, std::vector{said, {6, courseTime(27.0), std::nullopt}}));
+        HandWrittenCourse out = goodCourse();
+        out.at(40.0, IntubationStep::TubeOut, TubeSeat::None);
+        QVERIFY(!toldAtEnd(out.events(), std::vector{said}));
     }
 };
 

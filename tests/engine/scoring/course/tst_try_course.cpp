@@ -45,7 +45,10 @@ private Q_SLOTS:
     void knowsLaterThatTheBladeIsInOrOut();
     void takesWhatIsKnownOfThePatient();
     void leavesOutWhatCameAfterItsEnd();
+    void measuresNothingBeyondAnEndThatIsKnownLater();
     void keepsNoMoreThanItsMost();
+    void believesWhatIsSaidAfterTheEnd();
+    void endsByABreathWhereThePersonSaysItWent();
 };
 
 void TestTryCourse::beginsWithBladeOrTube()
@@ -176,6 +179,49 @@ void TestTryCourse::leavesOutWhatCameAfterItsEnd()
     const TryCourse course = follow(written);
     QCOMPARE(course.metrics(courseTime(50.0), std::nullopt).outcome, TryOutcome::Trachea);
     QCOMPARE(course.metrics(courseTime(60.0), std::nullopt).outcome, TryOutcome::RightMain);
+}
+
+/// All was out at 20 s, and that it ended then is known ten seconds later.
+void TestTryCourse::measuresNothingBeyondAnEndThatIsKnownLater()
+{
+    HandWrittenCourse written;
+    written.at(10.0, IntubationStep::BladeIn).at(20.0, IntubationStep::BladeOut);
+    TryCourse course = follow(written);
+    for (double t = 10.0; t <= 30.0; t += 0.5) {
+        course.addVitals(courseTime(t), saturatedBy(t > 20.0 ? 0.80 : 0.95));
+        course.addHead(bladeAt(t, t > 20.0 ? 0.1 * (t - 20.0) : 0.0));
+    }
+    const SessionTime ended = course.endedBy(courseTime(30.0)).value();
+    QCOMPARE(ended, courseTime(20.0));
+    const TryMetrics metrics = course.metrics(ended, std::nullopt);
+    QCOMPARE(metrics.oxygen->lowest, 0.95);
+    QVERIFY(!metrics.head || metrics.head->path.si < 1e-9);
+    const TryMetrics longer = course.metrics(courseTime(30.0), std::nullopt);
+    QCOMPARE(longer.oxygen->lowest, 0.80);
+    QVERIFY(longer.head->path.si > 0.5);
+}
+
+/// It is said of the end; the monitor had the tip above the cords.
+void TestTryCourse::believesWhatIsSaidAfterTheEnd()
+{
+    HandWrittenCourse written;
+    written.at(10.0, IntubationStep::TubePastTeeth);
+    TryCourse course = follow(written);
+    QVERIFY(!course.metrics(courseTime(50.0), std::nullopt).isTold);
+    course.tell(TubeSeat::Oesophagus, courseTime(70.0));
+    const TryMetrics told = course.metrics(courseTime(50.0), std::nullopt);
+    QVERIFY(told.isTold);
+    QCOMPARE(told.outcome, TryOutcome::OesophagusUnrecognised);
+    QCOMPARE(told.oesophagus.at(0).in, courseTime(50.0));
+}
+
+void TestTryCourse::endsByABreathWhereThePersonSaysItWent()
+{
+    TryCourse course = follow(goodCourse()); // whose first breath is at 30 s
+    course.tell(TubeSeat::Oesophagus, courseTime(35.0));
+    QVERIFY(!course.endedBy(courseTime(60.0)));
+    course.tell(std::nullopt, courseTime(40.0));
+    QCOMPARE(course.endedBy(courseTime(60.0)), courseTime(30.0) + TryCourse::kVentilatedFor);
 }
 
 void TestTryCourse::keepsNoMoreThanItsMost()

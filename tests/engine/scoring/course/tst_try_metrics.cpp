@@ -35,6 +35,8 @@ private Q_SLOTS:
     void countAttempts();
     void forgetAPassageThatWasUndone();
     void takeTheConfidenceOfTheLastSeat();
+    void tellTheLargestViewThatAnyStepTells();
+    void areNoSurerOfTheDepthThanOfTheSeat();
 };
 
 void TestTryMetrics::tellTheTimesOfAGoodTry()
@@ -51,6 +53,34 @@ void TestTryMetrics::tellTheTimesOfAGoodTry()
     QCOMPARE(metrics.glotticOpening, 0.8);
     QVERIFY(metrics.hadBlade);
     QVERIFY(metrics.oesophagus.empty());
+}
+
+/// The view goes on opening after it is seen; before, nothing was.
+void TestTryMetrics::tellTheLargestViewThatAnyStepTells()
+{
+    HandWrittenCourse course;
+    course.seen(0.9)
+        .at(10.0, IntubationStep::TubePastTeeth) // of an attempt before this try
+        .seen(0.0)
+        .at(11.0, IntubationStep::BladeIn);
+    QVERIFY(!courseUntil(course, 50.0).glotticOpening);
+    course.seen(0.1).at(14.0, IntubationStep::GlottisSeen);
+    QCOMPARE(courseUntil(course, 50.0).glotticOpening, 0.1);
+    course.seen(0.8).at(24.0, IntubationStep::BladeOut);
+    QCOMPARE(courseUntil(course, 50.0).glotticOpening, 0.8);
+}
+
+void TestTryMetrics::areNoSurerOfTheDepthThanOfTheSeat()
+{
+    HandWrittenCourse course;
+    course.at(10.0, IntubationStep::TubePastTeeth)
+        .sure(0.4)
+        .at(20.0, IntubationStep::ThroughCords, TubeSeat::Trachea)
+        .sure(1.0)
+        .at(21.0, IntubationStep::ShapesApart)
+        .at(22.0, IntubationStep::ShapesTogether)
+        .at(23.0, IntubationStep::BladeOut);
+    QCOMPARE(courseUntil(course, 50.0).depth->confidence, 0.4);
 }
 
 void TestTryMetrics::tellWhereTheTubeLies()

@@ -107,7 +107,7 @@ private Q_SLOTS:
     void knowsTheLastEntryAboutATubeInTheMouth()
     {
         TubeTimeline tube;
-        const auto lastAt = [&](double seconds) { return tube.lastOfTubeAt(atSeconds(seconds)); };
+        const auto lastAt = [&](double seconds) { return tube.lastOfSeatAt(atSeconds(seconds)); };
         tube.note(atSeconds(1.0), noted(IntubationStep::BladeIn, TubeSeat::None), {});
         QVERIFY(!lastAt(1.0));
         tube.note(atSeconds(2.0), noted(IntubationStep::ThroughCords, TubeSeat::Trachea), {});
@@ -116,6 +116,48 @@ private Q_SLOTS:
         QCOMPARE(lastAt(3.0)->step, IntubationStep::ThroughCords);
         tube.note(atSeconds(4.0), noted(IntubationStep::TubeOut, TubeSeat::None), {});
         QVERIFY(lastAt(3.9) && !lastAt(4.0));
+    }
+
+    /// Steps that tell something else say nothing of the seat, however sure they are.
+    void isAsSureAsTheSeatWas()
+    {
+        TubeTimeline tube;
+        IntubationEvent through = noted(IntubationStep::ThroughCords, TubeSeat::Trachea);
+        through.confidence = 0.4;
+        tube.note(atSeconds(1.0), through, {});
+        for (const auto other : {IntubationStep::ShapesApart, IntubationStep::ShapesTogether,
+                                 IntubationStep::PassedShut, IntubationStep::BladeOut}) {
+            tube.note(atSeconds(2.0), noted(other, TubeSeat::Trachea), {});
+            QCOMPARE(tube.lastOfSeatAt(atSeconds(2.0))->confidence, 0.4);
+        }
+        tube.note(atSeconds(3.0), noted(IntubationStep::CuffInflated, TubeSeat::Trachea), {});
+        QCOMPARE(tube.lastOfSeatAt(atSeconds(3.0))->confidence, 1.0);
+    }
+
+    /// A cuff is tried before anybody has seen a tube: what blows reaches the lungs as before.
+    void watchesNoTubeThatOnlyControlsTellOf()
+    {
+        TubeTimeline tube;
+        for (const auto step : {IntubationStep::CuffInflated, IntubationStep::CuffDeflated,
+                                IntubationStep::StyletOut}) {
+            tube.note(atSeconds(1.0), noted(step, TubeSeat::None), {});
+            QVERIFY(!tube.isWatchedAt(atSeconds(1.0)));
+        }
+        QVERIFY(placeAt(tube, 1.0) == TubePlace{});
+        QCOMPARE(tube.notes().size(), std::size_t{3});
+    }
+
+    void remembersItsLastSettings()
+    {
+        TubeTimeline tube;
+        for (int i = 1; i <= int(TubeTimeline::kMostNotes) + 20; ++i)
+            tube.setOverride(atSeconds(i), {TubeSeat::Trachea, millimetres(5.0 + 0.01 * i)});
+        tube.forgetBefore(atSeconds(10.0));
+        QCOMPARE(tube.overrides().front().from, atSeconds(10.0)); // none later than that is lost
+        tube.forgetBefore(atSeconds(1000.0));
+        QCOMPARE(tube.overrides().size(), TubeTimeline::kMostNotes);
+        tube.forgetBefore(atSeconds(2000.0));
+        QCOMPARE(tube.overrides().size(), TubeTimeline::kMostNotes);
     }
 
     void followsTheMonitorFromTheTeethOn()
@@ -185,7 +227,7 @@ private Q_SLOTS:
         tube.note(atSeconds(1.5), noted(IntubationStep::StyletOut, TubeSeat::None), {});
         tube.setOverride(atSeconds(2.0), {TubeSeat::Trachea, millimetres(6.0)});
         QCOMPARE(placeAt(tube, 2.0).leak, 0.0);
-        QVERIFY(!tube.lastOfTubeAt(atSeconds(2.0)));
+        QVERIFY(!tube.lastOfSeatAt(atSeconds(2.0)));
     }
 
     void emptiesTheCuffOfATubeThatIsTakenOut()

@@ -59,6 +59,7 @@ private Q_SLOTS:
     void doesNotBelieveOldOrFutureBreaths();
     void keepsCheckpointsInOrder();
     void keepsTheLatestCheckpoints();
+    void tellsDosesOfLongAgo();
     void keepsTheSettingsSinceTheFirstCheckpoint();
     void keepsTheBreathsSinceTheFirstCheckpoint();
     void saysFromWhenOnNewDecisionsHaveAnEffect();
@@ -207,6 +208,29 @@ void TestPatientRun::keepsTheLatestCheckpoints()
     QVERIFY(timeline.checkpointBefore(atSeconds(10.0 * kOldest - 0.1)) == nullptr);
     for (int i = kOldest; i <= kCheckpoints; ++i)
         QCOMPARE(timeline.checkpointBefore(atSeconds(10.0 * i))->state.steps, std::int64_t{i});
+}
+
+/// A try lasts longer than checkpoints are kept; who gives without end makes no copy longer.
+void TestPatientRun::tellsDosesOfLongAgo()
+{
+    constexpr int kCheckpoints = 30;
+    constexpr int kBetween = 10;
+    const auto all = [](const RespirationTimeline& timeline) {
+        return timeline.dosesWithin(SessionTime::min(), SessionTime::max());
+    };
+    RespirationTimeline once;
+    RespirationTimeline often;
+    once.give(atSeconds(1.0), {DrugKind::Propofol, 80.0});
+    for (int i = 1; i <= kCheckpoints; ++i) {
+        for (int dose = 0; dose < kBetween; ++dose)
+            often.give(atSeconds(10.0 * i - 5.0 + 0.1 * dose), {DrugKind::Fentanyl, 0.01});
+        once.addCheckpoint({atSeconds(10.0 * i), RespiratoryState{.steps = i}});
+        often.addCheckpoint({atSeconds(10.0 * i), RespiratoryState{.steps = i}});
+    }
+    QCOMPARE(all(once).size(), std::size_t{1});
+    QVERIFY(all(often).size() >= RespirationTimeline::kMostDosesTold);
+    QVERIFY(all(often).size() <= RespirationTimeline::kMostDosesTold + kBetween);
+    QCOMPARE(all(often).back().from, atSeconds(10.0 * kCheckpoints - 5.0 + 0.1 * (kBetween - 1)));
 }
 
 /// An instructor who changed a setting without end made each copy of the session longer.

@@ -187,7 +187,8 @@ void TestTryCourse::measuresNothingBeyondAnEndThatIsKnownLater()
     HandWrittenCourse written;
     written.at(10.0, IntubationStep::BladeIn).at(20.0, IntubationStep::BladeOut);
     TryCourse course = follow(written);
-    for (double t = 10.0; t <= 30.0; t += 0.5) {
+    for (int i = 0; i <= 20 * 60; ++i) {
+        const double t = 10.0 + i / 60.0;
         course.addVitals(courseTime(t), saturatedBy(t > 20.0 ? 0.80 : 0.95));
         course.addHead(bladeAt(t, t > 20.0 ? 0.1 * (t - 20.0) : 0.0));
     }

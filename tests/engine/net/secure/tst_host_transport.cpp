@@ -280,6 +280,7 @@ private Q_SLOTS:
         TestHost host;
         RawClient flooder{host.port(), kNewTrainee, host.keys.at(Role::Trainee)};
         RawClient other{host.port(), kNewTrainee, host.keys.at(Role::Trainee)};
+        QTRY_VERIFY_WITH_TIMEOUT(flooder.isIn() && other.isIn(), kPatience_ms);
         QTRY_COMPARE_WITH_TIMEOUT(host.transport->paths(), std::size_t{2}, kPatience_ms);
         for (int round = 0; round < 6; ++round) {
             for (int i = 0; i < 100; ++i)

@@ -50,6 +50,8 @@ void TryWatch::setStation(StationId station)
         return;
     m_course = TryCourse{upInAnatomy()};
     m_told.reset();
+    m_toldUntil = SessionTime::min();
+    m_latest = {};
     m_patient = {};
     m_report.reset();
     m_judged.reset();
@@ -78,8 +80,7 @@ void TryWatch::watch()
     const Station* station = stationIn(*state);
     if (!now || !station)
         return;
-    takeNotes(*station);
-    takeToldPlace(*station);
+    takeFacts(*station);
     if (!isUnderWay())
         return lookAtMask(*station, *now);
     if (*now - m_vitalsAt >= kVitalsEvery)
@@ -91,51 +92,71 @@ void TryWatch::watch()
         end(*station, *at);
 }
 
-/// In the order in which they were noted. What was noted before this program looked for the first
-/// time belongs to a try whose beginning it has not measured.
-void TryWatch::takeNotes(const Station& station)
+/// What was noted and what was said, in the order in which it took effect. What was noted before
+/// this program looked for the first time belongs to a try whose beginning it has not measured.
+void TryWatch::takeFacts(const Station& station)
 {
     const TubeTimeline& tube = station.respiration.tube();
-    const std::span<const NotedStep> news = tube.notesAfter(m_lastNote);
-    m_lastNote = tube.lastNote();
-    if (!std::exchange(m_hasLooked, true))
-        return;
-    for (const NotedStep& note : news) {
-        take(note.event);
-        // What is said from then on is of another place than that in which the try ended.
-        if (!isUnderWay()
-            && (isOfWay(note.event.step) || note.event.step == IntubationStep::TubeOut))
-            m_judged.reset();
+    std::span<const NotedStep> notes = tube.notesAfter(m_lastNote);
+    std::span settings = tube.overrides();
+    if (!std::exchange(m_hasLooked, true)) {
+        notes = {};
+        settings = settings.last(std::min<std::size_t>(settings.size(), 1));
     }
+    m_lastNote = tube.lastNote();
+    auto note = notes.begin();
+    for (const auto& setting : settings) {
+        if (setting.from <= m_toldUntil)
+            continue;
+        m_toldUntil = setting.from;
+        for (; note != notes.end() && note->effect <= setting.from; ++note)
+            take(note->event);
+        tell(setting.value.seatOfNoted(), setting.from);
+    }
+    for (; note != notes.end(); ++note)
+        take(note->event);
 }
 
-/// Also of the try that ended last, while its tube is in the mouth.
-void TryWatch::takeToldPlace(const Station& station)
+void TryWatch::tell(std::optional<TubeSeat> seat, SessionTime since)
 {
-    const auto settings = station.respiration.tube().overrides();
-    if (settings.empty())
-        return;
-    const auto& last = settings.back();
-    const std::optional<TubeSeat> seat = last.value.seatOfNoted();
     if (std::exchange(m_told, seat) == seat)
         return;
-    m_course.tell(seat, last.from);
+    m_course.tell(seat, since);
     if (isUnderWay() || !m_judged)
         return;
-    m_judged->course.tell(seat, last.from);
+    m_judged->course.tell(seat, since);
     judge();
+}
+
+/// Of the try that ended last, what is known later; a tube that goes elsewhere after it is judged
+/// no more. @returns whether it was of that try
+bool TryWatch::takeLate(const IntubationEvent& event)
+{
+    if (!m_judged || isUnderWay())
+        return false;
+    const bool isOfIt = event.at <= m_judged->ended;
+    if (isOfIt) {
+        m_judged->course.add(event);
+        judge();
+    }
+    if (event.step == IntubationStep::TubeOut || (!isOfIt && isOfWay(event.step)))
+        m_judged.reset();
+    return isOfIt;
 }
 
 void TryWatch::take(const IntubationEvent& event)
 {
+    const double confidence = isSureOfSeat(event.step) ? event.confidence : m_latest.confidence;
+    m_latest = event;
+    m_latest.confidence = confidence;
+    if (takeLate(event))
+        return;
     const bool wasUnderWay = isUnderWay();
     if (!wasUnderWay && beginsTry(event.step))
         begin(event.at);
     m_course.add(event);
     if (!isUnderWay())
         return;
-    if (!isOfBlade(event.step))
-        m_latest = event;
     if (event.step == IntubationStep::TubePastTeeth || event.step == IntubationStep::TubeOut)
         m_isTubeOut = event.step == IntubationStep::TubeOut;
     if (wasUnderWay)
@@ -164,7 +185,6 @@ void TryWatch::takeForces(SessionTime now)
 void TryWatch::begin(SessionTime now)
 {
     m_begun = now;
-    m_latest = {};
     m_isTubeOut = false;
     m_isCuffInflated = false;
     m_vitalsAt = {};

@@ -67,9 +67,10 @@ Q_SIGNALS:
     void ended();
 
 private:
-    void takeNotes(const Station& station);
+    void takeFacts(const Station& station);
+    void tell(std::optional<TubeSeat> seat, SessionTime since);
+    [[nodiscard]] bool takeLate(const IntubationEvent& event);
     void take(const IntubationEvent& event);
-    void takeToldPlace(const Station& station);
     void takeVitals(const Station& station, SessionTime now);
     void takeCuff(const Station& station, SessionTime now);
     void takeForces(SessionTime now);
@@ -97,11 +98,12 @@ private:
     };
     std::optional<Judged> m_judged;
     TryCourse m_course;
-    std::optional<TubeSeat> m_told; ///< where the tube is by the console, last
+    std::optional<TubeSeat> m_told;               ///< where the tube is by the console, last,
+    SessionTime m_toldUntil = SessionTime::min(); ///< and when that took effect
     RespirationFollower m_patient;
     std::uint64_t m_lastNote = 0; ///< number of the last one that was taken
     bool m_hasLooked = false;     ///< what was noted before does not count
-    IntubationEvent m_latest;     ///< of the course: where the tube lies
+    IntubationEvent m_latest;     ///< where the tube lies, as sure as that is
     bool m_isTubeOut = false;     ///< of the mouth again
     bool m_isCuffInflated = false;
     std::optional<SessionTime> m_maskVentilated; ///< seen last

@@ -1,6 +1,7 @@
 #include "engine/scoring/course/told_place.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace carina
@@ -115,7 +116,7 @@ public:
 private:
     void tell(const Part& part);
     [[nodiscard]] Holding holdingIn(const Part& part) const;
-    [[nodiscard]] const ToldSeat* lastSaidIn(const Part& part) const;
+    [[nodiscard]] std::vector<ToldSeat> saidIn(const Part& part) const;
     void begin(const Holding& holding);
     void write(std::size_t i, const Told& told);
 
@@ -130,8 +131,10 @@ void Teller::tell(const Part& part)
     const Holding holding = holdingIn(part);
     bool hadBreath = false;
     for (std::size_t i = part.begin; i < part.end; ++i) {
-        if (i == holding.from && i > part.begin)
+        if (i == holding.from && i > part.begin) {
             begin(holding);
+            hadBreath = false;
+        }
         const bool isBreath = m_noted[i].step == IntubationStep::FirstBreath;
         if (!isBreath || !std::exchange(hadBreath, true)) // another is of another place
             write(i, i < holding.from ? holding.first : holding.then);
@@ -144,24 +147,29 @@ void Teller::tell(const Part& part)
 Holding Teller::holdingIn(const Part& part) const
 {
     const Told before = part.isAboveCords && part.isTubeOut ? Told{} : m_held;
-    const ToldSeat* said = lastSaidIn(part);
-    if (!said)
+    const std::vector<ToldSeat> said = saidIn(part);
+    if (said.empty())
         return {before, before, part.begin, {}};
-    if (part.isAboveCords)
-        return {before, said->seat, std::max(said->after, part.begin), said->since};
-    return {said->seat, said->seat, part.begin, {}};
+    const Told last = said.back().seat;
+    if (!part.isAboveCords)
+        return {last, last, part.begin, {}};
+    // What is corrected holds since it was said first, as its breath was one of it.
+    auto first = std::prev(said.end());
+    while (last && first != said.begin() && std::prev(first)->seat)
+        --first;
+    return {before, last, std::max(first->after, part.begin), first->since};
 }
 
-const ToldSeat* Teller::lastSaidIn(const Part& part) const
+std::vector<ToldSeat> Teller::saidIn(const Part& part) const
 {
-    const ToldSeat* last = nullptr;
+    std::vector<ToldSeat> found;
     for (const ToldSeat& said : m_told) {
         const std::size_t newest = std::max<std::size_t>(said.after, 1) - 1; // event
         const bool isOfTube = !part.isTubeOut || newest + 1 < part.end;
         if (newest >= part.begin && newest < part.end && isOfTube)
-            last = &said;
+            found.push_back(said);
     }
-    return last;
+    return found;
 }
 
 /// What was said above the cords.

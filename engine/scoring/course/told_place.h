@@ -24,9 +24,10 @@ struct ToldSeat {
 /// It is followed from passage to passage of the tip through the level of the cords, by the
 /// monitor. What is in force at the end of such a part holds in all of it, since the tip came
 /// there: what was said before in the same part leaves nothing behind, nor does what was taken
-/// back. Where the monitor has the tip above the cords, what is said there holds since it was said.
-/// What the monitor notes of the way is left out then, but for the depth, and all else is told of
-/// the place that the person named. The first breath in a part is that of the place of this part.
+/// back. Where the monitor has the tip above the cords, what is said there holds since something
+/// was said of it. What the monitor notes of the way is left out then, but for the depth, and all
+/// else is told of the place that the person named. The first breath in a part is that of the place
+/// of this part.
 ///
 /// What was said ends with the part before the tube is noted to be out of the mouth, or with that
 /// step where it was said in this part.

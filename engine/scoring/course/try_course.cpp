@@ -9,9 +9,6 @@ namespace carina
 namespace
 {
 
-/// An end is known later than it was, by kOutFor and what the monitor takes to note a step.
-constexpr Duration kHeld = TryCourse::kOutFor + std::chrono::seconds{4};
-
 /// The first breath into a lung, of a tube that is still there.
 std::optional<SessionTime> firstBreathIn(std::span<const IntubationEvent> course)
 {
@@ -27,7 +24,7 @@ std::optional<SessionTime> firstBreathIn(std::span<const IntubationEvent> course
 
 } // namespace
 
-TryCourse::TryCourse(const Vec3& up_F) : m_plane{up_F}, m_hand{up_F}, m_head{up_F} {}
+TryCourse::TryCourse(const Vec3& up_F) : m_up_F{up_F}, m_plane{up_F}, m_hand{up_F} {}
 
 void TryCourse::add(const IntubationEvent& event)
 {
@@ -41,11 +38,13 @@ void TryCourse::add(const IntubationEvent& event)
 
 void TryCourse::tell(std::optional<TubeSeat> seat, SessionTime since)
 {
-    const ToldSeat said{m_events.size(), since, seat};
-    if (!m_told.empty() && m_told.back().after == said.after)
-        m_told.back() = said; // the last counts
-    else
-        m_told.push_back(said);
+    ToldSeat said{m_events.size(), since, seat};
+    if (!m_told.empty() && m_told.back().after == said.after) { // the last counts
+        if (seat && m_told.back().seat)
+            said.since = m_told.back().since;
+        m_told.pop_back();
+    }
+    m_told.push_back(said);
     m_firstBreath = firstBreathIn(courseAsTold(m_events, m_told));
 }
 
@@ -58,6 +57,7 @@ void TryCourse::follow(const IntubationEvent& event)
         break;
     case IntubationStep::BladeOut:
         m_bladeIsIn = false;
+        m_leftAt = std::max(m_leftAt, event.at);
         measure(m_blade.bladeOut(event.at));
         m_plane.pause();
         m_hand.pause();
@@ -67,6 +67,7 @@ void TryCourse::follow(const IntubationEvent& event)
         break;
     case IntubationStep::TubeOut:
         m_tubeIsIn = false;
+        m_leftAt = std::max(m_leftAt, event.at);
         break;
     default:
         break;
@@ -74,23 +75,19 @@ void TryCourse::follow(const IntubationEvent& event)
     if (m_bladeIsIn || m_tubeIsIn)
         m_outSince.reset();
     else if (!m_outSince)
-        m_outSince = event.at;
+        m_outSince = std::max(m_leftAt, m_events.front().at);
 }
 
 void TryCourse::addVitals(SessionTime t, const Vitals& vitals)
 {
-    if (hasBegun())
-        m_heldVitals.emplace_back(t, vitals);
-    measureUntil(t - kHeld);
+    if (isWithinLongest(t))
+        m_vitals.emplace_back(t, vitals);
 }
 
-/// What was held.
-void TryCourse::measureUntil(SessionTime t)
+/// What comes later is not of the try, whenever it ends.
+bool TryCourse::isWithinLongest(SessionTime t) const
 {
-    for (; !m_heldVitals.empty() && m_heldVitals.front().first <= t; m_heldVitals.pop_front())
-        m_oxygen.add(m_heldVitals.front().first, m_heldVitals.front().second);
-    for (; !m_heldHeads.empty() && m_heldHeads.front().time <= t; m_heldHeads.pop_front())
-        m_head.add(m_heldHeads.front());
+    return hasBegun() && t <= m_events.front().at + kLongestTry;
 }
 
 void TryCourse::addBlade(const PoseSample& X_FL)
@@ -109,9 +106,8 @@ void TryCourse::measure(const std::vector<PoseSample>& blade)
 
 void TryCourse::addHead(const PoseSample& X_FH)
 {
-    if (hasBegun())
-        m_heldHeads.push_back(X_FH);
-    measureUntil(X_FH.time - kHeld);
+    if (isWithinLongest(X_FH.time))
+        m_heads.push_back(X_FH);
 }
 
 void TryCourse::addForces(SessionTime t, Force incisors, Force tongue)
@@ -146,7 +142,14 @@ TryMetrics TryCourse::metrics(SessionTime ended, std::optional<Length> depthWant
     const SessionTime end = std::max(ended, m_events.front().at);
     TryCourse whole = *this;
     whole.measure(whole.m_blade.inMouthUntil(ended));
-    whole.measureUntil(end);
+    OxygenMeter oxygen;
+    for (const auto& [t, vitals] : m_vitals)
+        if (t <= end)
+            oxygen.add(t, vitals);
+    MotionMeter head{m_up_F};
+    for (const PoseSample& X_FH : m_heads)
+        if (X_FH.time <= end)
+            head.add(X_FH);
     for (ToldSeat& said : whole.m_told)
         said.since = std::min(said.since, end); // later: it is said of the end
     std::vector<IntubationEvent> within = courseAsTold(m_events, whole.m_told);
@@ -157,12 +160,12 @@ TryMetrics TryCourse::metrics(SessionTime ended, std::optional<Length> depthWant
         metrics.confidence = 1.0;
     metrics.depthWanted = depthWanted;
     metrics.headExtension = m_headExtension;
-    metrics.oxygen = whole.m_oxygen.figures();
+    metrics.oxygen = oxygen.figures();
     metrics.incisors = m_incisors.figures();
     metrics.tongue = m_tongue.figures();
     metrics.plane = whole.m_plane.figures();
     metrics.hand = whole.m_hand.figures();
-    metrics.head = whole.m_head.figures();
+    metrics.head = head.figures();
     metrics.checks = m_checks;
     return metrics;
 }

@@ -4,7 +4,6 @@
 #include "engine/scoring/course/told_place.h"
 #include "engine/scoring/course/try_metrics.h"
 
-#include <deque>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -53,33 +52,34 @@ public:
     /// @param now nothing that happened until then will be added any more
     [[nodiscard]] std::optional<SessionTime> endedBy(SessionTime now) const;
 
-    /// All that was measured until the end.
+    /// What was measured until the end; of plane, hand and forces also what was measured before it
+    /// was known that the try had ended, where a person said later what makes its end an earlier
+    /// one.
     /// @param depthWanted by the scenario's rule; nothing where none holds
     /// @pre hasBegun()
     [[nodiscard]] TryMetrics metrics(SessionTime ended, std::optional<Length> depthWanted) const;
 
 private:
-    using HeldVitals = std::pair<SessionTime, Vitals>;
-
     void follow(const IntubationEvent& event);
-    void measureUntil(SessionTime t);
+    [[nodiscard]] bool isWithinLongest(SessionTime t) const;
     void measure(const std::vector<PoseSample>& blade);
 
+    Vec3 m_up_F;
     std::vector<IntubationEvent> m_events; ///< as they were noted
     std::vector<ToldSeat> m_told;
     bool m_bladeIsIn = false;
     bool m_tubeIsIn = false;
-    std::optional<SessionTime> m_outSince;    ///< of tube and blade
-    std::optional<SessionTime> m_firstBreath; ///< into a lung
-    std::deque<HeldVitals> m_heldVitals;      ///< until it is known whether they are of the try
-    std::deque<PoseSample> m_heldHeads;
-    OxygenMeter m_oxygen;
+    SessionTime m_leftAt = SessionTime::min(); ///< the later of blade and tube left the mouth
+    std::optional<SessionTime> m_outSince;     ///< of tube and blade
+    std::optional<SessionTime> m_firstBreath;  ///< into a lung
+    // All of it, as an end is known later than it was, and may be set back by what a person says.
+    std::vector<std::pair<SessionTime, Vitals>> m_vitals;
+    std::vector<PoseSample> m_heads;
     ForceMeter m_incisors{kIncisorLimits};
     ForceMeter m_tongue{kTongueLimits};
     BladeSamples m_blade;
     PlaneMeter m_plane;
     MotionMeter m_hand;
-    MotionMeter m_head;
     std::optional<Angle> m_headExtension;
     std::array<std::optional<bool>, kTryChecks> m_checks{};
 };

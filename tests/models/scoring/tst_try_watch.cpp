@@ -34,6 +34,9 @@ private Q_SLOTS:
     void judgesAnEndedTryAnewByWhatTheInstructorSays();
     void takesAConfirmationOfAnEndedTry();
     void judgesNoEndedTryByWhatIsSaidOfALaterPlace();
+    void takesWhatIsConcludedLaterOfAnEndedTry();
+    void judgesTheSameWheneverItLooks();
+    void knowsATubeThatWasThereBeforeTheBlade();
     void believesTheInstructorAboutThePlace();
     void reportsATryThatWasGivenUp();
     void forgetsTheReportWhenAnotherTryBegins();
@@ -253,10 +256,85 @@ void TestTryWatch::judgesNoEndedTryByWhatIsSaidOfALaterPlace()
     session.intubate();
     session.tries.finish();
     const TryReport before = session.tries.report().value();
+    session.run(std::chrono::seconds{1});
     session.note(IntubationStep::BackAboveCords);
     session.node.decide(fact::TubePlaced{{TubeSeat::Oesophagus, millimetres(6.5)}});
     session.run(std::chrono::seconds{1});
     QVERIFY(session.tries.report().value() == before);
+}
+
+/// Of what happened before its end.
+void TestTryWatch::takesWhatIsConcludedLaterOfAnEndedTry()
+{
+    TriedSession session;
+    session.note(IntubationStep::TubePastTeeth);
+    const SessionTime passed = *session.node.now();
+    session.run(std::chrono::seconds{1});
+    session.tries.finish();
+    QCOMPARE(session.tries.report()->metrics.outcome, TryOutcome::Abandoned);
+    const auto conclude = [&](IntubationStep step, TubeSeat seat) {
+        session.node.decide(fact::IntubationNoted{{.step = step, .at = passed, .seat = seat}, {}});
+        session.run(std::chrono::seconds{1});
+        return session.tries.report()->metrics.outcome;
+    };
+    QCOMPARE(conclude(IntubationStep::InOesophagus, TubeSeat::Oesophagus),
+             TryOutcome::OesophagusUnrecognised);
+    conclude(IntubationStep::OutOfOesophagus, TubeSeat::None);
+    QCOMPARE(conclude(IntubationStep::ThroughCords, TubeSeat::Trachea), TryOutcome::Trachea);
+    session.node.decide(fact::TubePlaced{{TubeSeat::LeftMain, millimetres(6.5)}});
+    session.run(std::chrono::seconds{1});
+    QCOMPARE(session.tries.report()->metrics.outcome, TryOutcome::LeftMain);
+}
+
+/// A program that stood still sees all at once.
+void TestTryWatch::judgesTheSameWheneverItLooks()
+{
+    const auto reportOf = [](bool isStalled) {
+        TriedSession session;
+        session.intubate();
+        const auto pass = [&] {
+            session.node.advance(std::chrono::milliseconds{300});
+            if (!isStalled)
+                session.tries.watch();
+        };
+        const auto noteNow = [&](IntubationStep step) {
+            session.node.decide(
+                fact::IntubationNoted{{.step = step, .at = *session.node.now()}, {}});
+            pass();
+        };
+        session.node.decide(fact::TubePlaced{{TubeSeat::Oesophagus, millimetres(6.5)}});
+        pass();
+        noteNow(IntubationStep::BackAboveCords);
+        noteNow(IntubationStep::TubeOut);
+        session.tries.watch();
+        session.tries.finish();
+        TryMetrics metrics = session.tries.report()->metrics;
+        metrics.oxygen.reset(); // measured when it looks
+        return metrics;
+    };
+    const TryMetrics metrics = reportOf(false);
+    QCOMPARE(metrics.outcome, TryOutcome::OesophagusRecognised);
+    QVERIFY(reportOf(true) == metrics);
+}
+
+/// With its cuff inflated: that is no step of the try that begins, and moves no tube.
+void TestTryWatch::knowsATubeThatWasThereBeforeTheBlade()
+{
+    TriedSession session;
+    session.intubate();
+    session.node.decide(fact::CuffSet{true});
+    session.run(std::chrono::seconds{1});
+    session.tries.finish();
+    session.node.decide(fact::IntubationNoted{{.step = IntubationStep::BladeIn,
+                                               .at = *session.node.now(),
+                                               .seat = TubeSeat::Trachea,
+                                               .depthAtTeeth = millimetres(200.0)},
+                                              {}});
+    session.run(std::chrono::seconds{1});
+    session.tries.finish();
+    const TryMetrics& metrics = session.tries.report()->metrics;
+    QCOMPARE(metrics.outcome, TryOutcome::Trachea);
+    QCOMPARE(metrics.depth->atTeeth, millimetres(200.0));
 }
 
 /// Who takes it out then has recognised it.

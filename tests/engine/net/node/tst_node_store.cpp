@@ -43,7 +43,7 @@ class TestNodeStore : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    void lostFileIsSavedAnewWithinASecond_data()
+    void lostFileIsSavedAnew_data()
     {
         QTest::addColumn<Harm>("harm");
         const auto row = [](const char* name, const Harm& harm) { QTest::newRow(name) << harm; };
@@ -63,7 +63,7 @@ private Q_SLOTS:
             [](const QString& file) { QVERIFY(QDir{QFileInfo{file}.path()}.removeRecursively()); });
     }
 
-    void lostFileIsSavedAnewWithinASecond()
+    void lostFileIsSavedAnew()
     {
         QFETCH(const Harm, harm);
         const MemoryDisk disk;

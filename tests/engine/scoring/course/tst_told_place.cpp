@@ -191,6 +191,22 @@ private Q_SLOTS:
         QVERIFY(metricsWith(course, takenBack) == noted);
     }
 
+    /// Where the monitor has the tip above the cords; another way has another breath.
+    void hasTheBreathOfAPlaceThatIsCorrected()
+    {
+        HandWrittenCourse course;
+        course.at(10.0, IntubationStep::TubePastTeeth).at(12.0, IntubationStep::FirstBreath);
+        const Said refined{{11.0, TubeSeat::Trachea}, {20.0, TubeSeat::RightMain}};
+        QCOMPARE(metricsWith(course, refined).firstBreath, courseTime(12.0));
+        QCOMPARE(metricsWith(course, refined).throughCords, courseTime(11.0));
+        course.at(22.0, IntubationStep::FirstBreath);
+        const Said corrected{{11.0, TubeSeat::Oesophagus}, {20.0, TubeSeat::Trachea}};
+        QCOMPARE(metricsWith(course, corrected).firstBreath, courseTime(12.0));
+        QVERIFY(metricsWith(course, corrected).oesophagus.empty());
+        const Said late{{20.0, TubeSeat::Trachea}}; // what was blown before went elsewhere
+        QCOMPARE(metricsWith(course, late).firstBreath, courseTime(22.0));
+    }
+
     /// The tip went on to the right, and came to rest deeper, after the first breath.
     void tellsOfTheEndWhatWasNotedLast()
     {

@@ -46,6 +46,8 @@ private Q_SLOTS:
     void takesWhatIsKnownOfThePatient();
     void leavesOutWhatCameAfterItsEnd();
     void measuresNothingBeyondAnEndThatIsKnownLater();
+    void endsAtTheLaterOfBothWhicheverIsKnownFirst();
+    void measuresNothingBeyondAnEndThatIsSetBack();
     void keepsNoMoreThanItsMost();
     void believesWhatIsSaidAfterTheEnd();
     void endsByABreathWhereThePersonSaysItWent();
@@ -200,6 +202,39 @@ void TestTryCourse::measuresNothingBeyondAnEndThatIsKnownLater()
     const TryMetrics longer = course.metrics(courseTime(30.0), std::nullopt);
     QCOMPARE(longer.oxygen->lowest, 0.80);
     QVERIFY(longer.head->path.si > 0.5);
+}
+
+/// That the blade is out is known two seconds later.
+void TestTryCourse::endsAtTheLaterOfBothWhicheverIsKnownFirst()
+{
+    HandWrittenCourse written;
+    written.at(10.0, IntubationStep::BladeIn)
+        .at(11.0, IntubationStep::TubePastTeeth)
+        .at(15.0, IntubationStep::InOesophagus, TubeSeat::Oesophagus)
+        .at(19.5, IntubationStep::OutOfOesophagus, TubeSeat::None)
+        .at(20.0, IntubationStep::TubeOut)
+        .at(19.0, IntubationStep::BladeOut);
+    const TryCourse course = follow(written);
+    const SessionTime ended = course.endedBy(courseTime(40.0)).value();
+    QCOMPARE(ended, courseTime(20.0));
+    QCOMPARE(course.metrics(ended, std::nullopt).outcome, TryOutcome::OesophagusRecognised);
+}
+
+/// By what is said of a first breath at 30 s; the patient runs out of oxygen later.
+void TestTryCourse::measuresNothingBeyondAnEndThatIsSetBack()
+{
+    HandWrittenCourse written;
+    written.at(10.0, IntubationStep::TubePastTeeth)
+        .at(20.0, IntubationStep::InOesophagus, TubeSeat::Oesophagus)
+        .at(30.0, IntubationStep::FirstBreath);
+    TryCourse course = follow(written);
+    for (int i = 0; i < 500; ++i)
+        course.addVitals(courseTime(10.0 + 0.4 * i), saturatedBy(i <= 100 ? 0.99 : 0.60));
+    QVERIFY(!course.endedBy(courseTime(200.0)));
+    course.tell(TubeSeat::Trachea, courseTime(200.0));
+    const SessionTime ended = course.endedBy(courseTime(200.0)).value();
+    QCOMPARE(ended, courseTime(50.0));
+    QCOMPARE(course.metrics(ended, std::nullopt).oxygen->lowest, 0.99);
 }
 
 /// It is said of the end; the monitor had the tip above the cords.

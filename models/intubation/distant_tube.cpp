@@ -142,15 +142,18 @@ TubeInAirway DistantTube::at(const StationMoment& moment, const TissueAround& ti
     const TubeDrawing drawing = moment.tubeIsApart ? TubeDrawing::Apart : TubeDrawing::InAirway;
     const bool isThere = isOf(moment.tubeShape->to, moment.time);
     if (isThere) {
-        follow(*moment.tubePoses, moment.time, moment.tubeShape->to.time, tissue);
+        const SessionTime sent = moment.tubeShape->to.time;
+        follow(*moment.tubePoses, moment.time, sent, tissue);
         if (m_tube->isLaid())
             compare(moment.tubeShape->to, *moment.tubePoses, tissue);
+        if (!m_tube->isLaid())
+            follow(*moment.tubePoses, moment.time, sent, tissue);
     }
-    if (!isThere || !m_off)
+    if (!isThere || !m_tube->isLaid())
         return {lineOf(*moment.tubeShape, m_patient->ownTube()), drawing};
     std::vector<Vec3> p_E =
         m_tube->ahead(moment.time, moment.tube->X_FO, connectorOf(*moment.tubePoses), tissue);
-    for (std::size_t i = 0; i < p_E.size(); ++i)
+    for (std::size_t i = 0; m_off && i < p_E.size(); ++i)
         p_E[i] += (*m_off)[i];
     return {std::move(p_E), drawing};
 }

@@ -18,8 +18,9 @@ namespace carina
 /// difference of the form that was sent last from its own at the same moment is taken from there,
 /// by the same eight numbers: none where poses and tissue were the same. Where both tubes lie
 /// differently, as where one is held up at the cords and the other is not, by more than kTooFar,
-/// the form that was sent is drawn as it is, and the rod here is laid anew after kLaidAnew. So it
-/// is while there is no lumen, and of what is no tube that is sold, or is another one within
+/// the rod here is drawn as it lies, since eight numbers alone can be centimetres off a rod that is
+/// pushed together; and it is laid anew after kLaidAnew. While there is no lumen the form that was
+/// sent is drawn as it is; so it is of what is no tube that is sold, or is another one within
 /// kSameTube: a lumen takes seconds to measure, and who sends decides what is sent.
 class DistantTube
 {

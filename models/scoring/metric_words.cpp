@@ -33,7 +33,7 @@ QString courseText(Metric metric)
     case Metric::InOesophagus:
         return metricWords(QT_TRANSLATE_NOOP("Metric", "Tube in the oesophagus"));
     case Metric::OesophagealTime:
-        return metricWords(QT_TRANSLATE_NOOP("Metric", "Time until the oesophagus was recognised"));
+        return metricWords(QT_TRANSLATE_NOOP("Metric", "Longest time in the oesophagus"));
     case Metric::Failed:
         return metricWords(
             QT_TRANSLATE_NOOP("Metric", "Failed: not within 150 s, or in the oesophagus"));

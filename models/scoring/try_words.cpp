@@ -38,11 +38,20 @@ QString centimetresText(Length length)
         .arg(0.1 * inMillimetres(length), 0, 'f', 1);
 }
 
+/// Of what the try never came to.
+QString neverText(Metric metric)
+{
+    const MetricUnit unit = entryOf(metric).unit;
+    const bool isLength = unit == MetricUnit::Millimetres || unit == MetricUnit::Centimetres;
+    return isLength ? tryWords(QT_TRANSLATE_NOOP("Try", "none: no tube in the airway"))
+                    : tryWords(QT_TRANSLATE_NOOP("Try", "never"));
+}
+
 QString measuredText(const TryMetrics& metrics, Metric metric)
 {
     if (const std::optional<double> value = valueOf(metrics, metric))
         return valueText(*value, entryOf(metric).unit);
-    return neverCameTo(metrics, metric) ? tryWords(QT_TRANSLATE_NOOP("Try", "never"))
+    return neverCameTo(metrics, metric) ? neverText(metric)
                                         : tryWords(QT_TRANSLATE_NOOP("Try", "not measured"));
 }
 
@@ -109,17 +118,17 @@ QString limitText(const Criterion& criterion)
         .arg(limit);
 }
 
-/// Why the points are lost: "12.4 s, expected: at most 10.0 s; at 0:10".
+/// Why the points are lost: "12.4 s, expected: at most 10.0 s; 0:10 min into the try".
 QString reasonText(const Judgement& judged, SessionTime begun)
 {
     const QString value = judged.value
                               ? valueText(*judged.value, entryOf(judged.criterion.metric).unit)
-                              : tryWords(QT_TRANSLATE_NOOP("Try", "never"));
+                              : neverText(judged.criterion.metric);
     const QString reason = tryWords(QT_TRANSLATE_NOOP("Try", "%1, expected: %2"))
                                .arg(value, limitText(judged.criterion));
     if (!judged.moment)
         return reason;
-    return tryWords(QT_TRANSLATE_NOOP("Try", "%1; at %2"))
+    return tryWords(QT_TRANSLATE_NOOP("Try", "%1; %2 into the try"))
         .arg(reason, momentText(*judged.moment, begun));
 }
 

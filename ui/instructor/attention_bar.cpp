@@ -142,6 +142,13 @@ void AttentionBar::listOthers()
             listOther(each);
 }
 
+void AttentionBar::lie(const QRect& place)
+{
+    setGeometry(place);
+    layout()->invalidate(); // it was laid out for what it said before it was hidden
+    layout()->activate();
+}
+
 /// Its text wraps in what the buttons leave of the width.
 QSize AttentionBar::sizeIn(int width) const
 {

@@ -30,6 +30,8 @@ public:
 
     /// The least that shows all of the sentence, in at most this width.
     [[nodiscard]] QSize sizeIn(int width) const;
+    /// Lies there from now on, in its parent.
+    void lie(const QRect& place);
 
 private:
     void refresh();

@@ -381,7 +381,8 @@ void InstructorWindow::showPlaceOf(const Attention& attention)
     }
     if (attention.concern == Concern::TubePlace) {
         m_models.stations.show(attention.station);
-        return PanelDocks::bring(*m_ui->gasDock);
+        PanelDocks::bring(*m_ui->gasDock);
+        return m_ui->gas->goToTube();
     }
     if (attention.concern == Concern::BrokenOff)
         return showAgain(attention.station);

@@ -66,7 +66,7 @@ void PatientPane::layAttention()
 {
     const QRect picture = m_ui->scene->geometry();
     const QSize size = m_ui->attentionBar->sizeIn(picture.width());
-    m_ui->attentionBar->setGeometry({picture.topLeft(), size});
+    m_ui->attentionBar->lie({picture.topLeft(), size});
     m_ui->scene->keepNamesBelow(m_ui->attentionBar->isHidden() ? 0 : size.height());
     if (QWindow* window = m_ui->attentionBar->windowHandle())
         window->raise();

@@ -30,9 +30,10 @@ namespace
 {
 
 constexpr int kNoticeInterval_ms = 200;
-constexpr int kNoticeMargin = 4; // pixels
-constexpr int kAnotherGap = 12;  // pixels beneath the button for another session
-constexpr int kMostPassed = 16;  // stops of Tab outside of the window
+constexpr int kNoticeMargin = 4;      // pixels
+constexpr int kAnotherGap = 12;       // pixels beneath the button for another session
+constexpr int kMostPassed = 16;       // stops of Tab outside of the window
+constexpr int kDebriefingWidth = 320; // pixels, in which its sentences can be read
 
 } // namespace
 
@@ -165,6 +166,7 @@ void TraineeWindow::makeDebriefing(TryWatch& tries)
     area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     area->setWidgetResizable(true);
     area->setWidget(panel);
+    area->setMinimumWidth(kDebriefingWidth);
     area->setFocusProxy(panel);
     addPanel(m_debriefing, area, "showTry", tr("&Debriefing of the last try"));
     tabifyDockWidget(m_laryngoscope, m_debriefing);

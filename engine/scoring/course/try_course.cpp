@@ -128,8 +128,10 @@ std::optional<SessionTime> TryCourse::endedBy(SessionTime now) const
 {
     if (!hasBegun())
         return std::nullopt;
-    if (m_firstBreath && now - *m_firstBreath >= kVentilatedFor)
-        return *m_firstBreath + kVentilatedFor;
+    // What was just said may be taken back, or be followed by what is meant.
+    const SessionTime said = m_told.empty() ? SessionTime::min() : m_told.back().since;
+    if (m_firstBreath && now - std::max(*m_firstBreath, said) >= kVentilatedFor)
+        return std::max(*m_firstBreath, said) + kVentilatedFor;
     if (m_outSince && now - *m_outSince >= kOutFor)
         return *m_outSince;
     const SessionTime latest = m_events.front().at + kLongestTry;

@@ -15,7 +15,8 @@ namespace carina
 /// bounded memory: no try lasts longer than kLongestTry, and of one no more than kMostEvents events
 /// are kept.
 ///
-/// A try ends by itself kVentilatedFor after the first breath into a lung; once tube and blade have
+/// A try ends by itself kVentilatedFor after the first breath into a lung, or after a person said
+/// last where the tube is, so that no end is set back; once tube and blade have
 /// left the mouth for kOutFor, at the time when they left it; or after kLongestTry.
 /// A tube in the oesophagus does not end it:
 /// whether it is recognised is part of it. A person may end it at any time.

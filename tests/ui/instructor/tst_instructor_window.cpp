@@ -653,6 +653,42 @@ private Q_SLOTS:
         QVERIFY(shown.node.state()->lastApplied() > before);
     }
 
+    /// It was shown, hidden and is shown again; *Show* brings the keyboard to the row of the tube.
+    void tellsAWholeSentenceEachTime()
+    {
+        const test::ScratchFolder kept;
+        Shown shown{kept};
+        shown.node.linkReports = {{kTom, LinkState::Connected, {}, {}, {}},
+                                  {kOlga, LinkState::Connected, {}, {}, {}}};
+        shown.decide(SessionPhase::Running);
+        shown.takeEffect();
+        const auto look = [&] {
+            shown.node.advance(std::chrono::seconds{1});
+            shown.takeEffect();
+            shown.attention.look();
+            Shown::settle();
+        };
+        shown.node.decide(fact::IntubationNoted{{.step = IntubationStep::InOesophagus,
+                                                 .at = *shown.node.now(),
+                                                 .seat = TubeSeat::Oesophagus},
+                                                {}});
+        look();
+        const auto& text = shown.find<QLabel>("attention");
+        for (int round = 0; round < 3; ++round) {
+            QVERIFY(text.isVisible());
+            QVERIFY2(text.width() >= text.fontMetrics().horizontalAdvance(text.text()),
+                     qPrintable(QString::number(text.width())));
+            shown.node.decide(fact::TubePlaced{{TubeSeat::Trachea, millimetres(6.5)}});
+            look();
+            QVERIFY2(!text.isVisible(), qPrintable(text.text()));
+            shown.node.decide(fact::TubePlaced{});
+            look();
+        }
+        QApplication::setActiveWindow(&shown.window); // the display has no window manager
+        shown.find<QPushButton>("attend").click();
+        QVERIFY(shown.find<QComboBox>("tubeSeat").hasFocus());
+    }
+
     /// Of a point that was lost, among the steps beneath the patient.
     void leadsFromTheReportToTheMoment()
     {

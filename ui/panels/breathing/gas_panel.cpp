@@ -297,6 +297,8 @@ void GasPanel::refreshDose()
     m_give->setAccessibleName(tr("Give %1").arg(doseText({drug(), dose_mgPerKg() * weight})));
 }
 
+void GasPanel::goToTube() { m_tubeSeat->setFocus(); }
+
 void GasPanel::refreshTube()
 {
     const QString where = m_model->tubeText();

@@ -29,6 +29,8 @@ public:
 
     /// @pre the model outlives the panel.
     void setModel(GasModel& model);
+    /// The keyboard goes to the place of the tube.
+    void goToTube();
 
 private:
     void layOut();

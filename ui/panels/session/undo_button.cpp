@@ -45,6 +45,8 @@ void UndoButton::keyPressEvent(QKeyEvent* event)
 void UndoButton::refresh()
 {
     const QStringList texts = m_history.texts();
+    if (texts.isEmpty())
+        clearFocus(); // else the next control gets it, and the next press of a key
     setEnabled(!texts.isEmpty());
     m_undo->setEnabled(!texts.isEmpty());
     const QString named = texts.isEmpty() ? tr("Nothing to undo") : tr("Undo: %1").arg(texts[0]);

@@ -134,12 +134,17 @@ void DistantTube::compare(const StreamShape& sent, const RemoteObject& poses,
 
 TubeInAirway DistantTube::at(const StationMoment& moment, const TissueAround& tissue)
 {
+    const TubeDrawing drawing = moment.tubeIsApart ? TubeDrawing::Apart : TubeDrawing::InAirway;
+    if (moment.tube && moment.tubePoses && !moment.tubeShape && isKept(moment.time)) {
+        follow(*moment.tubePoses, moment.time, SessionTime::max(), tissue);
+        return {drawn(moment, tissue), drawing};
+    }
     if (!moment.tube || !moment.tubePoses || !moment.tubeShape) {
         if (m_tube)
             letGo();
         return {};
     }
-    const TubeDrawing drawing = moment.tubeIsApart ? TubeDrawing::Apart : TubeDrawing::InAirway;
+    m_formAt = moment.time;
     const bool isThere = isOf(moment.tubeShape->to, moment.time);
     if (isThere) {
         const SessionTime sent = moment.tubeShape->to.time;
@@ -151,11 +156,22 @@ TubeInAirway DistantTube::at(const StationMoment& moment, const TissueAround& ti
     }
     if (!isThere || !m_tube->isLaid())
         return {lineOf(*moment.tubeShape, m_patient->ownTube()), drawing};
+    return {drawn(moment, tissue), drawing};
+}
+
+/// Whether its rod is drawn though no form is known.
+bool DistantTube::isKept(SessionTime now) const
+{
+    return m_tube && m_tube->isLaid() && m_formAt && now - *m_formAt <= kKeptWithout;
+}
+
+std::vector<Vec3> DistantTube::drawn(const StationMoment& moment, const TissueAround& tissue) const
+{
     std::vector<Vec3> p_E =
         m_tube->ahead(moment.time, moment.tube->X_FO, connectorOf(*moment.tubePoses), tissue);
     for (std::size_t i = 0; m_off && i < p_E.size(); ++i)
         p_E[i] += (*m_off)[i];
-    return {std::move(p_E), drawing};
+    return p_E;
 }
 
 } // namespace carina

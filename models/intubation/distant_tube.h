@@ -28,7 +28,8 @@ public:
     /// Another patient lies there from now on. @pre it outlives this, or lives until the next one
     void lieIn(const PatientModel& patient);
 
-    /// How it is drawn at a moment; as its pose has it where its owner does not tell.
+    /// How it is drawn at a moment; as its pose has it where its owner has not told a form for
+    /// kKeptWithout.
     /// @param tissue as it is drawn then
     [[nodiscard]] TubeInAirway at(const StationMoment& moment, const TissueAround& tissue);
 
@@ -37,11 +38,16 @@ public:
 
     static constexpr Length kTooFar = millimetres(2.0);                   ///< of ours
     static constexpr Duration kLaidAnew = std::chrono::milliseconds{500}; ///< of ours
-    static constexpr Duration kSameTube = std::chrono::seconds{5};        ///< of ours
+    /// Its owner may have no time to send a form, and the poses go on: of ours.
+    static constexpr Duration kKeptWithout = std::chrono::seconds{2};
+    static constexpr Duration kSameTube = std::chrono::seconds{5}; ///< of ours
 
 private:
     [[nodiscard]] bool isOf(const StreamShape& shape, SessionTime now);
     void letGo();
+    [[nodiscard]] bool isKept(SessionTime now) const;
+    [[nodiscard]] std::vector<Vec3> drawn(const StationMoment& moment,
+                                          const TissueAround& tissue) const;
     void follow(const RemoteObject& poses, SessionTime now, SessionTime sent,
                 const TissueAround& tissue);
     void compare(const StreamShape& sent, const RemoteObject& poses, const TissueAround& tissue);
@@ -55,6 +61,7 @@ private:
     /// Of that form from the one that the rod had then, at the nodes; nothing where they are too
     /// far apart.
     std::optional<std::vector<Vec3>> m_off;
+    std::optional<SessionTime> m_formAt; ///< when a form was known last
     std::optional<SessionTime> m_agreed; ///< when both lay alike last
 };
 

@@ -138,6 +138,8 @@ public:
     {
         return m_tube.ahead(t, connectorAt(t), seen(), lifted().tissue());
     }
+    /// From now on it has no time for forms; its poses go on.
+    void stall() { m_isStalled = true; }
     [[nodiscard]] const TubeTip& tip() const { return m_tube.tube().tip(); }
     [[nodiscard]] std::vector<std::byte> sampleAt(SessionTime t)
     {
@@ -150,7 +152,8 @@ public:
         cpo.motion = StreamMotion{
             (cpo.X_AO.translation() - before.translation()) / kEach_s,
             rotationVector(cpo.X_AO.rotation() * before.rotation().conjugate()) / kEach_s};
-        cpo.shape = m_shape;
+        if (!m_isStalled)
+            cpo.shape = m_shape;
         std::vector<std::byte> bytes;
         ByteWriter out{bytes};
         writeStreamGroup(out, {ParticipantId{1}, 1, StationId{}, {cpo}});
@@ -169,6 +172,7 @@ private:
     ElasticTube m_tube{childWithTube().tube(), lumen()};
     std::optional<StreamShape> m_shape;
     std::uint16_t m_sequence = 0;
+    bool m_isStalled = false;
 };
 
 /// Who draws it elsewhere, of the same patient with another tube.
@@ -228,6 +232,7 @@ class TestDistantTubeInMotion : public QObject
 private Q_SLOTS:
     void liesAsItsOwnersAtTheSameSessionTime_data();
     void liesAsItsOwnersAtTheSameSessionTime();
+    void staysInTheAirwayForAWhileWithoutAForm();
 };
 
 void TestDistantTubeInMotion::liesAsItsOwnersAtTheSameSessionTime_data()
@@ -299,6 +304,34 @@ void TestDistantTubeInMotion::liesAsItsOwnersAtTheSameSessionTime()
     QCOMPARE(isInMainBronchus(owner.tip().seat), until == kInBronchus_m);
     QVERIFY2(atRest < kAtRest.si, qPrintable(told));
     QVERIFY2(share <= missed && farthest_mm < most_mm, qPrintable(told));
+}
+
+/// A computer that does much else has a form now and then: the tube does not leave the airway
+/// meanwhile.
+void TestDistantTubeInMotion::staysInTheAirwayForAWhileWithoutAForm()
+{
+    Owner owner{0.1, kInBronchus_m};
+    Elsewhere elsewhere;
+    const SessionTime rests = kBegin + owner.lasts() + kRests;
+    bool isMeasured = false;
+    double farthestStalled = 0.0;
+    for (SessionTime now = kBegin; now < rests + DistantTube::kKeptWithout; now += 20ms) {
+        owner.look(now);
+        if (now >= rests)
+            owner.stall();
+        elsewhere.take(owner.sampleAt(now), now);
+        const std::vector<Vec3> line = elsewhere.drawnAt(now);
+        if (!std::exchange(isMeasured, true))
+            elsewhere.awaitLumen();
+        if (now < rests)
+            continue;
+        QCOMPARE(line.size(), owner.drawnAt(now).size());
+        farthestStalled = std::max(farthestStalled, farthest(line, owner.drawnAt(now)));
+    }
+    QVERIFY2(farthestStalled < kAtRest.si, qPrintable(QString::number(farthestStalled)));
+    const SessionTime later = rests + 2 * DistantTube::kKeptWithout;
+    elsewhere.take(owner.sampleAt(later), later);
+    QVERIFY(elsewhere.drawnAt(later).empty());
 }
 
 CARINA_TEST(TestDistantTubeInMotion)

@@ -310,7 +310,7 @@ void TestDistantTubeInMotion::liesAsItsOwnersAtTheSameSessionTime()
 /// meanwhile.
 void TestDistantTubeInMotion::staysInTheAirwayForAWhileWithoutAForm()
 {
-    Owner owner{0.1, kInBronchus_m};
+    Owner owner{0.05, kAboveCarina_m};
     Elsewhere elsewhere;
     const SessionTime rests = kBegin + owner.lasts() + kRests;
     bool isMeasured = false;

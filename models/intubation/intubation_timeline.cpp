@@ -131,11 +131,6 @@ bool hasDepth(IntubationStep step)
     return false;
 }
 
-struct TimelineEntry {
-    SessionTime at{};
-    QString text;
-};
-
 /// The first breath goes where the console says that the tube is.
 IntubationEvent asSet(IntubationEvent event, const SetTube& set)
 {
@@ -216,7 +211,7 @@ QVariant IntubationTimeline::data(const QModelIndex& index, int role) const
 
 int IntubationTimeline::rowAt(SessionTime moment) const
 {
-    const auto later = std::ranges::upper_bound(m_lines, moment, {}, &Line::at);
+    const auto later = std::ranges::upper_bound(m_lines, moment, {}, &TimelineEntry::at);
     const auto row = later - m_lines.begin() - 1;
     return m_lines.empty() ? -1 : std::max(int(row), 0);
 }
@@ -225,13 +220,12 @@ void IntubationTimeline::refresh()
 {
     const auto state = m_session.node().state();
     const auto station = state->stations().find(m_station);
-    std::vector<TimelineEntry> entries;
+    std::vector<TimelineEntry> lines;
     if (station != state->stations().end())
-        entries = entriesOf(station->second.respiration);
-    std::vector<Line> lines;
-    for (const TimelineEntry& each : entries)
-        lines.push_back({each.at, tr("%1  %2", "running time; what happened")
-                                      .arg(timeText(state->runningTime(each.at)), each.text)});
+        lines = entriesOf(station->second.respiration);
+    for (TimelineEntry& each : lines)
+        each.text = tr("%1  %2", "running time; what happened")
+                        .arg(timeText(state->runningTime(each.at)), each.text);
     if (lines == m_lines)
         return;
     beginResetModel();

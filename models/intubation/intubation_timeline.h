@@ -10,6 +10,14 @@
 namespace carina
 {
 
+/// Something that happened, and the line that tells it.
+struct TimelineEntry {
+    SessionTime at{};
+    QString text;
+
+    friend bool operator==(const TimelineEntry&, const TimelineEntry&) = default;
+};
+
 /// The steps of the intubations at one station, as its monitor noted them, in the order in which
 /// they happened, one in a line: "00:48  Tube at rest, 20.1 cm at the teeth"; among them where the
 /// console set the tube, and the drugs that were given. The time is the session's running time.
@@ -32,18 +40,11 @@ public:
     [[nodiscard]] int rowAt(SessionTime moment) const;
 
 private:
-    struct Line {
-        SessionTime at{};
-        QString text;
-
-        friend bool operator==(const Line&, const Line&) = default;
-    };
-
     void refresh();
 
     SessionModel& m_session;
     StationId m_station;
-    std::vector<Line> m_lines; ///< in ascending time
+    std::vector<TimelineEntry> m_lines; ///< in ascending time
 };
 
 /// From this confidence on something is told, and not asked. Of ours.

@@ -84,13 +84,6 @@ bool DistantTube::isOf(const StreamShape& shape, SessionTime now)
     return m_tube.has_value();
 }
 
-void DistantTube::letGo()
-{
-    m_tube->letGo();
-    m_compared.reset();
-    m_off.reset();
-}
-
 /// Until when its owner follows it, but no farther than its poses are known, and not beyond the
 /// form with which it will be compared.
 void DistantTube::follow(const RemoteObject& poses, SessionTime now, SessionTime sent,
@@ -127,9 +120,17 @@ void DistantTube::compare(const StreamShape& sent, const RemoteObject& poses,
     if (most < kTooFar.si) {
         m_off = std::move(off);
     } else if (sent.time - *m_agreed > kLaidAnew) {
-        letGo();
-        m_agreed = sent.time;
+        if (layAs(sent, poses, tissue))
+            m_agreed = sent.time;
     }
+}
+
+/// Its curve at rest alone may have its tip in another way than its owner's went.
+bool DistantTube::layAs(const StreamShape& sent, const RemoteObject& poses,
+                        const TissueAround& tissue)
+{
+    const Vec3 p_E_tip = lineOf(sent, m_patient->ownTube()).back();
+    return m_tube->layAnew(sent.time, p_E_tip, sent.heldBack > 0.0, connectorOf(poses), tissue);
 }
 
 TubeInAirway DistantTube::at(const StationMoment& moment, const TissueAround& tissue)
@@ -141,18 +142,17 @@ TubeInAirway DistantTube::at(const StationMoment& moment, const TissueAround& ti
     }
     if (!moment.tube || !moment.tubePoses || !moment.tubeShape) {
         if (m_tube)
-            letGo();
+            m_tube->letGo();
+        m_compared.reset();
+        m_off.reset();
         return {};
     }
     m_formAt = moment.time;
-    const bool isThere = isOf(moment.tubeShape->to, moment.time);
-    if (isThere) {
-        const SessionTime sent = moment.tubeShape->to.time;
-        follow(*moment.tubePoses, moment.time, sent, tissue);
-        if (m_tube->isLaid())
-            compare(moment.tubeShape->to, *moment.tubePoses, tissue);
-        if (!m_tube->isLaid())
-            follow(*moment.tubePoses, moment.time, sent, tissue);
+    const StreamShape& sent = moment.tubeShape->to;
+    const bool isThere = isOf(sent, moment.time);
+    if (isThere && (m_tube->isLaid() || layAs(sent, *moment.tubePoses, tissue))) {
+        follow(*moment.tubePoses, moment.time, sent.time, tissue);
+        compare(sent, *moment.tubePoses, tissue);
     }
     if (!isThere || !m_tube->isLaid())
         return {lineOf(*moment.tubeShape, m_patient->ownTube()), drawing};

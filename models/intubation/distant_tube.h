@@ -16,10 +16,11 @@ namespace carina
 /// poses of the connector as they arrive, and the tube at rest: the patient's own, or as the form
 /// that is sent tells it. So the same rod is stepped in the same lumen (ElasticTube), and only the
 /// difference of the form that was sent last from its own at the same moment is taken from there,
-/// by the same eight numbers: none where poses and tissue were the same. Where both tubes lie
+/// by the same numbers: none where poses and tissue were the same. Where both tubes lie
 /// differently, as where one is held up at the cords and the other is not, by more than kTooFar,
-/// the rod here is drawn as it lies, since eight numbers alone can be centimetres off a rod that is
-/// pushed together; and it is laid anew after kLaidAnew. While there is no lumen the form that was
+/// the rod here is drawn as it lies, since eight numbers alone can be almost a centimetre off a rod
+/// that walls bend; and after kLaidAnew it is laid anew, as it was at first, with its tip where the
+/// form has it, and so in the same way and as far in. While there is no lumen the form that was
 /// sent is drawn as it is; so it is of what is no tube that is sold, or is another one within
 /// kSameTube: a lumen takes seconds to measure, and who sends decides what is sent.
 class DistantTube
@@ -44,13 +45,14 @@ public:
 
 private:
     [[nodiscard]] bool isOf(const StreamShape& shape, SessionTime now);
-    void letGo();
     [[nodiscard]] bool isKept(SessionTime now) const;
     [[nodiscard]] std::vector<Vec3> drawn(const StationMoment& moment,
                                           const TissueAround& tissue) const;
     void follow(const RemoteObject& poses, SessionTime now, SessionTime sent,
                 const TissueAround& tissue);
     void compare(const StreamShape& sent, const RemoteObject& poses, const TissueAround& tissue);
+    [[nodiscard]] bool layAs(const StreamShape& sent, const RemoteObject& poses,
+                             const TissueAround& tissue);
 
     const PatientModel* m_patient = nullptr;
     std::optional<StreamShape> m_of; ///< whose tube at rest it is

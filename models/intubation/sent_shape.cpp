@@ -56,7 +56,9 @@ std::vector<Vec3> lineAtRest(const StreamShape& shape, const TubeShape& own)
 StreamShape toStream(StreamShape of, const TubeShape& own, std::span<const Vec3> p_E, SessionTime t)
 {
     of.time = t;
-    const TubeShapeCode code = encoded(p_E, RigidTransform{}, lineAtRest(of, own)).code;
+    of.heldBack = p_E.front().norm();
+    const RigidTransform X_EB{Quat::Identity(), p_E.front()};
+    const TubeShapeCode code = encoded(p_E, X_EB, lineAtRest(of, own)).code;
     std::ranges::transform(code.perMetre, of.perMetre.begin(), [](double perMetre) {
         return std::clamp(perMetre, -kMostBent, kMostBent);
     });
@@ -68,7 +70,12 @@ std::vector<Vec3> lineOf(const StreamShape& shape, const TubeShape& own)
     TubeShapeCode code;
     std::ranges::transform(shape.perMetre, code.perMetre.begin(),
                            [](double perMetre) { return float(perMetre); });
-    return decoded(code, lineAtRest(shape, own));
+    const std::vector<Vec3> p_E_rest = lineAtRest(shape, own);
+    const Vec3 p_E_begin = -shape.heldBack * (p_E_rest[1] - p_E_rest[0]).normalized();
+    std::vector<Vec3> line = decoded(code, p_E_rest);
+    for (Vec3& p_E : line)
+        p_E += p_E_begin;
+    return line;
 }
 
 std::vector<Vec3> lineOf(const ShapeBetween& shape, const TubeShape& own)

@@ -74,6 +74,21 @@ void ElasticTube::follow(SessionTime until, const ConnectorAt& connectorAt,
     }
 }
 
+bool ElasticTube::layAnew(SessionTime t, const Vec3& p_E_tip, bool isHeldUp,
+                          const ConnectorAt& connectorAt, const TissueAround& tissue)
+{
+    const SessionTime at = stepUntil(t);
+    const auto X_AE = connectorAt(at);
+    const auto X_AE_tip = connectorAt(t);
+    if (!X_AE || !X_AE_tip)
+        return false;
+    m_tube = m_begun;
+    m_tube.found(*X_AE, *X_AE_tip * p_E_tip, isHeldUp, moved(*m_lumen, tissue.motion, tissue.push),
+                 centreIn(tissue.neck, m_shape));
+    m_laid = m_stepped = at;
+    return true;
+}
+
 void ElasticTube::letGo()
 {
     if (!m_stepped)

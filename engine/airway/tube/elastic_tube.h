@@ -43,6 +43,11 @@ public:
 
     /// Takes the steps that are due until a moment.
     void follow(SessionTime until, const ConnectorAt& connectorAt, const TissueAround& tissue);
+    /// Lays it anew at a moment as one that is found there (TubeInLumen::found).
+    /// @param p_E_tip where its tip is, about
+    /// @returns false where it was not seen then, and lies as before
+    bool layAnew(SessionTime t, const Vec3& p_E_tip, bool isHeldUp, const ConnectorAt& connectorAt,
+                 const TissueAround& tissue);
     /// Forgets how it lay.
     void letGo();
 

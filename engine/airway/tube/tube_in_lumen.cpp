@@ -100,19 +100,36 @@ TubeInLumen::TubeInLumen(const TubeSize& size, std::span<const Vec3> p_E_rest)
 void TubeInLumen::step(const RigidTransform& X_AE, const MovedLumen& lumen,
                        std::span<const Vec3> p_E_rest)
 {
-    const MovedWay& trunk = lumen.way(AirwayWay::Trunk);
-    CARINA_EXPECTS(trunk.isThere());
     if (!p_E_rest.empty())
         m_rod.setRest(inPieces(p_E_rest, kPieces));
+    lieIn(lumen, X_AE, m_rod.nodesAtRest(X_AE).back());
+}
+
+void TubeInLumen::found(const RigidTransform& X_AE, const Vec3& p_A_tip, bool isHeldUp,
+                        const MovedLumen& lumen, std::span<const Vec3> p_E_rest)
+{
+    if (!p_E_rest.empty())
+        m_rod.setRest(inPieces(p_E_rest, kPieces));
+    m_isInside = false;
+    lieIn(lumen, X_AE, p_A_tip, isHeldUp ? kFoundBefore : Length{});
+}
+
+/// @param p_A_tip where its tip is, or would be without walls
+/// @param before  of the tip of one that is found: it has passed only what lies farther before
+void TubeInLumen::lieIn(const MovedLumen& lumen, const RigidTransform& X_AE, const Vec3& p_A_tip,
+                        Length before)
+{
+    const MovedWay& trunk = lumen.way(AirwayWay::Trunk);
+    CARINA_EXPECTS(trunk.isThere());
     const std::vector<Vec3> measured = m_rod.nodesAtRest(X_AE);
     const bool wasInside = m_isInside;
-    m_isInside = isFoundInside(measured, lumen);
+    m_isInside = isFoundInside(measured, p_A_tip, lumen);
     if (m_isInside) {
-        const double before = wasInside ? tipOnWay() : 0.0;
-        m_way.which = nearestWay(measured.back(), lumen, wasInside);
+        const double was = wasInside ? tipOnWay() : 0.0;
+        m_way.which = nearestWay(p_A_tip, lumen, wasInside);
         m_way.branch = branchOf(lumen, m_way.which);
         guideAlong(measured[0], (measured[1] - measured[0]).normalized(), lumen);
-        const double place = wasInside ? before : placeIn(lumen, m_way.which, measured.back());
+        const double place = wasInside ? was : placeIn(lumen, m_way.which, p_A_tip) - before.si;
         const RodHold hold{X_AE, &m_guide, m_onGuide.clamp, guideAt(stopAhead(place, lumen)),
                            kHeldByHand};
         if (!wasInside || !m_rod.step(hold))
@@ -129,9 +146,9 @@ void TubeInLumen::step(const RigidTransform& X_AE, const MovedLumen& lumen,
     judgeTip(lumen);
 }
 
-bool TubeInLumen::isFoundInside(std::span<const Vec3> measured, const MovedLumen& lumen) const
+bool TubeInLumen::isFoundInside(std::span<const Vec3> measured, const Vec3& p_A_tip,
+                                const MovedLumen& lumen) const
 {
-    const Vec3& p_A_tip = measured.back();
     const AirwayWay which = nearestWay(p_A_tip, lumen, m_isInside);
     const double behindTeeth = placeIn(lumen, which, p_A_tip) - lumen.teeth;
     if (behindTeeth < (m_isInside ? -kLeaves : 0.0))

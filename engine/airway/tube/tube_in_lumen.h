@@ -50,6 +50,12 @@ public:
     /// @param p_E_rest its curve at rest from now on, as long as before; empty: as it was
     void step(const RigidTransform& X_AE, const MovedLumen& lumen,
               std::span<const Vec3> p_E_rest = {});
+    /// A step of one that is found anew, with its tip about here: that tells the way that it lies
+    /// in and how far it has come, in place of its curve as measured.
+    /// @param isHeldUp at a place that it has not passed then: the first from kFoundBefore before
+    ///                 that tip on
+    void found(const RigidTransform& X_AE, const Vec3& p_A_tip, bool isHeldUp,
+               const MovedLumen& lumen, std::span<const Vec3> p_E_rest = {});
 
     [[nodiscard]] const TubeSize& size() const { return m_size; }
     /// Centre line in A, from the connector to the tip.
@@ -65,6 +71,7 @@ public:
     static constexpr double kNearerEach = 0.3;
     static constexpr double kHeldByHand = 30.0;
     static constexpr Length kBeforeTeeth = millimetres(6.0);
+    static constexpr Length kFoundBefore = millimetres(10.0);
 
 private:
     /// The way that it lies in, from in front of the teeth to its end: at first along the trunk.
@@ -81,7 +88,10 @@ private:
         double joined = 0.0;
     };
 
-    [[nodiscard]] bool isFoundInside(std::span<const Vec3> measured, const MovedLumen& lumen) const;
+    void lieIn(const MovedLumen& lumen, const RigidTransform& X_AE, const Vec3& p_A_tip,
+               Length before = {});
+    [[nodiscard]] bool isFoundInside(std::span<const Vec3> measured, const Vec3& p_A_tip,
+                                     const MovedLumen& lumen) const;
     [[nodiscard]] AirwayWay nearestWay(const Vec3& p_A_tip, const MovedLumen& lumen,
                                        bool isHeld) const;
     void guideAlong(const Vec3& p_A, const Vec3& direction, const MovedLumen& lumen);

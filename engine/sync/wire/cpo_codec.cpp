@@ -41,6 +41,8 @@ void writeShape(BlockWriter<Bytes>& out, const StreamShape& shape, SessionTime o
     };
     write(shape.atRest);
     write(shape.perMetre);
+    out.number(
+        static_cast<std::uint16_t>(quantise(shape.heldBack, kShapeLengthStep, kLargestUint16)));
 }
 
 void writeStream(ByteWriter& buffer, const StreamCpo& stream)
@@ -136,6 +138,7 @@ StreamShape readShape(ByteReader& in, SessionTime ofSample)
     read(shape.atRest);
     in.require(length > 0 || shape.isOfPatientsTube(), "form at rest");
     read(shape.perMetre);
+    shape.heldBack = in.number<std::uint16_t>() * kShapeLengthStep;
     return shape;
 }
 
@@ -170,12 +173,14 @@ bool isInRange(const StreamShape& shape, SessionTime ofSample)
     const auto canBeSent = [](double perMetre) {
         return std::abs(perMetre) <= kLargestInt16 * kCurvatureStep;
     };
-    const bool hasSize =
-        shape.thickness >= kThicknessStep && shape.thickness <= kLargestUint8 * kThicknessStep
-        && shape.length >= kShapeLengthStep && shape.length <= kLargestUint16 * kShapeLengthStep;
+    constexpr double kLongest = kLargestUint16 * kShapeLengthStep;
+    const bool hasSize = shape.thickness >= kThicknessStep
+                         && shape.thickness <= kLargestUint8 * kThicknessStep
+                         && shape.length >= kShapeLengthStep && shape.length <= kLongest;
     return age >= Duration{} && age <= kLargestUint8 * kShapeAgeStep
            && (hasSize || shape.isOfPatientsTube()) && std::ranges::all_of(shape.atRest, canBeSent)
-           && std::ranges::all_of(shape.perMetre, canBeSent);
+           && std::ranges::all_of(shape.perMetre, canBeSent) && shape.heldBack >= 0.0
+           && shape.heldBack <= kLongest;
 }
 
 std::size_t bytesOf(const StreamCpo& stream)

@@ -9,7 +9,7 @@ namespace carina
 
 inline constexpr std::size_t kStreamGroupHeaderBytes = 11;
 inline constexpr std::size_t kStreamCpoBytes = 37; ///< without a form
-inline constexpr std::size_t kStreamShapeBytes = 24;
+inline constexpr std::size_t kStreamShapeBytes = 26;
 inline constexpr std::size_t kEventCpoBytes = 93;
 /// By how much the length of a quaternion that arrives may differ from 1.
 inline constexpr double kUnitTolerance = 1e-9;

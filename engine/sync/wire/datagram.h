@@ -17,7 +17,7 @@ namespace carina
 {
 
 /// Version of this layout; a peer with another version is refused.
-inline constexpr std::uint8_t kProtocolVersion = 19;
+inline constexpr std::uint8_t kProtocolVersion = 20;
 /// Bytes. With DTLS (29 bytes) a UDP payload has at most 1200 bytes, which fits the MTU of any
 /// usual path without fragmentation.
 inline constexpr std::size_t kLargestDatagram = 1160;

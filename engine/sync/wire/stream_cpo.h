@@ -22,19 +22,21 @@ struct StreamMotion {
 };
 
 /// The form of an object that bends, as its owner draws it: of a tube what it is at rest
-/// (TubeRest), and by how much it bends from that in eight numbers (TubeShapeCode). The tube that
-/// the patient has, which every program knows, has length, thickness and curvature 0.
+/// (TubeRest), by how much it bends from that in eight numbers (TubeShapeCode), and how far behind
+/// its pose it begins, as what is held up lies behind the hand that pushes it (ElasticRod). The
+/// tube that the patient has, which every program knows, has length, thickness and curvature 0.
 ///
-/// On the wire it is quantised: its time to 1 ms, up to 255 ms before that of the sample, the
-/// length to 10 um up to 655 mm, the thickness to 0.1 mm up to 25.5 mm, and each number per metre
-/// to 0.002 within +-65.5. A form with a value outside its range is not sent, nor one that has
-/// a length or a thickness alone.
+/// On the wire it is quantised: its time to 1 ms, up to 255 ms before that of the sample, length
+/// and way behind the pose to 10 um up to 655 mm, the thickness to 0.1 mm up to 25.5 mm, and each
+/// number per metre to 0.002 within +-65.5. A form with a value outside its range is not sent, nor
+/// one that has a length or a thickness alone.
 struct StreamShape {
     SessionTime time{};             ///< of the sample or before
     double length = 0.0;            ///< metres
     double thickness = 0.0;         ///< metres
     std::array<double, 2> atRest{}; ///< curvature of its halves, per metre
     std::array<double, 8> perMetre{};
+    double heldBack = 0.0; ///< metres
 
     [[nodiscard]] bool isOfPatientsTube() const
     {

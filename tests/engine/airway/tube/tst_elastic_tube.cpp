@@ -125,6 +125,21 @@ private Q_SLOTS:
         QVERIFY(!followed.isLaid());
     }
 
+    /// At the pose of the latest step, whatever it lay like, and not where it was not seen.
+    void liesWhereAnotherHasItsTip()
+    {
+        ElasticTube followed = tube();
+        follow(followed, 20ms);
+        const Vec3 p_E_tip = hand(kEnd)->inverse() * followed.tube().tip().p_A;
+        ElasticTube laid = tube();
+        const auto unseen = [](SessionTime) { return std::optional<RigidTransform>{}; };
+        QVERIFY(!laid.layAnew(kEnd, p_E_tip, false, unseen, still()));
+        QVERIFY(!laid.isLaid());
+        QVERIFY(laid.layAnew(kEnd + 3ms, p_E_tip, false, hand, still()));
+        laid.follow(kEnd + 500ms, hand, still());
+        QVERIFY((laid.tube().tip().p_A - followed.tube().tip().p_A).norm() < kSettled_m);
+    }
+
     void forgetsHowItLay()
     {
         ElasticTube followed = tube();

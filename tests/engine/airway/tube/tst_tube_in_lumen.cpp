@@ -69,6 +69,17 @@ RigidTransform pointingAt(const TubeSize& size, const Vec3& p_A_tip)
     return {q, p_A_tip - size.length.si * along};
 }
 
+/// A ring in the trunk that is too narrow for a tube.
+const LumenSection& narrowed(AirwayLumen& lumen, std::size_t ring, const TubeSize& size)
+{
+    LumenSection& narrow = lumen.ways.front()[ring];
+    for (LumenLimit& limit : narrow.limits) {
+        const Vec3 out = (limit.p_A_wall - narrow.p_A_centre).normalized();
+        limit.p_A_wall = narrow.p_A_centre + (size.outerRadius().si - 0.0006) * out;
+    }
+    return narrow;
+}
+
 void sizes()
 {
     QTest::addColumn<double>("inner_mm");
@@ -96,6 +107,8 @@ private Q_SLOTS:
     void takesTheWayToWhichItsTipIsNearest();
     void doesNotGoOverDeepInAWay();
     void isFoundAgainInTheSameWay();
+    void liesInTheWayInWhichItIsFound();
+    void isFoundBeforeWhatHoldsItUpOrBehind();
     void staysBehindAHandThatPushesItOn();
     void givesTheSameBits();
 };
@@ -150,11 +163,7 @@ void TestTubeInLumen::isStoppedByARing()
     const TubeSize size = sizeOf(inner_mm);
     AirwayLumen lumen = airway.lumenFor(size.outerRadius());
     const std::size_t ring = lumen.glottis + 5;
-    LumenSection& narrow = lumen.ways.front()[ring];
-    for (LumenLimit& limit : narrow.limits) {
-        const Vec3 out = (limit.p_A_wall - narrow.p_A_centre).normalized();
-        limit.p_A_wall = narrow.p_A_centre + (size.outerRadius().si - 0.0006) * out;
-    }
+    const LumenSection& narrow = narrowed(lumen, ring, size);
     TubeInLumen tube = tubeOf(size);
     feed(tube, unmoved(lumen), 0.22);
     QVERIFY(tube.tip().p_A.z() > narrow.p_A_centre.z());
@@ -279,17 +288,46 @@ void TestTubeInLumen::isFoundAgainInTheSameWay()
     QCOMPARE(tube.tip().way, AirwayWay::Oesophagus);
 }
 
+/// Whatever its curve as measured says.
+void TestTubeInLumen::liesInTheWayInWhichItIsFound()
+{
+    const TubeSize size = sizeOf(7.0);
+    const std::vector<Vec3> line{Vec3::Zero(), -size.length.si * Vec3::UnitZ()};
+    const MovedLumen lumen = unmoved(forked(size.outerRadius()));
+    const Vec3 p_A_trunk{0.0, 0.16, 0.0};
+    const Vec3 p_A_branch{0.0, 0.16, 0.02};
+    TubeInLumen tube{size, line};
+    tube.found(pointingAt(size, p_A_trunk), p_A_branch, false, lumen);
+    QCOMPARE(tube.tip().way, AirwayWay::Oesophagus);
+    tube.found(pointingAt(size, p_A_branch), p_A_trunk, false, lumen);
+    QCOMPARE(tube.tip().way, AirwayWay::Trunk);
+}
+
+/// Also where its tip is known to a few millimetres.
+void TestTubeInLumen::isFoundBeforeWhatHoldsItUpOrBehind()
+{
+    const TubeSize size = sizeOf(7.0);
+    AirwayLumen lumen = BentLumen{}.lumenFor(size.outerRadius());
+    const std::size_t ring = lumen.glottis + 5;
+    const double z = narrowed(lumen, ring, size).p_A_centre.z();
+    const Vec3 p_A_behind = lumen.ways.front()[ring + 1].p_A_centre; // by 4 mm
+    for (const bool isHeldUp : {true, false}) {
+        TubeInLumen tube = tubeOf(size);
+        tube.found(fed(size, 0.21), p_A_behind, isHeldUp, unmoved(lumen));
+        for (int i = 0; i < 60; ++i)
+            tube.step(fed(size, 0.21), unmoved(lumen));
+        QCOMPARE(tube.tip().isStopped, isHeldUp);
+        QCOMPARE(tube.tip().p_A.z() > z, isHeldUp);
+    }
+}
+
 void TestTubeInLumen::staysBehindAHandThatPushesItOn()
 {
     constexpr Length kNear = millimetres(3.0);
     const BentLumen airway;
     const TubeSize size = sizeOf(7.0);
     AirwayLumen lumen = airway.lumenFor(size.outerRadius());
-    LumenSection& narrow = lumen.ways.front()[lumen.glottis + 5];
-    for (LumenLimit& limit : narrow.limits)
-        limit.p_A_wall =
-            narrow.p_A_centre
-            + (size.outerRadius().si - 0.0006) * (limit.p_A_wall - narrow.p_A_centre).normalized();
+    narrowed(lumen, lumen.glottis + 5, size);
     TubeInLumen tube = tubeOf(size);
     feed(tube, unmoved(lumen), 0.19);
     const Length depth = tube.tip().depth;

@@ -26,11 +26,11 @@ inline BundleHeader goldenHeader()
 }
 
 inline constexpr const char* kGoldenHeaderHex =
-    "43 41 13 03  44 33 22 11  88 77 66 55  01 02  08 07 06 05 04 03 02 01"
+    "43 41 14 03  44 33 22 11  88 77 66 55  01 02  08 07 06 05 04 03 02 01"
     "fe ff ff ff ff ff ff ff  ff ff ff ff";
 
 inline constexpr const char* kPlainHeaderHex =
-    "43 41 13 00  01 00 00 00  02 00 00 00  ff ff  00 00 00 00 00 00 00 00"
+    "43 41 14 00  01 00 00 00  02 00 00 00  ff ff  00 00 00 00 00 00 00 00"
     "00 00 00 00 00 00 00 00  00 00 00 00";
 
 /// A quarter turn about z at (0.1, -0.2, 0.3) m, 2^32 + 5 us after the epoch.
@@ -52,11 +52,9 @@ inline StreamCpo goldenStream()
 inline StreamCpo goldenBentStream()
 {
     StreamCpo stream = goldenStream();
-    stream.shape = StreamShape{stream.time - std::chrono::milliseconds{20},
-                               0.3,
-                               0.0089,
-                               {7.0, -7.0},
-                               {1.0, -2.0, 0.002, 65.534, -65.534, 0.0, 4.0, -0.002}};
+    stream.shape = StreamShape{
+        stream.time - std::chrono::milliseconds{20},           0.3,   0.0089, {7.0, -7.0},
+        {1.0, -2.0, 0.002, 65.534, -65.534, 0.0, 4.0, -0.002}, 0.0123};
     return stream;
 }
 
@@ -181,13 +179,13 @@ inline std::vector<GoldenRecord> goldenRecords()
          "01  02 00  05 04  06 00  01 00 00 00  01"
          "02 01  04 03  36  14  05 00 00 00  00 00 00 00 ff 7f  10 27 00 e0 b1 ff 30 75 00"
          "10 27 78 ec 00 00  94 11 ff ff 00 00"
-         "14  59  30 75  ac 0d 54 f2  f4 01 18 fc 01 00 ff 7f 01 80 00 00 d0 07 ff ff"},
+         "14  59  30 75  ac 0d 54 f2  f4 01 18 fc 01 00 ff 7f 01 80 00 00 d0 07 ff ff  ce 04"},
         {"stream group with the form of the patient's tube",
          StreamGroup{ParticipantId{2}, 0x0405, StationId{6}, {goldenPatientsTube()}},
          "01  02 00  05 04  06 00  01 00 00 00  01"
          "02 01  04 03  36  14  05 00 00 00  00 00 00 00 ff 7f  10 27 00 e0 b1 ff 30 75 00"
          "10 27 78 ec 00 00  94 11 ff ff 00 00"
-         "14  00  00 00  00 00 00 00  f4 01 18 fc 01 00 ff 7f 01 80 00 00 d0 07 ff ff"},
+         "14  00  00 00  00 00 00 00  f4 01 18 fc 01 00 ff 7f 01 80 00 00 d0 07 ff ff  ce 04"},
     };
 }
 

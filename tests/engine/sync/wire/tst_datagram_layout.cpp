@@ -244,6 +244,7 @@ private Q_SLOTS:
                 perMetre = 65.5 * unit(random);
             for (double& perMetre : form.perMetre)
                 perMetre = 65.5 * unit(random);
+            form.heldBack = 0.325 * (1.0 + unit(random));
             auto bytes = encodeHeader({});
             const auto record = encoded(StreamGroup{ParticipantId{1}, 2, StationId{3}, {sent}});
             QCOMPARE(record.size(), 1 + kStreamGroupHeaderBytes + bytesOf(sent));
@@ -254,6 +255,7 @@ private Q_SLOTS:
             QVERIFY(arrivedWithinSteps(got, sent) && got.shape);
             QVERIFY(std::abs(toSeconds(got.shape->time - form.time)) <= kFormTimeTolerance);
             QVERIFY(std::abs(got.shape->length - form.length) <= kPositionTolerance);
+            QVERIFY(std::abs(got.shape->heldBack - form.heldBack) <= kPositionTolerance);
             QVERIFY(std::abs(got.shape->thickness - form.thickness) <= kThicknessTolerance);
             for (std::size_t i = 0; i < form.atRest.size(); ++i)
                 QVERIFY(std::abs(got.shape->atRest[i] - form.atRest[i]) <= kCurvatureTolerance);
@@ -269,16 +271,19 @@ private Q_SLOTS:
         QTest::addColumn<double>("length_m");
         QTest::addColumn<double>("thickness_m");
         QTest::addColumn<double>("perMetre");
-        QTest::newRow("too old") << qint64{256'000} << 0.3 << 0.01 << 1.0;
-        QTest::newRow("of later than its sample") << qint64{-1} << 0.3 << 0.01 << 1.0;
-        QTest::newRow("without length") << qint64{0} << 0.0 << 0.01 << 1.0;
-        QTest::newRow("curved at rest without both") << qint64{0} << 0.0 << 0.0 << 1.0;
-        QTest::newRow("too long") << qint64{0} << 0.66 << 0.01 << 1.0;
-        QTest::newRow("without thickness") << qint64{0} << 0.3 << 0.0 << 1.0;
-        QTest::newRow("too thick") << qint64{0} << 0.3 << 0.0256 << 1.0;
-        QTest::newRow("too curved") << qint64{0} << 0.3 << 0.01 << 65.6;
+        QTest::addColumn<double>("heldBack_m");
+        QTest::newRow("too old") << qint64{256'000} << 0.3 << 0.01 << 1.0 << 0.0;
+        QTest::newRow("of later than its sample") << qint64{-1} << 0.3 << 0.01 << 1.0 << 0.0;
+        QTest::newRow("without length") << qint64{0} << 0.0 << 0.01 << 1.0 << 0.0;
+        QTest::newRow("curved at rest without both") << qint64{0} << 0.0 << 0.0 << 1.0 << 0.0;
+        QTest::newRow("too long") << qint64{0} << 0.66 << 0.01 << 1.0 << 0.0;
+        QTest::newRow("without thickness") << qint64{0} << 0.3 << 0.0 << 1.0 << 0.0;
+        QTest::newRow("too thick") << qint64{0} << 0.3 << 0.0256 << 1.0 << 0.0;
+        QTest::newRow("too curved") << qint64{0} << 0.3 << 0.01 << 65.6 << 0.0;
         QTest::newRow("not a number")
-            << qint64{0} << 0.3 << 0.01 << std::numeric_limits<double>::quiet_NaN();
+            << qint64{0} << 0.3 << 0.01 << std::numeric_limits<double>::quiet_NaN() << 0.0;
+        QTest::newRow("too far behind") << qint64{0} << 0.3 << 0.01 << 1.0 << 0.66;
+        QTest::newRow("in front of its pose") << qint64{0} << 0.3 << 0.01 << 1.0 << -0.001;
     }
 
     void aFormOutOfItsRangeIsNotSent()
@@ -287,13 +292,15 @@ private Q_SLOTS:
         QFETCH(double, length_m);
         QFETCH(double, thickness_m);
         QFETCH(double, perMetre);
+        QFETCH(double, heldBack_m);
         StreamCpo stream = goldenStream();
         const auto plain = encoded(StreamGroup{ParticipantId{1}, 2, StationId{3}, {stream}});
         stream.shape = StreamShape{stream.time - std::chrono::microseconds{age_us},
                                    length_m,
                                    thickness_m,
                                    {7.0, 7.0},
-                                   {1.0, perMetre}};
+                                   {1.0, perMetre},
+                                   heldBack_m};
         QCOMPARE(bytesOf(stream), kStreamCpoBytes);
         QCOMPARE(toHex(encoded(StreamGroup{ParticipantId{1}, 2, StationId{3}, {stream}})),
                  toHex(plain));

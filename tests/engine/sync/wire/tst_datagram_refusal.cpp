@@ -31,7 +31,8 @@ bool isSound(const StreamShape& shape, SessionTime ofSample)
     return shape.time <= ofSample && ofSample - shape.time < std::chrono::seconds{1}
            && (hasSize || shape.isOfPatientsTube()) && shape.length < 1.0 && shape.thickness < 0.03
            && std::ranges::all_of(shape.atRest, isSoundNumber)
-           && std::ranges::all_of(shape.perMetre, isSoundNumber);
+           && std::ranges::all_of(shape.perMetre, isSoundNumber) && shape.heldBack >= 0.0
+           && shape.heldBack < 1.0;
 }
 
 /// Everything that a node relies on after decoding.

@@ -106,7 +106,7 @@ QString seatText(TubeSeat seat)
 QString setTubeText(const SetTube& tube)
 {
     if (!tube.isSet())
-        return physiologyWords(QT_TRANSLATE_NOOP("Physiology", "not set"));
+        return physiologyWords(QT_TRANSLATE_NOOP("Physiology", "as tracked"));
     return QCoreApplication::translate("Physiology", "%1, %2\u00a0mm", "place of a tube; its size")
         .arg(seatText(tube.seat))
         .arg(inMillimetres(tube.innerDiameter), 0, 'f', 1);

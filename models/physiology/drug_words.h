@@ -30,7 +30,7 @@ namespace carina
 [[nodiscard]] QString gasText(const GasSupply& gas);
 /// "in the right main bronchus".
 [[nodiscard]] QString seatText(TubeSeat seat);
-/// "in the trachea, 6.5 mm"; "not set".
+/// "in the trachea, 6.5 mm"; "as tracked".
 [[nodiscard]] QString setTubeText(const SetTube& tube);
 
 } // namespace carina

@@ -169,8 +169,8 @@ QString GasModel::tubeText() const
         return {};
     const QString place = seatText(timeline->tubePlaceAt(now).seat);
     return timeline->tube().isOverriddenAt(now)
-               ? tr("▲ Tube: %1, as the console sets it; what is noted has no effect").arg(place)
-               : tr("Tube: %1, as it is noted").arg(place);
+               ? tr("▲ Tube: %1, as the console sets it, not as tracked").arg(place)
+               : tr("Tube: %1, as tracked").arg(place);
 }
 
 QString GasModel::travellingText() const

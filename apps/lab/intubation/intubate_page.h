@@ -59,7 +59,8 @@ inline constexpr Key kAttempts{"attempts", "how often the blade went in, by the 
 inline constexpr Key kDepth{
     "depth_at_teeth_mm", "of the tip in the end, by the monitor; null where it is frozen, as both "
                          "shapes of the tube are apart"};
-inline constexpr Key kAboveCarina{"tip_above_carina_mm", "likewise, along the airway"};
+inline constexpr Key kAboveCarina{"tip_above_carina_mm",
+                                  "likewise, along the airway; null in the oesophagus"};
 inline constexpr Key kRegistration{"registration_share_mm",
                                    "how far the registration's error moves the tip in the end"};
 inline constexpr Key kRegistrationAtTeeth{"registration_at_teeth_mm",
@@ -80,7 +81,8 @@ inline constexpr Key kNotedAt{"noted_at_s", "when it was noted", 1};
 inline constexpr Key kSeat{"seat", "where the tip is from then on", 1};
 inline constexpr Key kStepConfidence{"confidence", "0 to 1", 1};
 inline constexpr Key kStepDepth{"depth_at_teeth_mm", "of the tip", 1};
-inline constexpr Key kStepAboveCarina{"tip_above_carina_mm", "of the tip", 1};
+inline constexpr Key kStepAboveCarina{"tip_above_carina_mm", "of the tip; null in the oesophagus",
+                                      1};
 inline constexpr Key kVitals{"vitals", "of the patient, every ten seconds:"};
 inline constexpr Key kVitalsAt{"at_s", "from the start", 1};
 inline constexpr Key kSaturation{"saturation_percent", "of the arterial blood", 1};

@@ -37,19 +37,26 @@ QJsonObject truthObject(const IntubationTrial& trial)
             {key::kTrueTimeline, timeline}};
 }
 
+/// No way leads there from the oesophagus.
+QJsonValue aboveCarina(TubeSeat seat, Length above)
+{
+    return seat == TubeSeat::Oesophagus ? QJsonValue{} : inMillimetres(above);
+}
+
 QJsonArray timelineOf(const WatchedIntubation& watched)
 {
     std::vector<NotedStep> steps = watched.noted;
     std::ranges::stable_sort(steps, {}, [](const NotedStep& step) { return step.event.at; });
     QJsonArray timeline;
     for (const NotedStep& step : steps)
-        timeline += QJsonObject{{key::kStep, stepWord(step.event.step)},
-                                {key::kAt, sinceStart(step.event.at)},
-                                {key::kNotedAt, sinceStart(step.effect)},
-                                {key::kSeat, seatWord(step.event.seat)},
-                                {key::kStepConfidence, step.event.confidence},
-                                {key::kStepDepth, inMillimetres(step.event.depthAtTeeth)},
-                                {key::kStepAboveCarina, inMillimetres(step.event.tipAboveCarina)}};
+        timeline += QJsonObject{
+            {key::kStep, stepWord(step.event.step)},
+            {key::kAt, sinceStart(step.event.at)},
+            {key::kNotedAt, sinceStart(step.effect)},
+            {key::kSeat, seatWord(step.event.seat)},
+            {key::kStepConfidence, step.event.confidence},
+            {key::kStepDepth, inMillimetres(step.event.depthAtTeeth)},
+            {key::kStepAboveCarina, aboveCarina(step.event.seat, step.event.tipAboveCarina)}};
     return timeline;
 }
 
@@ -139,9 +146,9 @@ void addScore(QJsonObject& report, const TryMetrics& metrics)
 }
 
 /// Of a depth that is frozen, nothing.
-QJsonValue toldBy(const IntubationCourse& course, Length TipReading::*length)
+QJsonValue toldBy(const IntubationCourse& course, const QJsonValue& told)
 {
-    return course.shapes.isIn ? QJsonValue{} : inMillimetres(course.tip.*length);
+    return course.shapes.isIn ? QJsonValue{} : told;
 }
 
 } // namespace
@@ -163,17 +170,19 @@ QJsonObject watchedReport(const IntubationSubject& subject, const WatchedIntubat
 {
     const std::vector<VitalsReading> readings =
         patientOf(subject, watched, watched.end() + kAfterwards);
-    QJsonObject report{{key::kPatient, QString::fromStdString(subject.name)},
-                       {key::kTube, inMillimetres(subject.innerDiameter)},
-                       {key::kShape, shapeWord(subject)},
-                       {key::kOutcome, seatWord(watched.course.seat)},
-                       {key::kConfidence, watched.course.confidence},
-                       {key::kAttempts, watched.course.attempts},
-                       {key::kDepth, toldBy(watched.course, &TipReading::depthAtTeeth)},
-                       {key::kAboveCarina, toldBy(watched.course, &TipReading::aboveCarina)},
-                       {key::kTimeline, timelineOf(watched)},
-                       {key::kVitals, vitalsOf(readings)},
-                       {key::kScore, QJsonValue{}}};
+    QJsonObject report{
+        {key::kPatient, QString::fromStdString(subject.name)},
+        {key::kTube, inMillimetres(subject.innerDiameter)},
+        {key::kShape, shapeWord(subject)},
+        {key::kOutcome, seatWord(watched.course.seat)},
+        {key::kConfidence, watched.course.confidence},
+        {key::kAttempts, watched.course.attempts},
+        {key::kDepth, toldBy(watched.course, inMillimetres(watched.course.tip.depthAtTeeth))},
+        {key::kAboveCarina,
+         toldBy(watched.course, aboveCarina(watched.course.seat, watched.course.tip.aboveCarina))},
+        {key::kTimeline, timelineOf(watched)},
+        {key::kVitals, vitalsOf(readings)},
+        {key::kScore, QJsonValue{}}};
     if (watched.measured.hasBegun())
         addScore(report, metricsOf(subject, watched, readings));
     return report;

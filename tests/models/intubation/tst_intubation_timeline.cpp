@@ -154,7 +154,7 @@ private Q_SLOTS:
         QCOMPARE(story.line(1),
                  QStringLiteral("00:10  Console: tube in the oesophagus, 6.5\u00a0mm"));
         QCOMPARE(story.line(2), QStringLiteral("00:15  ▲ First breath goes into the oesophagus"));
-        QCOMPARE(story.line(3), QStringLiteral("00:16  Console: tube not set"));
+        QCOMPARE(story.line(3), QStringLiteral("00:16  Console: tube as tracked"));
     }
 
     /// What is noted later can have happened earlier.

@@ -219,7 +219,7 @@ void TestGasModel::tellsWhereTheTubeIsAndWhatOverridesIt()
 {
     Console console;
     console.note(IntubationStep::InOesophagus, TubeSeat::Oesophagus);
-    QCOMPARE(console.model.tubeText(), QStringLiteral("Tube: in the oesophagus, as it is noted"));
+    QCOMPARE(console.model.tubeText(), QStringLiteral("Tube: in the oesophagus, as tracked"));
     console.model.setTube({TubeSeat::Trachea, millimetres(6.5)});
     console.settle();
     QVERIFY(console.model.tubeText().startsWith(QStringLiteral("▲ Tube: in the trachea")));
@@ -243,7 +243,7 @@ void TestGasModel::setsWhereTheTubeIs()
     };
     QVERIFY(place() == (TubePlace{TubeSeat::Oesophagus, millimetres(6.5)}));
     console.model.undo();
-    QCOMPARE(console.model.travellingText(), QStringLiteral("Tube → not set"));
+    QCOMPARE(console.model.travellingText(), QStringLiteral("Tube → as tracked"));
     console.settle();
     QVERIFY(!console.model.tube().isSet());
     QVERIFY(place() == TubePlace{});

@@ -150,7 +150,7 @@ void GasPanel::laySetTube(QFormLayout& rows)
     m_tubeSeat->setAccessibleName(tr("Where the console sets the tube"));
     m_tubeSeat->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_tubeSeat->setMinimumContentsLength(kPlaceLetters);
-    m_tubeSeat->addItem(tr("not set"));
+    m_tubeSeat->addItem(tr("as tracked"));
     for (const TubeSeat seat : kSettableSeats)
         m_tubeSeat->addItem(seatText(seat));
     m_tubeSize->setObjectName(QStringLiteral("tubeSize"));

@@ -142,6 +142,15 @@ private Q_SLOTS:
         QVERIFY(trialReport(subject(), whole)[QStringLiteral("tip_above_carina_mm")].isNull());
     }
 
+    void tellsNoDistanceFromTheCarinaInTheOesophagus()
+    {
+        const auto above = [](MotionKind kind) {
+            return trialReport(subject(), trialOf(kind))[QStringLiteral("tip_above_carina_mm")];
+        };
+        QVERIFY(above(MotionKind::Good).isDouble());
+        QVERIFY(above(MotionKind::Oesophageal).isNull());
+    }
+
     void saysInWhichShapeTheTubeWasShown()
     {
         IntubationSubject bending = subject();

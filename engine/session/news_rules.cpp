@@ -75,6 +75,11 @@ bool isSaid(const SessionState& state, const Fact& fact)
                 const Station* station = known(state.stations(), fact.station);
                 return station && !station->respiration.tube().styletInAt(SessionTime::max());
             },
+            [&](const fact::TryEnded&) { // of the same try
+                const Station* station = known(state.stations(), fact.station);
+                return station && !station->tryEnds.empty()
+                       && station->tryEnds.back() > fact.committed;
+            },
             [&](const fact::LessonShown& f) {
                 const Station* station = known(state.stations(), fact.station);
                 return station && station->lesson == ShownLesson{fact.author, f.to, f.lesson};

@@ -39,7 +39,7 @@ bool takesEffectLater(const FactBody& body)
                    fact::BodyPositionSet, fact::BreathingStopped, fact::BagSqueezed,
                    fact::ManikinBreathed, fact::AirwayEventsSet, fact::HeadPositionSet,
                    fact::GasSupplySet, fact::DrugGiven, fact::CuffSet, fact::StyletDrawn,
-                   fact::IntubationNoted, fact::TubeObstructed>(body);
+                   fact::IntubationNoted, fact::TubeObstructed, fact::TryEnded>(body);
 }
 
 /// The id of the entry that is the same, else the next free one; 0 where none is left.
@@ -121,7 +121,7 @@ Result<void> settleIds(const SessionState& state, ParticipantId author, StationI
 /// What a trainee may do: state how their registration stands, choose where others see them, and
 /// for the station they are at share what is their own, ask for what is not, lift out what is in
 /// its place, say when the manikin breathes and what they do with cuff and stylet, and, of the work
-/// that they do, squeeze the bag and pass it on. An observer may do nothing.
+/// that they do, squeeze the bag, end a try and pass it on. An observer may do nothing.
 bool mayDoForThemselves(const SessionState& state, const Participant& author, StationId station,
                         const FactBody& body)
 {
@@ -148,6 +148,7 @@ bool mayDoForThemselves(const SessionState& state, const Participant& author, St
             [](const fact::CuffSet&) { return true; },
             [](const fact::StyletDrawn&) { return true; },
             [&](const fact::BagSqueezed&) { return state.atWork(station) == author.id; },
+            [&](const fact::TryEnded&) { return state.atWork(station) == author.id; },
             [&](const fact::WorkTaken& f) { return mayPassOnWork(state, author, station, f); },
             [](const auto&) { return false; }},
         body);

@@ -48,10 +48,10 @@ public:
     ///        may state how their registration stands and choose where others see them, and for the
     ///        station they are at share objects as themselves, hand these over to an instructor or
     ///        to who asked, ask for ownership, report breaths of the manikin, set cuff and stylet,
-    ///        squeeze the bag while they are at work, take up work that nobody does and pass on
-    ///        their own, observers may propose nothing and own nothing, and who is muted nothing
-    ///        either, but for how their registration stands. IntubationNoted is of who is at work
-    ///        at the station alone.
+    ///        squeeze the bag and end a try while they are at work, take up work that nobody does
+    ///        and pass on their own, observers may propose nothing and own nothing, and who is
+    ///        muted nothing either, but for how their registration stands. IntubationNoted is of
+    ///        who is at work at the station alone.
     /// @returns NotPermitted where the author's role does not permit it, for more objects than a
     ///          participant may share or own, for an object that passes to a trainee of another
     ///          station, and where the host or the last instructor is to be muted or removed;

@@ -331,6 +331,14 @@ struct SessionState::Applier {
     {
         forStations([&](Station& station) { station.respiration.drawStylet(around.effect); });
     }
+    void operator()(const fact::TryEnded&) const
+    {
+        forStations([&](Station& station) {
+            if (station.tryEnds.size() == Station::kTryEndsKept)
+                station.tryEnds.erase(station.tryEnds.begin());
+            station.tryEnds.push_back(around.effect);
+        });
+    }
     void operator()(const fact::TubeObstructed& body) const
     {
         forStations([&](Station& station) {
@@ -455,6 +463,13 @@ StationId SessionState::stationOf(ParticipantId participant) const
 {
     const auto found = m_participants.find(participant);
     return found == m_participants.end() ? kNoStation : found->second.station;
+}
+
+std::optional<SessionTime> SessionState::ended() const
+{
+    const auto changes = m_phase.changes();
+    const bool isOver = !changes.empty() && changes.back().value == SessionPhase::Ended;
+    return isOver ? std::optional{changes.back().from} : std::nullopt;
 }
 
 ParticipantId SessionState::atWork(StationId station) const

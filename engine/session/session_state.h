@@ -90,6 +90,7 @@ struct BrokenOffLesson {
 };
 
 struct Station {
+    static constexpr std::size_t kTryEndsKept = 16; ///< a program that stood still knows them
     StationId id;
     std::string name;
     bool closed = false;
@@ -103,6 +104,7 @@ struct Station {
     /// The last one that broke off, of an author who is away or came back since and has not gone
     /// again; until something else is shown, or another patient is laid.
     std::optional<BrokenOffLesson> brokenOff{};
+    std::vector<SessionTime> tryEnds{}; ///< when persons ended tries: the last kTryEndsKept
 };
 
 /// How head and neck of a station's patient lie at a time: as decided, and as far as the events of
@@ -130,6 +132,8 @@ public:
     /// How acted-on objects are kept alike.
     [[nodiscard]] const StrategyChoice& strategy() const { return m_strategy; }
     [[nodiscard]] SessionPhase phaseAt(SessionTime t) const { return m_phase.at(t); }
+    /// From when on it is over; nothing until that is decided.
+    [[nodiscard]] std::optional<SessionTime> ended() const;
     /// Time spent in phase Running up to t.
     [[nodiscard]] Duration runningTime(SessionTime t) const { return m_running.integral(t); }
 

@@ -1,5 +1,7 @@
 #include "models/scoring/try_watch.h"
 
+#include "models/session/proposed.h"
+
 #include <QTimer>
 
 #include <algorithm>
@@ -80,21 +82,40 @@ void TryWatch::watch()
     const Station* station = stationIn(*state);
     if (!now || !station)
         return;
-    takeFacts(*station);
+    takeFacts(*state, *station);
     if (!isUnderWay())
         return lookAtMask(*station, *now);
     if (*now - m_vitalsAt >= kVitalsEvery)
         takeVitals(*station, *now);
-    takeCuff(*station, *now);
+    takeCuff(*state, *now);
     takeForces(*now);
     takePoses(*state, *now);
-    if (const auto at = m_course.endedBy(*now))
-        end(*station, *at);
+    endBy(*state, *now);
+}
+
+/// When a person ends the try under way, or the session: also in the future.
+std::optional<SessionTime> TryWatch::endedByPerson(const SessionState& state) const
+{
+    const auto& ends = stationIn(state)->tryEnds;
+    const auto first = std::ranges::lower_bound(ends, m_begun);
+    return first != ends.end() ? std::optional{*first} : state.ended();
+}
+
+/// Ends the try under way where it had ended by then, whenever this program looks.
+void TryWatch::endBy(const SessionState& state, SessionTime t)
+{
+    if (!isUnderWay())
+        return;
+    const SessionTime asked = endedByPerson(state).value_or(SessionTime::max());
+    if (const auto at = m_course.endedBy(std::min(asked, t)))
+        end(*stationIn(state), *at);
+    else if (asked <= t)
+        end(*stationIn(state), asked);
 }
 
 /// What was noted and what was said, in the order in which it took effect. What was noted before
 /// this program looked for the first time belongs to a try whose beginning it has not measured.
-void TryWatch::takeFacts(const Station& station)
+void TryWatch::takeFacts(const SessionState& state, const Station& station)
 {
     const TubeTimeline& tube = station.respiration.tube();
     std::span<const NotedStep> notes = tube.notesAfter(m_lastNote);
@@ -110,11 +131,11 @@ void TryWatch::takeFacts(const Station& station)
             continue;
         m_toldUntil = setting.from;
         for (; note != notes.end() && note->effect <= setting.from; ++note)
-            take(note->event);
+            take(state, note->event);
         tell(setting.value.seatOfNoted(), setting.from);
     }
     for (; note != notes.end(); ++note)
-        take(note->event);
+        take(state, note->event);
 }
 
 void TryWatch::tell(std::optional<TubeSeat> seat, SessionTime since)
@@ -144,8 +165,9 @@ bool TryWatch::takeLate(const IntubationEvent& event)
     return isOfIt;
 }
 
-void TryWatch::take(const IntubationEvent& event)
+void TryWatch::take(const SessionState& state, const IntubationEvent& event)
 {
+    endBy(state, event.at - Duration{1}); // an event at the end is of the try
     const double confidence = isSureOfSeat(event.step) ? event.confidence : m_latest.confidence;
     m_latest = event;
     m_latest.confidence = confidence;
@@ -203,15 +225,15 @@ void TryWatch::takeVitals(const Station& station, SessionTime now)
 }
 
 /// That of a tube that is out is empty without anybody's doing.
-void TryWatch::takeCuff(const Station& station, SessionTime now)
+void TryWatch::takeCuff(const SessionState& state, SessionTime now)
 {
-    const bool isInflated = station.respiration.tube().cuffInflatedAt(now);
+    const bool isInflated = stationIn(state)->respiration.tube().cuffInflatedAt(now);
     if (std::exchange(m_isCuffInflated, isInflated) == isInflated || (m_isTubeOut && !isInflated))
         return;
     IntubationEvent cuff = m_latest;
     cuff.step = isInflated ? IntubationStep::CuffInflated : IntubationStep::CuffDeflated;
     cuff.at = now;
-    take(cuff);
+    take(state, cuff);
 }
 
 void TryWatch::takePoses(const SessionState& state, SessionTime now)
@@ -229,13 +251,21 @@ void TryWatch::takePoses(const SessionState& state, SessionTime now)
     }
 }
 
+bool TryWatch::mayFinish() const
+{
+    const auto state = m_session.node().state();
+    const auto self = state->participants().find(m_session.node().self());
+    if (!isUnderWay() || !stationIn(*state) || self == state->participants().end()
+        || self->second.muted || endedByPerson(*state)
+        || isProposed<fact::TryEnded>(m_session.node(), [](const auto&) { return true; }))
+        return false;
+    return self->second.role == Role::Instructor || state->atWork(m_station) == self->first;
+}
+
 void TryWatch::finish()
 {
-    const auto now = m_session.node().now();
-    const auto state = m_session.node().state();
-    const Station* station = stationIn(*state);
-    if (isUnderWay() && now && station)
-        end(*station, *now);
+    if (mayFinish())
+        m_session.node().propose(m_station, fact::TryEnded{});
 }
 
 void TryWatch::end(const Station& station, SessionTime at)

@@ -54,7 +54,10 @@ public:
     [[nodiscard]] Duration time() const;
     /// Of the last try that ended; nothing before it, and while another one is under way.
     [[nodiscard]] const std::optional<TryReport>& report() const { return m_report; }
-    /// Ends the try under way now, and reports it.
+    /// Whether a person here may end the try under way: an instructor, or who is at work. Not where
+    /// somebody has just done so.
+    [[nodiscard]] bool mayFinish() const;
+    /// Ends the try under way at every program.
     void finish();
 
     /// Takes what happened; a timer calls it.
@@ -67,15 +70,17 @@ Q_SIGNALS:
     void ended();
 
 private:
-    void takeFacts(const Station& station);
+    void takeFacts(const SessionState& state, const Station& station);
     void tell(std::optional<TubeSeat> seat, SessionTime since);
     [[nodiscard]] bool takeLate(const IntubationEvent& event);
-    void take(const IntubationEvent& event);
+    void take(const SessionState& state, const IntubationEvent& event);
     void takeVitals(const Station& station, SessionTime now);
-    void takeCuff(const Station& station, SessionTime now);
+    void takeCuff(const SessionState& state, SessionTime now);
     void takeForces(SessionTime now);
     void lookAtMask(const Station& station, SessionTime now);
     void takePoses(const SessionState& state, SessionTime now);
+    [[nodiscard]] std::optional<SessionTime> endedByPerson(const SessionState& state) const;
+    void endBy(const SessionState& state, SessionTime t);
     void begin(SessionTime now);
     void end(const Station& station, SessionTime at);
     void judge();

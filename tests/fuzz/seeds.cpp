@@ -191,6 +191,7 @@ std::vector<std::string> factBodies()
         fact::DrugGiven{{DrugKind::Rocuronium, 40.0}},
         fact::CuffSet{true},
         fact::StyletDrawn{},
+        fact::TryEnded{},
         fact::TubeObstructed{0.6},
         fact::IntubationNoted{{.step = IntubationStep::ThroughCords,
                                .at = SessionTime{std::chrono::seconds{99}},

@@ -44,6 +44,10 @@ struct IntubationNoted {
 
     friend bool operator==(const IntubationNoted&, const IntubationNoted&) = default;
 };
+/// A person ends the try at intubating that is under way at the station.
+struct TryEnded {
+    friend bool operator==(const TryEnded&, const TryEnded&) = default;
+};
 /// The state of the capnograph of the station's patient at a time, which is a fact of its own: with
 /// that of the body it would be more than a fact may have.
 struct CapnographCheckpoint {

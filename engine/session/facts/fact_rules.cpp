@@ -139,6 +139,7 @@ struct BodyCheck {
     Result<void> operator()(const fact::DrugGiven& f) const { return checkPatientBody(f); }
     Result<void> operator()(const fact::CuffSet&) const { return {}; }
     Result<void> operator()(const fact::StyletDrawn&) const { return {}; }
+    Result<void> operator()(const fact::TryEnded&) const { return {}; }
     Result<void> operator()(const fact::TubeObstructed& f) const { return checkPatientBody(f); }
     Result<void> operator()(const fact::IntubationNoted& f) const { return checkPatientBody(f); }
     Result<void> operator()(const fact::CapnographCheckpoint& f) const

@@ -162,7 +162,7 @@ using FactBody = std::variant<
     fact::PlaceChosen, fact::BreathingStopped, fact::BagSqueezed, fact::LessonShown,
     fact::LessonEnded, fact::ParticipantFellSilent, fact::AirwayEventsSet, fact::HeadPositionSet,
     fact::GasSupplySet, fact::DrugGiven, fact::CuffSet, fact::StyletDrawn, fact::IntubationNoted,
-    fact::CapnographCheckpoint, fact::BodyCheckpoint, fact::TubeObstructed>;
+    fact::CapnographCheckpoint, fact::BodyCheckpoint, fact::TubeObstructed, fact::TryEnded>;
 
 /// Whether programs propose such facts automatically, so that no person waits for the result.
 [[nodiscard]] inline bool isByItself(const FactBody& body)

@@ -107,6 +107,17 @@ private Q_SLOTS:
         QCOMPARE(judged(writer, kSampleTrainee, fact::StyletDrawn{}), QByteArray{"fine"});
     }
 
+    void aTryIsNotEndedTwiceBeforeItEnds()
+    {
+        LogWriter writer = sampleSession();
+        QCOMPARE(judged(writer, kSampleTrainee, fact::TryEnded{}), QByteArray{"fine"});
+        writer.add(kNow + 1ms, fact::TryEnded{});
+        QCOMPARE(judged(writer, kSampleInstructor, fact::TryEnded{}), QByteArray{"out of range"});
+        LogWriter later = sampleSession();
+        later.add(kNow, fact::TryEnded{});
+        QCOMPARE(judged(later, kSampleInstructor, fact::TryEnded{}), QByteArray{"fine"});
+    }
+
     void aStepOfAnIntubationIsOfThePresentAndNotRepeated()
     {
         LogWriter writer = sampleSession();

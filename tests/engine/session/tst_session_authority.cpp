@@ -70,6 +70,7 @@ void TestSessionAuthority::takesEffectWhenTheSlowestHasIt_data()
     row("fraction", fact::InspiratoryFractionSet{0.3}, 400, 400);
     row("anatomy", fact::AnatomyChosen{"aa", "A"}, 400, 400);
     row("phase", fact::PhaseChanged{SessionPhase::Running}, 400, 400);
+    row("end of a try", fact::TryEnded{}, 400, 400);
     row("join", fact::ParticipantJoined{{}, Role::Observer, "New"}, 400, 0);
     row("leave", fact::ParticipantLeft{kSampleTrainee}, 400, 0);
     row("share", fact::ObjectShared{{}, kSampleTrainee, ObjectKind::Head, "head"}, 400, 0);

@@ -130,6 +130,7 @@ void TestSessionPermissions::permitsByRole_data()
     row("kinks the tube", "yynnnn", [](auto) { return fact::TubeObstructed{0.5}; });
     // Who is at work in this session is the trainee.
     row("squeezes a bag", "yyynnn", [](auto) { return fact::BagSqueezed{}; });
+    row("ends a try", "yyynnn", [](auto) { return fact::TryEnded{}; });
     row("notes a step of the intubation", "ynynnn",
         [](auto) { return notedNow(IntubationStep::ThroughCords); });
     row("chooses the anatomy", "yynnnn", [](auto) { return fact::AnatomyChosen{"aa", "A"}; });
@@ -274,6 +275,7 @@ void TestSessionPermissions::takesOnlyPeopleAndObjectsAfterTheEnd_data()
     row("drug", fact::DrugGiven{{DrugKind::Propofol, 100.0}}, "session ended");
     row("cuff", fact::CuffSet{true}, "session ended");
     row("stylet", fact::StyletDrawn{}, "session ended");
+    row("end of a try", fact::TryEnded{}, "session ended");
     row("kink", fact::TubeObstructed{0.5}, "session ended");
     row("step of an intubation", notedNow(IntubationStep::BladeIn), "session ended");
 }

@@ -225,6 +225,7 @@ void TestStations::areSpokenForByThoseWhoAreThere_data()
     QTest::newRow("breath") << FactBody{fact::ManikinBreathed{kNow}};
     QTest::newRow("cuff") << FactBody{fact::CuffSet{true}};
     QTest::newRow("stylet") << FactBody{fact::StyletDrawn{}};
+    QTest::newRow("end of a try") << FactBody{fact::TryEnded{}};
 }
 
 void TestStations::areSpokenForByThoseWhoAreThere()
@@ -392,6 +393,7 @@ void TestStations::changeTogetherInThePatientOnly_data()
     row("cuff", fact::CuffSet{}, "fine");
     row("kink", fact::TubeObstructed{0.5}, "fine");
     row("stylet", fact::StyletDrawn{}, "station unknown");
+    row("end of a try", fact::TryEnded{}, "station unknown");
     row("intubation", fact::IntubationNoted{{IntubationStep::BladeIn, kNow}}, "station unknown");
     row("anatomy", fact::AnatomyChosen{"aa", "A"}, "fine");
     row("phase", fact::PhaseChanged{SessionPhase::Running}, "fine"); // of no station

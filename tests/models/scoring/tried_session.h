@@ -46,6 +46,13 @@ struct TriedSession {
         note(IntubationStep::TubePastTeeth);
         note(IntubationStep::ThroughCords, TubeSeat::Trachea, millimetres(200.0));
     }
+    /// A person ends the try, which takes effect a moment later.
+    void endTry()
+    {
+        tries.finish();
+        node.advance(std::chrono::milliseconds{300});
+        tries.watch();
+    }
     void squeezeBag() { node.decide(fact::BagSqueezed{{perMinute(20.0), millilitres(300.0)}}); }
 };
 

@@ -38,6 +38,11 @@ private Q_SLOTS:
     void judgesTheSameWheneverItLooks();
     void knowsATubeThatWasThereBeforeTheBlade();
     void believesTheInstructorAboutThePlace();
+    void endsByAPersonAtEveryProgram();
+    void endsOnceWhereTwoEndIt();
+    void endsByItselfBeforeAPersonEndsIt();
+    void endsWithTheSession();
+    void isEndedByAnInstructorOrWhoIsAtWork();
     void reportsATryThatWasGivenUp();
     void forgetsTheReportWhenAnotherTryBegins();
     void ignoresATryThatBeganBeforeItLooked();
@@ -73,7 +78,7 @@ void TestTryWatch::takesTheFirstBreathThatIsNoted()
     QVERIFY(session.tries.isUnderWay());
     const SessionTime breath = *session.node.now();
     session.note(IntubationStep::FirstBreath, TubeSeat::Trachea, millimetres(200.0));
-    session.tries.finish();
+    session.endTry();
     QVERIFY(session.tries.report()->metrics.firstBreath == breath);
 }
 
@@ -83,7 +88,7 @@ void TestTryWatch::takesTheCuffFromItsControl()
     session.intubate();
     session.node.decide(fact::CuffSet{true});
     session.run(std::chrono::seconds{1});
-    session.tries.finish();
+    session.endTry();
     QVERIFY(session.tries.report()->metrics.cuffInflated);
 }
 
@@ -99,7 +104,7 @@ void TestTryWatch::takesNoCuffFromATubeThatIsOut()
         fact::IntubationNoted{{.step = IntubationStep::TubeOut, .at = *session.node.now()}, {}});
     session.tries.watch(); // it takes effect later
     session.note(IntubationStep::CuffInflated);
-    session.tries.finish();
+    session.endTry();
     QVERIFY(session.tries.report()->metrics.cuffInflated);
 }
 
@@ -108,13 +113,13 @@ void TestTryWatch::judgesTheDepthByTheRuleOfThePatient()
 {
     TriedSession session;
     session.intubate();
-    session.tries.finish();
+    session.endTry();
     const TryReport usual = session.tries.report().value();
     QCOMPARE(usual.rule, DepthRule::TenthOfHeight);
     QVERIFY(std::abs(inMillimetres(usual.metrics.depthWanted.value()) - 200.0) < 1e-6);
     session.tries.setRule(DepthRule::HalfOfAge);
     session.intubate();
-    session.tries.finish();
+    session.endTry();
     const TryReport stated = session.tries.report().value();
     QCOMPARE(stated.rule, DepthRule::HalfOfAge);
     QVERIFY(std::abs(inMillimetres(stated.metrics.depthWanted.value()) - 180.0) < 1e-6);
@@ -126,7 +131,7 @@ void TestTryWatch::takesEachNoteOnceAlsoOfATubeThatRestsAgain()
     session.intubate();
     session.note(IntubationStep::AtRest, TubeSeat::Trachea, millimetres(205.0));
     session.note(IntubationStep::AtRest, TubeSeat::Trachea, millimetres(210.0));
-    session.tries.finish();
+    session.endTry();
     const TryMetrics& metrics = session.tries.report()->metrics;
     QCOMPARE(metrics.attempts.size(), std::size_t{1});
     QVERIFY(std::abs(inMillimetres(metrics.depth->atTeeth) - 210.0) < 1e-6);
@@ -136,7 +141,7 @@ void TestTryWatch::watchesTheOxygen()
 {
     TriedSession session;
     session.intubate();
-    session.tries.finish();
+    session.endTry();
     const OxygenFigures oxygen = session.tries.report()->metrics.oxygen.value();
     QVERIFY(oxygen.lowest > 0.0 && oxygen.lowest <= oxygen.first);
 }
@@ -151,7 +156,7 @@ void TestTryWatch::countsMaskVentilationBefore()
         session.node.decide(fact::BagSqueezed{});
         session.run(pause);
         session.intubate();
-        session.tries.finish();
+        session.endTry();
         return session.tries.report()->metrics.check(TryCheck::MaskVentilated);
     };
     QCOMPARE(checkAfter(true, std::chrono::seconds{20}), std::optional{true});
@@ -170,7 +175,7 @@ void TestTryWatch::takesTheForcesThatAreEstimated()
     session.run(std::chrono::seconds{2});
     session.tries.setEffort([] { return std::nullopt; });
     session.note(IntubationStep::BladeOut);
-    session.tries.finish();
+    session.endTry();
     const TryMetrics& metrics = session.tries.report()->metrics;
     QCOMPARE(inNewtons(metrics.incisors->peak), 25.0);
     QCOMPARE(inNewtons(metrics.tongue->peak), 35.0);
@@ -187,7 +192,7 @@ void TestTryWatch::tellsATubeInTheOesophagusWhenAsked()
     session.note(IntubationStep::FirstBreath, TubeSeat::Oesophagus);
     session.run(std::chrono::seconds{40});
     QVERIFY(session.tries.isUnderWay());
-    session.tries.finish();
+    session.endTry();
     const TryMetrics& metrics = session.tries.report()->metrics;
     QCOMPARE(metrics.outcome, TryOutcome::OesophagusUnrecognised);
     QVERIFY(!metrics.firstBreath);
@@ -200,7 +205,7 @@ void TestTryWatch::judgesNoTubeByWhatWasSetBefore()
     session.node.decide(fact::TubePlaced{{TubeSeat::Oesophagus, millimetres(6.5)}});
     session.run(std::chrono::seconds{1});
     session.intubate();
-    session.tries.finish();
+    session.endTry();
     QCOMPARE(session.tries.report()->metrics.outcome, TryOutcome::Trachea);
 }
 
@@ -240,7 +245,7 @@ void TestTryWatch::takesAConfirmationOfAnEndedTry()
                                                .confidence = 0.4},
                                               {}});
     session.run(std::chrono::seconds{1});
-    session.tries.finish();
+    session.endTry();
     QCOMPARE(session.tries.report()->metrics.confidence, 0.4);
     session.node.decide(fact::TubePlaced{{TubeSeat::Trachea, millimetres(6.5)}});
     session.run(std::chrono::seconds{1});
@@ -254,7 +259,7 @@ void TestTryWatch::judgesNoEndedTryByWhatIsSaidOfALaterPlace()
 {
     TriedSession session;
     session.intubate();
-    session.tries.finish();
+    session.endTry();
     const TryReport before = session.tries.report().value();
     session.run(std::chrono::seconds{1});
     session.note(IntubationStep::BackAboveCords);
@@ -270,7 +275,7 @@ void TestTryWatch::takesWhatIsConcludedLaterOfAnEndedTry()
     session.note(IntubationStep::TubePastTeeth);
     const SessionTime passed = *session.node.now();
     session.run(std::chrono::seconds{1});
-    session.tries.finish();
+    session.endTry();
     QCOMPARE(session.tries.report()->metrics.outcome, TryOutcome::Abandoned);
     const auto conclude = [&](IntubationStep step, TubeSeat seat) {
         session.node.decide(fact::IntubationNoted{{.step = step, .at = passed, .seat = seat}, {}});
@@ -307,7 +312,7 @@ void TestTryWatch::judgesTheSameWheneverItLooks()
         noteNow(IntubationStep::BackAboveCords);
         noteNow(IntubationStep::TubeOut);
         session.tries.watch();
-        session.tries.finish();
+        session.endTry();
         TryMetrics metrics = session.tries.report()->metrics;
         metrics.oxygen.reset(); // measured when it looks
         return metrics;
@@ -324,14 +329,14 @@ void TestTryWatch::knowsATubeThatWasThereBeforeTheBlade()
     session.intubate();
     session.node.decide(fact::CuffSet{true});
     session.run(std::chrono::seconds{1});
-    session.tries.finish();
+    session.endTry();
     session.node.decide(fact::IntubationNoted{{.step = IntubationStep::BladeIn,
                                                .at = *session.node.now(),
                                                .seat = TubeSeat::Trachea,
                                                .depthAtTeeth = millimetres(200.0)},
                                               {}});
     session.run(std::chrono::seconds{1});
-    session.tries.finish();
+    session.endTry();
     const TryMetrics& metrics = session.tries.report()->metrics;
     QCOMPARE(metrics.outcome, TryOutcome::Trachea);
     QCOMPARE(metrics.depth->atTeeth, millimetres(200.0));
@@ -349,15 +354,98 @@ void TestTryWatch::believesTheInstructorAboutThePlace()
     QVERIFY(session.tries.isUnderWay()); // no lung was ventilated
     session.note(IntubationStep::BackAboveCords);
     session.note(IntubationStep::TubeOut);
-    session.tries.finish();
+    session.endTry();
     const TryMetrics& metrics = session.tries.report()->metrics;
     QCOMPARE(metrics.outcome, TryOutcome::OesophagusRecognised);
     QVERIFY(metrics.oesophagus.at(0).out.has_value());
     session.intubate();
     session.node.decide(fact::TubePlaced{{TubeSeat::RightMain, millimetres(6.5)}});
     session.run(std::chrono::seconds{1});
-    session.tries.finish();
+    session.endTry();
     QCOMPARE(session.tries.report()->metrics.outcome, TryOutcome::RightMain);
+}
+
+/// At the same session time, though one looks later, when the next one has begun.
+void TestTryWatch::endsByAPersonAtEveryProgram()
+{
+    TriedSession session;
+    TryWatch other{session.session, FakeSessionNode::kStation};
+    other.watch();
+    session.note(IntubationStep::BladeIn);
+    other.watch();
+    session.endTry();
+    const SessionTime ended = session.tries.report().value().metrics.ended;
+    std::optional<SessionTime> endedThere;
+    connect(&other, &TryWatch::ended, this,
+            [&] { endedThere = other.report().value().metrics.ended; });
+    session.note(IntubationStep::TubePastTeeth);
+    QVERIFY(session.tries.isUnderWay());
+    other.watch();
+    QCOMPARE(endedThere.value(), ended);
+    QVERIFY(other.isUnderWay());
+    QCOMPARE(other.time(), session.tries.time());
+}
+
+/// By an instructor and who is at work, one after the other: the first end is that of the try.
+void TestTryWatch::endsOnceWhereTwoEndIt()
+{
+    TriedSession session;
+    TryWatch other{session.session, FakeSessionNode::kStation};
+    other.watch();
+    session.note(IntubationStep::BladeIn);
+    other.watch();
+    session.tries.finish();
+    QVERIFY(!session.tries.mayFinish()); // it is to come
+    session.node.decide(fact::TryEnded{}, FakeSessionNode::kTrainee);
+    session.run(std::chrono::seconds{1});
+    session.node.decide(fact::TryEnded{}, FakeSessionNode::kTrainee);
+    session.run(std::chrono::seconds{1});
+    other.watch();
+    QVERIFY(other.report().value().metrics.ended == session.tries.report().value().metrics.ended);
+}
+
+/// Both were out for 10 s, a moment before a person ended it.
+void TestTryWatch::endsByItselfBeforeAPersonEndsIt()
+{
+    TriedSession session;
+    TryWatch other{session.session, FakeSessionNode::kStation};
+    other.watch();
+    session.note(IntubationStep::BladeIn);
+    session.note(IntubationStep::BladeOut);
+    other.watch();
+    session.node.advance(std::chrono::milliseconds{8950});
+    session.endTry(); // in effect 50 ms after the ten seconds
+    other.watch();
+    const SessionTime ended = session.tries.report().value().metrics.ended;
+    QVERIFY(other.report().value().metrics.ended == ended);
+    QVERIFY(*session.node.now() - ended > std::chrono::seconds{10});
+}
+
+void TestTryWatch::endsWithTheSession()
+{
+    TriedSession session;
+    session.note(IntubationStep::BladeIn);
+    session.node.decide(fact::PhaseChanged{SessionPhase::Ended});
+    QVERIFY(!session.tries.mayFinish());
+    session.run(std::chrono::seconds{1});
+    QCOMPARE(session.tries.report().value().metrics.ended, session.node.state()->ended().value());
+}
+
+/// The trainee is at work here.
+void TestTryWatch::isEndedByAnInstructorOrWhoIsAtWork()
+{
+    TriedSession session;
+    QVERIFY(!session.tries.mayFinish()); // none
+    session.note(IntubationStep::BladeIn);
+    QVERIFY(session.tries.mayFinish());
+    session.node.becomes(FakeSessionNode::kTrainee);
+    QVERIFY(session.tries.mayFinish());
+    session.node.decide(fact::ParticipantMuted{FakeSessionNode::kTrainee, true});
+    QVERIFY(!session.tries.mayFinish());
+    session.node.becomes(FakeSessionNode::kObserver);
+    QVERIFY(!session.tries.mayFinish());
+    session.endTry();
+    QVERIFY(session.tries.isUnderWay());
 }
 
 void TestTryWatch::reportsATryThatWasGivenUp()
@@ -373,7 +461,7 @@ void TestTryWatch::forgetsTheReportWhenAnotherTryBegins()
 {
     TriedSession session;
     session.intubate();
-    session.tries.finish();
+    session.endTry();
     QVERIFY(session.tries.report());
     session.note(IntubationStep::TubeOut); // begins none
     QVERIFY(session.tries.report());

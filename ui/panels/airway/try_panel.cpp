@@ -74,7 +74,8 @@ TryPanel::TryPanel(QWidget* parent)
     m_state->setWordWrap(true);
     m_finish->setObjectName(QStringLiteral("finishTry"));
     m_finish->setToolTip(tr("A try ends by itself some breaths after the first one, or once tube "
-                            "and blade are out for 10 s"));
+                            "and blade are out for 10 s. An instructor, or who is at work, can "
+                            "end it earlier, for everybody."));
     m_outcome->setObjectName(QStringLiteral("tryOutcome"));
     m_outcome->setAccessibleName(tr("Outcome"));
     m_outcome->setWordWrap(true);
@@ -150,7 +151,6 @@ void TryPanel::tell(const Part& part, const QString& text)
 void TryPanel::refresh()
 {
     const bool isUnderWay = m_tries && m_tries->isUnderWay();
-    m_finish->setEnabled(isUnderWay);
     isUnderWay ? m_clock.start() : m_clock.stop();
     refreshState();
     if (m_tries && m_tries->report())
@@ -162,6 +162,7 @@ void TryPanel::refresh()
 
 void TryPanel::refreshState()
 {
+    m_finish->setEnabled(m_tries && m_tries->mayFinish());
     if (m_tries && m_tries->isUnderWay()) {
         const auto seconds = std::chrono::floor<std::chrono::seconds>(m_tries->time()).count();
         return m_state->setText(

@@ -25,7 +25,7 @@ struct Started : test::TriedSession {
     [[nodiscard]] TryReport tried()
     {
         intubate();
-        tries.finish();
+        endTry();
         return tries.report().value();
     }
 };

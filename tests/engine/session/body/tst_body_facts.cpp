@@ -44,6 +44,7 @@ void TestBodyFacts::writesTheDocumentedBytes_data()
     row("drug", fact::DrugGiven{{DrugKind::Ephedrine, 2.0}}, "29 06 0000000000000040");
     row("cuff", fact::CuffSet{true}, "2a 01");
     row("stylet", fact::StyletDrawn{}, "2b");
+    row("end of a try", fact::TryEnded{}, "30");
     row("kink", fact::TubeObstructed{0.5}, "2f 000000000000e03f");
     row("intubation",
         fact::IntubationNoted{{IntubationStep::PastCarina, SessionTime{Duration{0x0102}},

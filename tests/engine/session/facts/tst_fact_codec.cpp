@@ -178,7 +178,7 @@ void TestFactCodec::refusesBadBytes_data()
         QTest::newRow(name) << hex.replace(' ', "") << QString::fromUtf8(detail);
     };
     row("kind 0", "00", "kind of fact 0");
-    row("kind 48", "30", "kind of fact 48");
+    row("kind 49", "31", "kind of fact 49");
     row("kind 255", "ff", "kind of fact 255");
     row("phase 4", "02 04", "fact of kind 2: enumerator");
     row("role 3", "04 0100 03 00", "fact of kind 4: enumerator");

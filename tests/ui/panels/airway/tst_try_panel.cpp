@@ -81,6 +81,7 @@ void TestTryPanel::endsATryByKeyboard()
     desk.intubate();
     desk.finish().setFocus();
     QTest::keyClick(&desk.finish(), Qt::Key_Space);
+    desk.run(std::chrono::milliseconds{300});
     QVERIFY(desk.tries.report());
     QVERIFY(!desk.finish().isEnabled());
     QCOMPARE(desk.label("tryState").text(), QStringLiteral("✓ The last try has ended"));
@@ -90,7 +91,7 @@ void TestTryPanel::tellsHowATryWent()
 {
     Desk desk;
     desk.intubate();
-    desk.tries.finish();
+    desk.endTry();
     const QString figures = desk.label("tryFigures").text();
     for (const char* told : {"Time to the first breath: never", "Depth at the teeth: 20.0",
                              "Lowest oxygen saturation: ", "View: 60", "Attempts: 1"})
@@ -111,7 +112,7 @@ void TestTryPanel::forgetsItWhenTheNextOneBegins()
 {
     Desk desk;
     desk.intubate();
-    desk.tries.finish();
+    desk.endTry();
     desk.note(IntubationStep::TubeOut);
     desk.note(IntubationStep::BladeIn);
     QVERIFY(!desk.label("tryOutcome").isVisible());
@@ -140,7 +141,7 @@ void TestTryPanel::leadsToTheMomentOfLostPointsByKeyboard()
                                         .bound = Bound::AtMost,
                                         .limit = 2.5}}});
     desk.intubate();
-    desk.tries.finish();
+    desk.endTry();
     const auto& lost = desk.tries.report()->score.judgements.at(1);
     QVERIFY(lost.moment);
     QLabel& points = desk.label("tryPoints");

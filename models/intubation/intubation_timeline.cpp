@@ -150,9 +150,12 @@ std::vector<TimelineEntry> entriesOf(const RespirationTimeline& patient)
         all.push_back(
             {given.from,
              IntubationTimeline::tr("Given: %1", "drug and its dose").arg(doseText(given.dose))});
-    for (const NotedStep& note : tube.notes())
-        all.push_back(
-            {note.event.at, intubationText(asSet(note.event, tube.overrideAt(note.effect)))});
+    for (const NotedStep& note : tube.notes()) {
+        IntubationEvent event = asSet(note.event, tube.overrideAt(note.effect));
+        if (tube.areShapesApartAt(note.effect)) // it is frozen
+            event.depthAtTeeth = {};
+        all.push_back({event.at, intubationText(event)});
+    }
     for (const auto& change : tube.overrides())
         all.push_back({change.from, IntubationTimeline::tr("Console: tube %1", "where")
                                         .arg(setTubeText(change.value.tube))});

@@ -59,7 +59,7 @@ void TryWatch::setStation(StationId station)
     m_judged.reset();
     m_lastNote = 0;
     m_maskVentilated.reset();
-    m_hasLooked = false;
+    m_watchedSince.reset();
     Q_EMIT changed();
 }
 
@@ -82,7 +82,12 @@ void TryWatch::watch()
     const Station* station = stationIn(*state);
     if (!now || !station)
         return;
+    const bool isFirstLook = !m_watchedSince;
+    if (isFirstLook)
+        m_watchedSince = now;
     takeFacts(*state, *station);
+    if (isFirstLook) // when it was inflated is noted
+        m_isCuffInflated = station->respiration.tube().cuffInflatedAt(*now);
     if (!isUnderWay())
         return lookAtMask(*station, *now);
     if (*now - m_vitalsAt >= kVitalsEvery)
@@ -113,20 +118,15 @@ void TryWatch::endBy(const SessionState& state, SessionTime t)
         end(*stationIn(state), asked);
 }
 
-/// What was noted and what was said, in the order in which it took effect. What was noted before
-/// this program looked for the first time belongs to a try whose beginning it has not measured.
+/// What was noted and what was said, in the order in which it took effect. A program that looks for
+/// the first time finds the last try among the facts.
 void TryWatch::takeFacts(const SessionState& state, const Station& station)
 {
     const TubeTimeline& tube = station.respiration.tube();
-    std::span<const NotedStep> notes = tube.notesAfter(m_lastNote);
-    std::span settings = tube.overrides();
-    if (!std::exchange(m_hasLooked, true)) {
-        notes = {};
-        settings = settings.last(std::min<std::size_t>(settings.size(), 1));
-    }
+    const std::span<const NotedStep> notes = tube.notesAfter(m_lastNote);
     m_lastNote = tube.lastNote();
     auto note = notes.begin();
-    for (const auto& setting : settings) {
+    for (const auto& setting : tube.overrides()) {
         if (setting.from <= m_toldUntil)
             continue;
         m_toldUntil = setting.from;
@@ -183,6 +183,8 @@ void TryWatch::take(const SessionState& state, const IntubationEvent& event)
         m_isTubeOut = event.step == IntubationStep::TubeOut;
     if (wasUnderWay)
         return;
+    if (event.at < *m_watchedSince)
+        m_course.beganBefore();
     if (m_maskVentilated && event.at - *m_maskVentilated <= kMaskBefore)
         m_course.check(TryCheck::MaskVentilated, true);
     Q_EMIT changed();
@@ -274,7 +276,8 @@ void TryWatch::end(const Station& station, SessionTime at)
         Judged{std::exchange(m_course, TryCourse{upInAnatomy()}), at, tubedPatient(station, at)};
     m_course.tell(m_told, at);
     judge();
-    Q_EMIT ended();
+    if (at >= *m_watchedSince)
+        Q_EMIT ended();
 }
 
 void TryWatch::judge()

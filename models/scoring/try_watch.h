@@ -16,7 +16,9 @@ namespace carina
 
 /// Watches the tries at intubating the patient of one station, and reports the last one.
 ///
-/// What a monitor notes are facts; the oxygen follows from the facts, too. The poses of the
+/// What a monitor notes are facts, from which a program that comes later finds the try under way,
+/// and the last one that ended. What else is measured it has only of tries that began since: the
+/// oxygen, the forces, and the ways of hand and head. The poses of the
 /// laryngoscope and the head of who is at work are sampled every kPoseEvery of session time,
 /// kPoseDelay late, so that they are measured ones and not predicted. Mask ventilation counts where
 /// a bag or ventilator blew through a mask within kMaskBefore before the try; whether the manikin
@@ -40,7 +42,7 @@ public:
     TryWatch(SessionModel& session, StationId station, ObjectPoses own = {},
              QObject* parent = nullptr);
 
-    /// Watches another station from now on; the report of the one before is gone.
+    /// Watches another station from now on, and the report of its last try.
     void setStation(StationId station);
     /// Where the effort of a blade in the patient's mouth is estimated; nothing while none is.
     using EffortSource = std::function<std::optional<BladeEffort>()>;
@@ -66,7 +68,7 @@ public:
 Q_SIGNALS:
     /// A try began, or its report is there or gone.
     void changed();
-    /// A try ended, and its report is there.
+    /// A try ended while this program watched, and its report is there.
     void ended();
 
 private:
@@ -107,9 +109,10 @@ private:
     SessionTime m_toldUntil = SessionTime::min(); ///< and when that took effect
     RespirationFollower m_patient;
     std::uint64_t m_lastNote = 0; ///< number of the last one that was taken
-    bool m_hasLooked = false;     ///< what was noted before does not count
-    IntubationEvent m_latest;     ///< where the tube lies, as sure as that is
-    bool m_isTubeOut = false;     ///< of the mouth again
+    /// Of a try that began before, only what facts tell is told.
+    std::optional<SessionTime> m_watchedSince;
+    IntubationEvent m_latest; ///< where the tube lies, as sure as that is
+    bool m_isTubeOut = false; ///< of the mouth again
     bool m_isCuffInflated = false;
     std::optional<SessionTime> m_maskVentilated; ///< seen last
     SessionTime m_begun{};

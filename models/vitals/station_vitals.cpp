@@ -1,6 +1,7 @@
 #include "models/vitals/station_vitals.h"
 
 #include "engine/anatomy/patient/patient_build.h"
+#include "engine/physiology/capnograph.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +13,6 @@ namespace carina
 namespace
 {
 
-/// A breath into the oesophagus: half a sine in the first third of its time (of ours).
-constexpr double kBlown = 1.0 / 3.0;
 constexpr VolumeFlow kMostBlown = StomachSound::kFullFlow;
 
 /// How many times the flow of a patient is that of a grown person who breathes alike. Quiet flows
@@ -44,15 +43,13 @@ double narrowness(const LungConditions& conditions, ConditionSide side)
     return worst;
 }
 
-VolumeFlow intoStomach(Frequency breaths, SessionTime t)
+/// Half a sine while a breath is blown into the oesophagus (of ours).
+VolumeFlow intoStomach(const BodyFold& body)
 {
-    if (breaths.si <= 0.0)
+    const double phase = body.state().capnograph.stomachPhase;
+    if (body.settings().stomachBreaths.si <= 0.0 || phase >= kStomachInspiration)
         return {};
-    const double count = toSeconds(t.time_since_epoch()) * breaths.si;
-    const double phase = count - std::floor(count);
-    if (phase >= kBlown)
-        return {};
-    return std::sin(std::numbers::pi * phase / kBlown) * kMostBlown;
+    return std::sin(std::numbers::pi * phase / kStomachInspiration) * kMostBlown;
 }
 
 } // namespace
@@ -126,7 +123,7 @@ std::optional<BreathFlows> StationVitals::flowsAt(SessionTime t)
     const double heard = ofGrownFlow(run->fold().settings().build);
     return BreathFlows{.right = heard * intoLung[0],
                        .left = heard * intoLung[1],
-                       .stomach = intoStomach(run->body().settings().stomachBreaths, t),
+                       .stomach = intoStomach(run->body()),
                        .rightObstruction = narrowness(conditions, ConditionSide::Right),
                        .leftObstruction = narrowness(conditions, ConditionSide::Left)};
 }

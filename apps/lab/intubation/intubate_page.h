@@ -80,9 +80,8 @@ inline constexpr Key kAt{"at_s", "from the start", 1};
 inline constexpr Key kNotedAt{"noted_at_s", "when it was noted", 1};
 inline constexpr Key kSeat{"seat", "where the tip is from then on", 1};
 inline constexpr Key kStepConfidence{"confidence", "0 to 1", 1};
-inline constexpr Key kStepDepth{"depth_at_teeth_mm", "of the tip", 1};
-inline constexpr Key kStepAboveCarina{"tip_above_carina_mm", "of the tip; null in the oesophagus",
-                                      1};
+inline constexpr Key kStepDepth{"depth_at_teeth_mm", "of the tip; null while it is frozen", 1};
+inline constexpr Key kStepAboveCarina{"tip_above_carina_mm", "likewise; null in the oesophagus", 1};
 inline constexpr Key kVitals{"vitals", "of the patient, every ten seconds:"};
 inline constexpr Key kVitalsAt{"at_s", "from the start", 1};
 inline constexpr Key kSaturation{"saturation_percent", "of the arterial blood", 1};

@@ -43,20 +43,37 @@ QJsonValue aboveCarina(TubeSeat seat, Length above)
     return seat == TubeSeat::Oesophagus ? QJsonValue{} : inMillimetres(above);
 }
 
+/// @param isFrozen no depth is known, as both shapes are apart
+QJsonObject stepObject(const NotedStep& step, bool isFrozen)
+{
+    const auto known = [isFrozen](const QJsonValue& told) {
+        return isFrozen ? QJsonValue{} : told;
+    };
+    return {
+        {key::kStep, stepWord(step.event.step)},
+        {key::kAt, sinceStart(step.event.at)},
+        {key::kNotedAt, sinceStart(step.effect)},
+        {key::kSeat, seatWord(step.event.seat)},
+        {key::kStepConfidence, step.event.confidence},
+        {key::kStepDepth, known(inMillimetres(step.event.depthAtTeeth))},
+        {key::kStepAboveCarina, known(aboveCarina(step.event.seat, step.event.tipAboveCarina))}};
+}
+
 QJsonArray timelineOf(const WatchedIntubation& watched)
 {
-    std::vector<NotedStep> steps = watched.noted;
-    std::ranges::stable_sort(steps, {}, [](const NotedStep& step) { return step.event.at; });
+    std::vector<std::pair<SessionTime, QJsonObject>> steps;
+    bool isFrozen = false;
+    for (const NotedStep& step : watched.noted) {
+        const IntubationStep what = step.event.step;
+        isFrozen = what == IntubationStep::ShapesApart
+                   || (isFrozen && what != IntubationStep::ShapesTogether
+                       && what != IntubationStep::TubeOut);
+        steps.emplace_back(step.event.at, stepObject(step, isFrozen));
+    }
+    std::ranges::stable_sort(steps, {}, &std::pair<SessionTime, QJsonObject>::first);
     QJsonArray timeline;
-    for (const NotedStep& step : steps)
-        timeline += QJsonObject{
-            {key::kStep, stepWord(step.event.step)},
-            {key::kAt, sinceStart(step.event.at)},
-            {key::kNotedAt, sinceStart(step.effect)},
-            {key::kSeat, seatWord(step.event.seat)},
-            {key::kStepConfidence, step.event.confidence},
-            {key::kStepDepth, inMillimetres(step.event.depthAtTeeth)},
-            {key::kStepAboveCarina, aboveCarina(step.event.seat, step.event.tipAboveCarina)}};
+    for (const auto& [at, step] : steps)
+        timeline += step;
     return timeline;
 }
 

@@ -16,21 +16,6 @@ constexpr Length kShortest = millimetres(140.0); ///< of the thinnest
 constexpr Length kLongest = millimetres(320.0);  ///< from an inner diameter of 8 mm on
 constexpr Length kInnerOfLongest = millimetres(8.0);
 
-double coreStiffness(TubeCore core)
-{
-    constexpr Length kUsual = millimetres(7.0);
-    const double usual = bendingStiffness(kColdPvc_Pa, 0.5 * outerDiameterOf(kUsual), 0.5 * kUsual);
-    switch (core) {
-    case TubeCore::Bougie:
-        return kBougieToTube * usual;
-    case TubeCore::Stylet:
-        return kStyletToTube * usual;
-    case TubeCore::Nothing:
-        break;
-    }
-    return 0.0;
-}
-
 } // namespace
 
 std::vector<Length> tubeSizes()
@@ -48,17 +33,15 @@ double bendingStiffness(double modulus_Pa, Length outerRadius, Length innerRadiu
            * (std::pow(outerRadius.si, 4) - std::pow(innerRadius.si, 4));
 }
 
-Result<TubeSize> tubeOfSize(Length inner, TubeCore core, bool isWarm)
+Result<TubeSize> tubeOfSize(Length inner)
 {
     constexpr Length kRounding = millimetres(1e-6);
     if (!(inner >= kThinnestTube - kRounding && inner <= kThickestTube + kRounding))
         return fail(Errc::OutOfRange, "a tube of " + std::to_string(inMillimetres(inner)) + " mm");
-    TubeSize size{.inner = inner, .outer = outerDiameterOf(inner), .length = {}, .core = core};
+    TubeSize size{.inner = inner, .outer = outerDiameterOf(inner), .length = {}};
     const double share = std::min((inner - kThinnestTube) / (kInnerOfLongest - kThinnestTube), 1.0);
     size.length = kShortest + share * (kLongest - kShortest);
-    size.stiffness =
-        bendingStiffness(isWarm ? kWarmPvc_Pa : kColdPvc_Pa, size.outerRadius(), 0.5 * inner)
-        + coreStiffness(core);
+    size.stiffness = bendingStiffness(kPvc_Pa, size.outerRadius(), 0.5 * inner);
     return size;
 }
 

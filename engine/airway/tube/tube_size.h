@@ -3,14 +3,10 @@
 #include "engine/core/result.h"
 #include "engine/core/units.h"
 
-#include <cstdint>
 #include <vector>
 
 namespace carina
 {
-
-/// What is in a tube and makes it stiffer.
-enum class TubeCore : std::uint8_t { Nothing, Bougie, Stylet };
 
 /// A tracheal tube by its size: its dimensions and how stiff it is.
 struct TubeSize {
@@ -18,7 +14,6 @@ struct TubeSize {
     Length outer;           ///< outerDiameterOf
     Length length;          ///< from the connector's end to the tip
     double stiffness = 0.0; ///< of bending, E I, N m^2
-    TubeCore core = TubeCore::Nothing;
 
     [[nodiscard]] Length outerRadius() const { return 0.5 * outer; }
 };
@@ -31,14 +26,7 @@ inline constexpr Length kTubeSizeStep = millimetres(0.5);
 [[nodiscard]] std::vector<Length> tubeSizes();
 
 /// Young's modulus of a tube's plasticised PVC, assumed: textbooks have 2 to 20 MPa for soft PVC.
-/// In the airway it is warm and half as stiff, which is assumed too.
-inline constexpr double kColdPvc_Pa = 10e6;
-inline constexpr double kWarmPvc_Pa = 5e6;
-
-/// How much stiffer a tube of 7.0 mm is with a bougie or stylet in it, assumed: both are stiffer
-/// than the tube by an order of magnitude.
-inline constexpr double kBougieToTube = 3.0;
-inline constexpr double kStyletToTube = 12.0;
+inline constexpr double kPvc_Pa = 5e6;
 
 /// Stiffness of a round tube against bending, N m^2: E pi (ro^4 - ri^4) / 4.
 [[nodiscard]] double bendingStiffness(double modulus_Pa, Length outerRadius, Length innerRadius);
@@ -46,7 +34,6 @@ inline constexpr double kStyletToTube = 12.0;
 /// The tube of a size. Its length goes linearly from 140 mm at 2.5 to 320 mm at 8.0 mm, as the
 /// usual uncut tubes about have it; of ours.
 /// @returns OutOfRange outside kThinnestTube to kThickestTube
-[[nodiscard]] Result<TubeSize> tubeOfSize(Length inner, TubeCore core = TubeCore::Nothing,
-                                          bool isWarm = true);
+[[nodiscard]] Result<TubeSize> tubeOfSize(Length inner);
 
 } // namespace carina

@@ -161,6 +161,9 @@ TryMetrics TryCourse::metrics(SessionTime ended, std::optional<Length> depthWant
     if (metrics.isTold)
         metrics.confidence = 1.0;
     metrics.depthWanted = depthWanted;
+    metrics.checks = m_checks;
+    if (!m_isWatched)
+        return metrics;
     metrics.headExtension = m_headExtension;
     metrics.oxygen = oxygen.figures();
     metrics.incisors = m_incisors.figures();
@@ -168,7 +171,6 @@ TryMetrics TryCourse::metrics(SessionTime ended, std::optional<Length> depthWant
     metrics.plane = whole.m_plane.figures();
     metrics.hand = whole.m_hand.figures();
     metrics.head = head.figures();
-    metrics.checks = m_checks;
     return metrics;
 }
 

@@ -46,6 +46,9 @@ public:
     void addForces(SessionTime t, Force incisors, Force tongue);
     /// How far the head is extended; the first after the try began counts.
     void addHeadExtension(Angle extension);
+    /// Its begin was not watched: what is measured on the way is not told then, but what events
+    /// tell.
+    void beganBefore() { m_isWatched = false; }
     void check(TryCheck what, bool isDone) { m_checks[static_cast<std::size_t>(what)] = isDone; }
 
     [[nodiscard]] bool hasBegun() const { return !m_events.empty(); }
@@ -81,6 +84,7 @@ private:
     BladeSamples m_blade;
     PlaneMeter m_plane;
     MotionMeter m_hand;
+    bool m_isWatched = true; ///< from its begin on
     std::optional<Angle> m_headExtension;
     std::array<std::optional<bool>, kTryChecks> m_checks{};
 };

@@ -56,6 +56,25 @@ private Q_SLOTS:
         QCOMPARE(story.line(1), QStringLiteral("01:42  Tube at rest, 20.1 cm at the teeth"));
     }
 
+    /// It is frozen: the manikin's airway is not the virtual one.
+    void tellsNoDepthWhileBothShapesAreApart()
+    {
+        Story story;
+        const auto note = [&](IntubationStep step, Duration after) {
+            story.notes({.step = step,
+                         .seat = TubeSeat::Trachea,
+                         .depthAtTeeth = millimetres(120.0),
+                         .besides = millimetres(9.0)},
+                        after);
+        };
+        note(IntubationStep::ShapesApart, 10s);
+        note(IntubationStep::CuffInflated, 12s);
+        note(IntubationStep::ShapesTogether, 14s);
+        note(IntubationStep::AtRest, 16s);
+        QCOMPARE(story.line(1), QStringLiteral("00:12  Cuff inflated"));
+        QCOMPARE(story.line(3), QStringLiteral("00:16  Tube at rest, 12.0 cm at the teeth"));
+    }
+
     void findsTheStepOfAMoment()
     {
         Story story;

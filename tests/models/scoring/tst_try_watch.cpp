@@ -45,8 +45,9 @@ private Q_SLOTS:
     void isEndedByAnInstructorOrWhoIsAtWork();
     void reportsATryThatWasGivenUp();
     void forgetsTheReportWhenAnotherTryBegins();
-    void ignoresATryThatBeganBeforeItLooked();
-    void startsAfreshAtAnotherStation();
+    void findsATryThatBeganBeforeItLooked();
+    void findsTheLastTryThatEndedBeforeItLooked();
+    void findsTheTryOfAnotherStation();
 };
 
 void TestTryWatch::reportsATryOnceThePatientIsVentilated()
@@ -471,26 +472,62 @@ void TestTryWatch::forgetsTheReportWhenAnotherTryBegins()
     QVERIFY(session.tries.time() >= std::chrono::seconds{1});
 }
 
-void TestTryWatch::ignoresATryThatBeganBeforeItLooked()
+/// What facts tell of it is told; what was to be measured on the way is not.
+void TestTryWatch::findsATryThatBeganBeforeItLooked()
 {
     TriedSession session;
     session.note(IntubationStep::BladeIn);
-    TryWatch late{session.session, FakeSessionNode::kStation};
-    late.watch();
-    QVERIFY(!late.isUnderWay());
+    session.node.decide(fact::CuffSet{true}); // tried
     session.note(IntubationStep::BladeOut);
-    late.watch();
-    QVERIFY(!late.isUnderWay());
-    session.note(IntubationStep::BladeIn);
+    session.note(IntubationStep::BladeIn); // the same try
+    session.note(IntubationStep::TubePastTeeth);
+    TryWatch late{session.session, FakeSessionNode::kStation};
+    const QSignalSpy ended{&late, &TryWatch::ended};
     late.watch();
     QVERIFY(late.isUnderWay());
+    QCOMPARE(late.time(), session.tries.time());
+    session.note(IntubationStep::ThroughCords, TubeSeat::Trachea, millimetres(200.0));
+    late.watch();
+    session.endTry();
+    late.watch();
+    QCOMPARE(ended.count(), 1);
+    TryMetrics whole = session.tries.report().value().metrics;
+    const TryMetrics found = late.report().value().metrics;
+    QCOMPARE(found.attempts.size(), std::size_t{2});
+    QVERIFY(whole.oxygen && !found.oxygen);
+    whole.oxygen.reset();
+    whole.headExtension.reset();
+    whole.cuffInflated.reset(); // no monitor noted it here
+    QVERIFY(found == whole);
 }
 
-void TestTryWatch::startsAfreshAtAnotherStation()
+void TestTryWatch::findsTheLastTryThatEndedBeforeItLooked()
+{
+    TriedSession session;
+    session.note(IntubationStep::BladeIn);
+    session.note(IntubationStep::BladeOut);
+    session.run(std::chrono::seconds{12});
+    session.intubate();
+    session.endTry();
+    TryWatch late{session.session, FakeSessionNode::kStation};
+    const QSignalSpy ended{&late, &TryWatch::ended};
+    late.watch();
+    QVERIFY(!late.isUnderWay());
+    QCOMPARE(ended.count(), 0); // of long ago
+    const TryMetrics found = late.report().value().metrics;
+    const TryMetrics whole = session.tries.report().value().metrics;
+    QCOMPARE(found.outcome, TryOutcome::Trachea);
+    QCOMPARE(found.begun, whole.begun);
+    QCOMPARE(found.ended, whole.ended);
+    QCOMPARE(found.attempts, whole.attempts);
+}
+
+void TestTryWatch::findsTheTryOfAnotherStation()
 {
     TriedSession session;
     session.node.addStation("Room 2");
     session.intubate();
+    const Duration time = session.tries.time();
     const QSignalSpy changed{&session.tries, &TryWatch::changed};
     session.tries.setStation(StationId{1});
     QCOMPARE(changed.count(), 1);
@@ -498,7 +535,8 @@ void TestTryWatch::startsAfreshAtAnotherStation()
     session.run(std::chrono::seconds{1});
     session.tries.setStation(FakeSessionNode::kStation);
     session.run(std::chrono::seconds{1});
-    QVERIFY(!session.tries.isUnderWay()); // its beginning was not measured
+    QVERIFY(session.tries.isUnderWay());
+    QCOMPARE(session.tries.time(), time + std::chrono::seconds{2});
 }
 
 CARINA_TEST(TestTryWatch)

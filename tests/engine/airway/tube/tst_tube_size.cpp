@@ -14,8 +14,6 @@ class TestTubeSize : public QObject
 private Q_SLOTS:
     void hasFourteenSizes();
     void isStiffAsAnEmptyCylinder();
-    void isStifferWithWhatIsInIt();
-    void isSofterInTheWarmth();
     void refusesOtherSizes();
 };
 
@@ -35,22 +33,6 @@ void TestTubeSize::isStiffAsAnEmptyCylinder()
     // 1 MPa, 5 mm outside and 4 mm inside: pi / 4 (625 - 256) mm^4 = 289.81 mm^4.
     const double found = bendingStiffness(1e6, millimetres(5.0), millimetres(4.0));
     QVERIFY(std::abs(found - 2.8981e-4) < 1e-8);
-}
-
-void TestTubeSize::isStifferWithWhatIsInIt()
-{
-    const double empty = tubeOfSize(millimetres(7.0))->stiffness;
-    const double bougie = tubeOfSize(millimetres(7.0), TubeCore::Bougie)->stiffness;
-    const double stylet = tubeOfSize(millimetres(7.0), TubeCore::Stylet)->stiffness;
-    QVERIFY(bougie > 2.0 * empty);
-    QVERIFY(stylet > 10.0 * empty && stylet > bougie);
-}
-
-void TestTubeSize::isSofterInTheWarmth()
-{
-    const double warm = tubeOfSize(millimetres(7.0), TubeCore::Nothing, true)->stiffness;
-    const double cold = tubeOfSize(millimetres(7.0), TubeCore::Nothing, false)->stiffness;
-    QVERIFY(std::abs(cold / warm - 2.0) < 1e-9);
 }
 
 void TestTubeSize::refusesOtherSizes()

@@ -12,10 +12,11 @@
 /// For programs to make a patient and to show something, on a busy machine.
 inline constexpr int kPatience_ms = 120'000;
 
-/// For the session of a test, beside others that run at the same time.
+/// For the session of a test, beside others that run at the same time, and below the ports that a
+/// system hands out by itself.
 inline QString portOfThisTest()
 {
-    return QString::number(20'000 + QCoreApplication::applicationPid() % 30'000);
+    return QString::number(20'000 + QCoreApplication::applicationPid() % 12'000);
 }
 
 /// One of the programs, with the journal of what it shows.

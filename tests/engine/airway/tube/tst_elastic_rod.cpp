@@ -292,6 +292,35 @@ private Q_SLOTS:
         }
     }
 
+    /// Likewise between walls, against which a load at its tip had pressed it: from the step on
+    /// that lets go of it.
+    void gainsNoEnergyBetweenWalls()
+    {
+        constexpr double kOfLargest = 1e-3; // by the last of Newton's steps
+        std::mt19937 random{26};
+        std::uniform_real_distribution<double> part{-0.5, 0.5};
+        for (int trial = 0; trial < 10; ++trial) {
+            const std::vector<Vec3> rest = arc(0.14, 1.5);
+            ElasticRod rod{kStiffness, rest};
+            const RodGuide guide = pipe(0.008, 0.004, 0.6);
+            const RodHold hold{.guide = &guide, .first = kBeforeGuide};
+            rod.layAlong(hold, ElasticRod::kHeld, hold.first + rod.along(ElasticRod::kHeld));
+            const Vec3 load{part(random), part(random), 0.0};
+            for (int i = 0; i < 20; ++i)
+                QVERIFY(rod.step(hold, load));
+            QVERIFY(rod.step(hold));
+            const double largest = energyOf(rod, rest);
+            double before = largest;
+            for (int i = 0; i < 60; ++i) {
+                QVERIFY(rod.step(hold));
+                const double energy = energyOf(rod, rest);
+                QVERIFY2(energy <= before + kOfLargest * largest,
+                         qPrintable(QStringLiteral("%1 %2 %3").arg(i).arg(energy).arg(before)));
+                before = energy;
+            }
+        }
+    }
+
     void isLostWhereItJumps()
     {
         const std::vector<Vec3> rest = straight(0.2);

@@ -282,13 +282,6 @@ GlotticLine StationLaryngoscope::glottisAt(const FollowingThroat& throat,
     return (**m_laryngoscopy).glottisAt(throat, tissue);
 }
 
-std::vector<ThroatContent> StationLaryngoscope::contentsAt(const FollowingThroat& throat,
-                                                           const BladeField& tissue) const
-{
-    CARINA_EXPECTS(m_laryngoscopy && m_laryngoscopy->has_value());
-    return (**m_laryngoscopy).contentsAt(throat, tissue);
-}
-
 std::vector<ThroatContent> StationLaryngoscope::contentsIn(const StationMoment& moment,
                                                            const FollowingThroat& throat,
                                                            const BladeField& tissue) const
@@ -300,8 +293,6 @@ std::vector<ThroatContent> StationLaryngoscope::contentsIn(const StationMoment& 
 }
 
 QString laryngoscopeText(LaryngoscopeState state) { return LaryngoscopeWords::of(state); }
-
-QString glotticViewText(const GlotticView& view) { return LaryngoscopeWords::of(view); }
 
 QString bladeEffortText(const BladeEffort& effort, UpperTeeth teeth)
 {

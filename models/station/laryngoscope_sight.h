@@ -103,11 +103,9 @@ public:
     [[nodiscard]] GlotticLine glottisAt(const FollowingThroat& throat,
                                         const BladeField& tissue) const;
 
-    /// What lies in the throat there by events. @pre the same
-    [[nodiscard]] std::vector<ThroatContent> contentsAt(const FollowingThroat& throat,
-                                                        const BladeField& tissue) const;
-    /// The same with or without a laryngoscope: nothing where no event is there, and of a patient
-    /// that lacks what one is to show. @pre changesAt of the same moment was asked for before
+    /// What lies in the throat by events, with or without a laryngoscope: nothing where no event is
+    /// there, and of a patient that lacks what one is to show. @pre changesAt of the same moment
+    /// was asked for before
     [[nodiscard]] std::vector<ThroatContent> contentsIn(const StationMoment& moment,
                                                         const FollowingThroat& throat,
                                                         const BladeField& tissue) const;
@@ -147,9 +145,6 @@ inline constexpr Duration kCordsGo = std::chrono::milliseconds{150};
 /// What keeps the view of a laryngoscope from being shown, and what to do, as a sentence; empty
 /// while it is Live.
 [[nodiscard]] QString laryngoscopeText(LaryngoscopeState state);
-
-/// "Grade 2a · 43 % of the glottis".
-[[nodiscard]] QString glotticViewText(const GlotticView& view);
 
 /// What the blade does to tongue, epiglottis and teeth, in two lines: "Lifting · tongue about 38 N
 /// (estimate) · epiglottis not touched", and "Teeth free (4 mm)" or "▲ Teeth pressed: about 12 N

@@ -62,13 +62,10 @@ QJsonObject stepObject(const NotedStep& step, bool isFrozen)
 QJsonArray timelineOf(const WatchedIntubation& watched)
 {
     std::vector<std::pair<SessionTime, QJsonObject>> steps;
-    bool isFrozen = false;
+    TubeTimeline tube;
     for (const NotedStep& step : watched.noted) {
-        const IntubationStep what = step.event.step;
-        isFrozen = what == IntubationStep::ShapesApart
-                   || (isFrozen && what != IntubationStep::ShapesTogether
-                       && what != IntubationStep::TubeOut);
-        steps.emplace_back(step.event.at, stepObject(step, isFrozen));
+        tube.note(step.effect, step.event, {});
+        steps.emplace_back(step.event.at, stepObject(step, tube.areShapesApartAt(step.effect)));
     }
     std::ranges::stable_sort(steps, {}, &std::pair<SessionTime, QJsonObject>::first);
     QJsonArray timeline;

@@ -9,9 +9,9 @@
 #include "engine/anatomy/patient/patient_dimensions.h"
 #include "engine/anatomy/patient/patient_name.h"
 #include "engine/geometry/mesh/surface_tree.h"
-#include "engine/registration/calibration/tube_rest.h"
 #include "evaluation/intubation/motion_script.h"
 #include "evaluation/intubation/motion_truth.h"
+#include "tests/engine/airway/tube/feeding_hand.h"
 #include "tests/support/test_class.h"
 
 #include <algorithm>
@@ -233,31 +233,6 @@ TubeRest soldCurve(const TubeSize& size)
     return {size.length, {1.0 / 0.14, 1.0 / 0.14}, size.outer};
 }
 
-/// The rotation about x to a direction in the median plane, from z.
-Quat toMedianDirection(const Vec3& direction)
-{
-    return Quat{Eigen::AngleAxisd{std::atan2(-direction.y(), direction.z()), Vec3::UnitX()}};
-}
-
-/// So much of a tube is behind the teeth: a hand feeds it along its own curve, which passes them in
-/// the direction of the mouth, and lifts the connector by 17 degrees on the way.
-RigidTransform pushedIn(const MovedLumen& lumen, const TubeSize& size, double inside)
-{
-    constexpr double kBehind_m = 0.03;
-    constexpr double kRise = 0.3;
-    const TubeRest rest = soldCurve(size);
-    const Vec3 p_A_teeth = lumen.sectionAt(AirwayWay::Trunk, lumen.teeth).p_A_centre;
-    const Vec3 p_A_behind = lumen.sectionAt(AirwayWay::Trunk, lumen.teeth + kBehind_m).p_A_centre;
-    const Vec3 into = (p_A_behind - p_A_teeth).normalized();
-    const Length there = metres(size.length.si - std::max(inside, 0.0));
-    const Vec3 p_E = centreOfTube(rest, there);
-    const Vec3 along_E = (centreOfTube(rest, there + millimetres(1.0)) - p_E).normalized();
-    const double rise = kRise * std::clamp(inside / 0.14, 0.0, 1.0);
-    const Quat q = Quat{Eigen::AngleAxisd{-rise, Vec3::UnitX()}} * toMedianDirection(into)
-                   * toMedianDirection(along_E).conjugate();
-    return {q, p_A_teeth + std::min(inside, 0.0) * into - q * p_E};
-}
-
 void patients()
 {
     QTest::addColumn<int>("which");
@@ -345,13 +320,15 @@ private Q_SLOTS:
         const Patient patient{parametersFromWords(words.toStdString()).value(),
                               millimetres(inner_mm)};
         const MovedLumen lumen = lumenBeforeBlade(patient);
-        TubeInLumen tube{patient.size, centrelineOfTube(soldCurve(patient.size))};
+        const test::Mouth mouth = test::mouthOf(lumen);
+        const TubeRest rest = soldCurve(patient.size);
+        TubeInLumen tube{patient.size, centrelineOfTube(rest)};
         double inside = -0.02;
         for (const double depth : {0.12, 0.15, 0.18}) {
             for (; inside < depth; inside += 0.0015)
-                tube.step(pushedIn(lumen, patient.size, inside), lumen);
+                tube.step(test::fed(mouth, rest, inside), lumen);
             for (int i = 0; i < 60; ++i)
-                tube.step(pushedIn(lumen, patient.size, depth), lumen);
+                tube.step(test::fed(mouth, rest, depth), lumen);
             const Length off = metres(std::abs(tube.tip().depth.si - depth));
             qInfo("%.0f mm: off by %.1f mm", 1e3 * depth, inMillimetres(off));
             QVERIFY(off < (depth < 0.14 ? kAboveCords : kDepth));

@@ -9,6 +9,7 @@
 #include "models/intubation/intubation_watch.h"
 #include "models/patient/laryngoscopy.h"
 #include "models/patient/patient_source.h"
+#include "tests/engine/airway/tube/feeding_hand.h"
 #include "tests/models/patient/lumen_of.h"
 #include "tests/support/simulated_link.h"
 #include "tests/support/test_class.h"
@@ -34,7 +35,6 @@ constexpr Length kInner = millimetres(7.0);
 constexpr double kInFront_m = 0.05;     ///< of the teeth, where it begins
 constexpr double kAboveCarina_m = 0.19; ///< behind them, where it ends
 constexpr double kInBronchus_m = 0.24;
-constexpr double kRise = 0.3; ///< radians by which the connector is lifted on the way
 constexpr Length kAtRest = millimetres(0.5);   ///< of both lines, the greatest distance
 constexpr Length kPushedOn = millimetres(0.7); ///< likewise, held up while the hand goes on
 constexpr Length kNear = millimetres(1.0);     ///< the goal, also in motion
@@ -82,39 +82,10 @@ const Lifted& lifted()
     return it;
 }
 
-/// Where the tube passes the teeth, and the direction of the mouth there.
-struct Mouth {
-    Vec3 p_A = Vec3::Zero();
-    Vec3 into = Vec3::UnitY();
-};
-
-Mouth mouth()
+test::Mouth mouth()
 {
-    constexpr double kBehind_m = 0.03;
     const TissueAround tissue = lifted().tissue();
-    const MovedLumen there = moved(*lumen(), tissue.motion, tissue.push);
-    const Vec3 p_A = there.sectionAt(AirwayWay::Trunk, there.teeth).p_A_centre;
-    const Vec3 p_A_behind = there.sectionAt(AirwayWay::Trunk, there.teeth + kBehind_m).p_A_centre;
-    return {p_A, (p_A_behind - p_A).normalized()};
-}
-
-/// The rotation about x to a direction in the median plane, from z.
-Quat inMedianPlane(const Vec3& direction)
-{
-    return Quat{Eigen::AngleAxisd{std::atan2(-direction.y(), direction.z()), Vec3::UnitX()}};
-}
-
-/// A hand that feeds the tube along its own curve, and lifts the connector as it goes in: in the
-/// median plane, so that it never spins, as a shortest rotation would where it is half a turn.
-RigidTransform fed(const Mouth& mouth, double inside)
-{
-    const Length there = metres(rest().length.si - std::max(inside, 0.0));
-    const Vec3 p_E = centreOfTube(rest(), there);
-    const Vec3 along_E = (centreOfTube(rest(), there + millimetres(1.0)) - p_E).normalized();
-    const double rise = kRise * std::clamp(inside / 0.14, 0.0, 1.0);
-    const Quat q = Quat{Eigen::AngleAxisd{-rise, Vec3::UnitX()}} * inMedianPlane(mouth.into)
-                   * inMedianPlane(along_E).conjugate();
-    return {q, mouth.p_A + std::min(inside, 0.0) * mouth.into - q * p_E};
+    return test::mouthOf(moved(*lumen(), tissue.motion, tissue.push));
 }
 
 /// Who has the tube: a fold of it, and what is sent of it.
@@ -126,7 +97,8 @@ public:
     [[nodiscard]] Duration lasts() const { return fromSeconds((m_until + kInFront_m) / m_speed); }
     [[nodiscard]] RigidTransform connectorAt(SessionTime t) const
     {
-        return fed(m_mouth, std::min(m_speed * toSeconds(t - kBegin) - kInFront_m, m_until));
+        return test::fed(m_mouth, rest(),
+                         std::min(m_speed * toSeconds(t - kBegin) - kInFront_m, m_until));
     }
     void look(SessionTime now)
     {
@@ -169,7 +141,7 @@ private:
 
     double m_speed;
     double m_until;
-    Mouth m_mouth = mouth();
+    test::Mouth m_mouth = mouth();
     ElasticTube m_tube{childWithTube().tube(), lumen()};
     std::optional<StreamShape> m_shape;
     std::uint16_t m_sequence = 0;

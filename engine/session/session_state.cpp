@@ -472,6 +472,21 @@ std::optional<SessionTime> SessionState::ended() const
     return isOver ? std::optional{changes.back().from} : std::nullopt;
 }
 
+Pauses SessionState::pauses() const
+{
+    Pauses pauses;
+    std::optional<SessionTime> since;
+    for (const auto& change : m_running.changes()) {
+        if (change.value && since)
+            pauses.add(*std::exchange(since, std::nullopt), change.from);
+        else if (!change.value && !since && change.before > Duration{})
+            since = change.from;
+    }
+    if (since)
+        pauses.add(*since, SessionTime::max());
+    return pauses;
+}
+
 ParticipantId SessionState::atWork(StationId station) const
 {
     const auto place = m_stations.find(station);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/core/pauses.h"
 #include "engine/session/airway/airway_event_timeline.h"
 #include "engine/session/airway/head_position_timeline.h"
 #include "engine/session/facts/facts.h"
@@ -134,6 +135,8 @@ public:
     [[nodiscard]] SessionPhase phaseAt(SessionTime t) const { return m_phase.at(t); }
     /// From when on it is over; nothing until that is decided.
     [[nodiscard]] std::optional<SessionTime> ended() const;
+    /// Since it began to run.
+    [[nodiscard]] Pauses pauses() const;
     /// Time spent in phase Running up to t.
     [[nodiscard]] Duration runningTime(SessionTime t) const { return m_running.integral(t); }
 

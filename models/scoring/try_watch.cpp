@@ -5,6 +5,7 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <ratio>
 #include <utility>
 
 namespace carina
@@ -13,12 +14,16 @@ namespace
 {
 
 constexpr int kWatchInterval_ms = 50;
+using VitalsGrid = std::chrono::duration<std::int64_t, std::ratio<1, 5>>;
+static_assert(VitalsGrid{1} == TryWatch::kVitalsEvery);
 
 /// Against gravity, in A: to the front of a patient who lies supine.
 Vec3 upInAnatomy() { return -Vec3::UnitY(); }
 
+/// Of what a program that comes later knows no more, as it was first.
 TubedPatient tubedPatient(const Station& station, SessionTime t)
 {
+    t = std::max(t, station.respiration.keptFrom());
     const PatientBuild build = station.respiration.settingsAt(t).build;
     return {build.height, build.ageInYears, build.sex == Sex::Female,
             station.respiration.tubePlaceAt(t).innerDiameter};
@@ -72,7 +77,8 @@ const Station* TryWatch::stationIn(const SessionState& state) const
 Duration TryWatch::time() const
 {
     const auto now = m_session.node().now();
-    return isUnderWay() && now ? std::max(*now - m_begun, Duration{}) : Duration{};
+    return isUnderWay() && now ? m_session.node().state()->pauses().between(m_begun, *now)
+                               : Duration{};
 }
 
 void TryWatch::watch()
@@ -85,15 +91,15 @@ void TryWatch::watch()
     const bool isFirstLook = !m_watchedSince;
     if (isFirstLook)
         m_watchedSince = now;
+    m_course.setPauses(state->pauses());
     takeFacts(*state, *station);
     if (isFirstLook) // when it was inflated is noted
         m_isCuffInflated = station->respiration.tube().cuffInflatedAt(*now);
     if (!isUnderWay())
         return lookAtMask(*station, *now);
-    if (*now - m_vitalsAt >= kVitalsEvery)
-        takeVitals(*station, *now);
     takeCuff(*state, *now);
-    takeForces(*now);
+    if (state->phaseAt(*now) != SessionPhase::Paused)
+        takeForces(*now);
     takePoses(*state, *now);
     endBy(*state, *now);
 }
@@ -111,6 +117,7 @@ void TryWatch::endBy(const SessionState& state, SessionTime t)
 {
     if (!isUnderWay())
         return;
+    takeVitals(*stationIn(state), t);
     const SessionTime asked = endedByPerson(state).value_or(SessionTime::max());
     if (const auto at = m_course.endedBy(std::min(asked, t)))
         end(*stationIn(state), *at);
@@ -211,19 +218,22 @@ void TryWatch::begin(SessionTime now)
     m_begun = now;
     m_isTubeOut = false;
     m_isCuffInflated = false;
-    m_vitalsAt = {};
+    m_vitalsAt = std::chrono::ceil<VitalsGrid>(now);
     m_posesAt = now;
     m_report.reset();
     m_judged.reset();
 }
 
-void TryWatch::takeVitals(const Station& station, SessionTime now)
+/// At the same moments at every program, whenever it looks: the patient follows from facts.
+void TryWatch::takeVitals(const Station& station, SessionTime until)
 {
-    m_vitalsAt = now;
-    m_course.addHeadExtension(headPositionAt(station, now).extension);
-    if (!station.respiration.runsAt(now))
-        return;
-    m_course.addVitals(now, m_patient.at(station.respiration, now).vitals());
+    m_course.addHeadExtension(headPositionAt(station, m_begun).extension);
+    const RespirationTimeline& patient = station.respiration;
+    m_vitalsAt =
+        std::max<SessionTime>(m_vitalsAt, std::chrono::ceil<VitalsGrid>(patient.keptFrom()));
+    for (; m_vitalsAt <= until; m_vitalsAt += kVitalsEvery)
+        if (patient.runsAt(m_vitalsAt))
+            m_course.addVitals(m_vitalsAt, m_patient.at(patient, m_vitalsAt).vitals());
 }
 
 /// That of a tube that is out is empty without anybody's doing.
@@ -244,7 +254,10 @@ void TryWatch::takePoses(const SessionState& state, SessionTime now)
     if (!m_posesAt || until - *m_posesAt > kLongestGap)
         m_posesAt = until;
     const ParticipantId worker = state.atWork(m_station);
+    const Pauses pauses = state.pauses();
     for (; *m_posesAt <= until; *m_posesAt += kPoseEvery) {
+        if (pauses.contains(*m_posesAt))
+            continue;
         const auto people = peoplePoses(m_session.node(), m_station, m_own, *m_posesAt);
         if (const PersonPose* blade = laryngoscopeOf(people, worker))
             m_course.addBlade(blade->pose);

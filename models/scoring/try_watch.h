@@ -76,7 +76,7 @@ private:
     void tell(std::optional<TubeSeat> seat, SessionTime since);
     [[nodiscard]] bool takeLate(const IntubationEvent& event);
     void take(const SessionState& state, const IntubationEvent& event);
-    void takeVitals(const Station& station, SessionTime now);
+    void takeVitals(const Station& station, SessionTime until);
     void takeCuff(const SessionState& state, SessionTime now);
     void takeForces(SessionTime now);
     void lookAtMask(const Station& station, SessionTime now);
@@ -116,7 +116,7 @@ private:
     bool m_isCuffInflated = false;
     std::optional<SessionTime> m_maskVentilated; ///< seen last
     SessionTime m_begun{};
-    SessionTime m_vitalsAt{};
+    SessionTime m_vitalsAt{}; ///< next
     std::optional<SessionTime> m_posesAt;
 };
 

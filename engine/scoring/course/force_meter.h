@@ -8,7 +8,7 @@
 namespace carina
 {
 
-/// A force counts as a warning from the first on, and as a fault from the second. Limits of
+/// A force above the first counts as a warning, and one above the second as a fault. Limits of
 /// training, of ours, within what was measured on manikins and patients: no force is known that
 /// breaks a tooth.
 struct ForceLimits {

@@ -11,7 +11,7 @@ void OxygenMeter::add(SessionTime t, const Vitals& vitals)
     else if (t <= m_last)
         return;
     else if (m_lastSaturation < kLowSaturation)
-        m_figures->below += t - m_last;
+        m_figures->below += m_pauses.between(m_last, t);
     if (saturation < m_figures->lowest) {
         m_figures->lowest = saturation;
         m_figures->lowestAt = t;

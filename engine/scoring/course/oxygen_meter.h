@@ -1,9 +1,10 @@
 #pragma once
 
-#include "engine/core/session_time.h"
+#include "engine/core/pauses.h"
 #include "engine/physiology/vitals.h"
 
 #include <optional>
+#include <utility>
 
 namespace carina
 {
@@ -27,6 +28,9 @@ inline constexpr double kLowSaturation = 0.90;
 class OxygenMeter
 {
 public:
+    /// @param pauses that do not count as time
+    explicit OxygenMeter(Pauses pauses = {}) : m_pauses{std::move(pauses)} {}
+
     /// What is not later than the last is ignored.
     void add(SessionTime t, const Vitals& vitals);
 
@@ -34,6 +38,7 @@ public:
     [[nodiscard]] const std::optional<OxygenFigures>& figures() const { return m_figures; }
 
 private:
+    Pauses m_pauses;
     std::optional<OxygenFigures> m_figures;
     SessionTime m_last{};
     double m_lastSaturation = 1.0;

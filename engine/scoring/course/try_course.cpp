@@ -87,7 +87,12 @@ void TryCourse::addVitals(SessionTime t, const Vitals& vitals)
 /// What comes later is not of the try, whenever it ends.
 bool TryCourse::isWithinLongest(SessionTime t) const
 {
-    return hasBegun() && t <= m_events.front().at + kLongestTry;
+    return hasBegun() && t <= m_pauses.after(m_events.front().at, kLongestTry);
+}
+
+bool TryCourse::wasPausedBetween(SessionTime from, SessionTime until) const
+{
+    return m_pauses.between(from, until) < until - from;
 }
 
 void TryCourse::addBlade(const PoseSample& X_FL)
@@ -99,6 +104,11 @@ void TryCourse::addBlade(const PoseSample& X_FL)
 void TryCourse::measure(const std::vector<PoseSample>& blade)
 {
     for (const PoseSample& X_FL : blade) {
+        if (m_lastBlade && wasPausedBetween(*m_lastBlade, X_FL.time)) {
+            m_plane.pause();
+            m_hand.pause();
+        }
+        m_lastBlade = X_FL.time;
         m_plane.add(X_FL);
         m_hand.add(X_FL);
     }
@@ -130,11 +140,14 @@ std::optional<SessionTime> TryCourse::endedBy(SessionTime now) const
         return std::nullopt;
     // What was just said may be taken back, or be followed by what is meant.
     const SessionTime said = m_told.empty() ? SessionTime::min() : m_told.back().since;
-    if (m_firstBreath && now - std::max(*m_firstBreath, said) >= kVentilatedFor)
-        return std::max(*m_firstBreath, said) + kVentilatedFor;
-    if (m_outSince && now - *m_outSince >= kOutFor)
+    if (m_firstBreath) {
+        const SessionTime end = m_pauses.after(std::max(*m_firstBreath, said), kVentilatedFor);
+        if (now >= end)
+            return end;
+    }
+    if (m_outSince && now >= m_pauses.after(*m_outSince, kOutFor))
         return *m_outSince;
-    const SessionTime latest = m_events.front().at + kLongestTry;
+    const SessionTime latest = m_pauses.after(m_events.front().at, kLongestTry);
     return now >= latest ? std::optional{latest} : std::nullopt;
 }
 
@@ -144,19 +157,24 @@ TryMetrics TryCourse::metrics(SessionTime ended, std::optional<Length> depthWant
     const SessionTime end = std::max(ended, m_events.front().at);
     TryCourse whole = *this;
     whole.measure(whole.m_blade.inMouthUntil(ended));
-    OxygenMeter oxygen;
+    OxygenMeter oxygen{m_pauses};
     for (const auto& [t, vitals] : m_vitals)
         if (t <= end)
             oxygen.add(t, vitals);
     MotionMeter head{m_up_F};
-    for (const PoseSample& X_FH : m_heads)
-        if (X_FH.time <= end)
-            head.add(X_FH);
+    SessionTime last = m_heads.empty() ? end : m_heads.front().time;
+    for (const PoseSample& X_FH : m_heads) {
+        if (X_FH.time > end)
+            continue;
+        if (wasPausedBetween(std::exchange(last, X_FH.time), X_FH.time))
+            head.pause();
+        head.add(X_FH);
+    }
     for (ToldSeat& said : whole.m_told)
         said.since = std::min(said.since, end); // later: it is said of the end
     std::vector<IntubationEvent> within = courseAsTold(m_events, whole.m_told);
     std::erase_if(within, [end](const IntubationEvent& event) { return event.at > end; });
-    TryMetrics metrics = courseOf(within, end);
+    TryMetrics metrics = courseOf(within, end, m_pauses);
     metrics.isTold = toldAtEnd(m_events, m_told).has_value();
     if (metrics.isTold)
         metrics.confidence = 1.0;

@@ -13,7 +13,7 @@ namespace carina
 
 /// Follows one try at intubating, from the blade or tube that passes the teeth to its end, with a
 /// bounded memory: no try lasts longer than kLongestTry, and of one no more than kMostEvents events
-/// are kept.
+/// are kept. No time counts while the session is paused.
 ///
 /// A try ends by itself kVentilatedFor after the first breath into a lung, or after a person said
 /// last where the tube is, so that no end is set back; once tube and blade have
@@ -31,6 +31,8 @@ public:
     /// @param up_F  the direction against gravity in the frame of all poses, of length 1
     explicit TryCourse(const Vec3& up_F);
 
+    /// Those that are known by now; before anything else is added that comes behind one.
+    void setPauses(Pauses pauses) { m_pauses = std::move(pauses); }
     /// The next event, in the order in which they were noted. Before the first one that
     /// beginsTry(), all are ignored.
     void add(const IntubationEvent& event);
@@ -66,9 +68,11 @@ public:
 private:
     void follow(const IntubationEvent& event);
     [[nodiscard]] bool isWithinLongest(SessionTime t) const;
+    [[nodiscard]] bool wasPausedBetween(SessionTime from, SessionTime until) const;
     void measure(const std::vector<PoseSample>& blade);
 
     Vec3 m_up_F;
+    Pauses m_pauses;
     std::vector<IntubationEvent> m_events; ///< as they were noted
     std::vector<ToldSeat> m_told;
     bool m_bladeIsIn = false;
@@ -82,6 +86,7 @@ private:
     ForceMeter m_incisors{kIncisorLimits};
     ForceMeter m_tongue{kTongueLimits};
     BladeSamples m_blade;
+    std::optional<SessionTime> m_lastBlade; ///< in the mouth
     PlaneMeter m_plane;
     MotionMeter m_hand;
     bool m_isWatched = true; ///< from its begin on

@@ -14,7 +14,11 @@ namespace
 class CourseReader
 {
 public:
-    explicit CourseReader(SessionTime begun) { m_course.begun = begun; }
+    CourseReader(SessionTime begun, const Pauses& pauses)
+    {
+        m_course.begun = begun;
+        m_course.pauses = pauses;
+    }
 
     void read(const IntubationEvent& event)
     {
@@ -28,6 +32,7 @@ private:
     void readBlade(const IntubationEvent& event);
     void readTube(const IntubationEvent& event);
     void readPlace(const IntubationEvent& event);
+    void countBlade(SessionTime until);
 
     TryMetrics m_course;
     std::optional<SessionTime> m_bladeIn;
@@ -46,8 +51,7 @@ void CourseReader::readBlade(const IntubationEvent& event)
         m_bladeIn = event.at;
         break;
     case IntubationStep::BladeOut:
-        if (m_bladeIn)
-            m_course.bladeTime += event.at - *m_bladeIn;
+        countBlade(event.at);
         m_bladeIn.reset();
         break;
     case IntubationStep::GlottisSeen:
@@ -60,6 +64,12 @@ void CourseReader::readBlade(const IntubationEvent& event)
     if (m_course.view) // any step tells the most that was seen by then
         m_course.glotticOpening =
             std::max(m_course.glotticOpening.value_or(0.0), event.glotticOpening);
+}
+
+void CourseReader::countBlade(SessionTime until)
+{
+    if (m_bladeIn)
+        m_course.bladeTime += m_course.pauses.between(*m_bladeIn, until);
 }
 
 void CourseReader::readTube(const IntubationEvent& event)
@@ -129,8 +139,7 @@ void CourseReader::readPlace(const IntubationEvent& event)
 TryMetrics CourseReader::endedAt(SessionTime ended)
 {
     m_course.ended = ended;
-    if (m_bladeIn)
-        m_course.bladeTime += ended - *m_bladeIn;
+    countBlade(ended);
     switch (m_seat) {
     case TubeSeat::Trachea:
         m_course.outcome = TryOutcome::Trachea;
@@ -160,10 +169,11 @@ bool beginsTry(IntubationStep step)
     return step == IntubationStep::BladeIn || step == IntubationStep::TubePastTeeth;
 }
 
-TryMetrics courseOf(std::span<const IntubationEvent> events, SessionTime ended)
+TryMetrics courseOf(std::span<const IntubationEvent> events, SessionTime ended,
+                    const Pauses& pauses)
 {
     CARINA_EXPECTS(!events.empty());
-    CourseReader reader{events.front().at};
+    CourseReader reader{events.front().at, pauses};
     for (const IntubationEvent& event : events)
         reader.read(event);
     return reader.endedAt(ended);

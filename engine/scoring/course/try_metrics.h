@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/airway/monitor/intubation_event.h"
+#include "engine/core/pauses.h"
 #include "engine/scoring/course/force_meter.h"
 #include "engine/scoring/course/oxygen_meter.h"
 #include "engine/scoring/motion/motion_meter.h"
@@ -61,6 +62,7 @@ struct TryMetrics {
     bool isTold = false;     ///< the outcome is what a person said, not what was measured
     SessionTime begun{};     ///< the blade or the tube passed the teeth for the first time
     SessionTime ended{};
+    Pauses pauses{}; ///< of the session; no time that is told counts them
 
     std::vector<SessionTime> attempts{}; ///< when the blade went in; or the tube, without a blade
     bool hadBlade = false; ///< a laryngoscope was seen to go in: view and blade are measured
@@ -87,6 +89,9 @@ struct TryMetrics {
     std::optional<MotionFigures> head{}; ///< of the trainee, during the try
     std::array<std::optional<bool>, kTryChecks> checks{};
 
+    /// How long the try had gone on then.
+    [[nodiscard]] Duration sinceBegun(SessionTime t) const { return pauses.between(begun, t); }
+
     [[nodiscard]] const std::optional<bool>& check(TryCheck of) const
     {
         return checks[static_cast<std::size_t>(of)];
@@ -108,6 +113,7 @@ struct TryMetrics {
 /// does not count.
 /// @param events in the order in which they were noted, of one try
 /// @pre events is not empty
-[[nodiscard]] TryMetrics courseOf(std::span<const IntubationEvent> events, SessionTime ended);
+[[nodiscard]] TryMetrics courseOf(std::span<const IntubationEvent> events, SessionTime ended,
+                                  const Pauses& pauses = {});
 
 } // namespace carina

@@ -77,24 +77,24 @@ double squareDegrees(double squareRadians)
 
 Value sinceBegin(const TryMetrics& of, const std::optional<SessionTime>& moment)
 {
-    return moment ? inSeconds(*moment - of.begun) : std::nullopt;
+    return moment ? inSeconds(of.sinceBegun(*moment)) : std::nullopt;
 }
 
-Duration lengthOf(const OesophagealStay& stay, SessionTime ended)
+Duration lengthOf(const TryMetrics& of, const OesophagealStay& stay)
 {
-    return stay.out.value_or(ended) - stay.in;
+    return of.pauses.between(stay.in, stay.out.value_or(of.ended));
 }
 
 /// The longest one; the end of the list where there is none.
 auto longestStay(const TryMetrics& of)
 {
     return std::ranges::max_element(
-        of.oesophagus, {}, [&of](const OesophagealStay& stay) { return lengthOf(stay, of.ended); });
+        of.oesophagus, {}, [&of](const OesophagealStay& stay) { return lengthOf(of, stay); });
 }
 
 bool isLate(const TryMetrics& of)
 {
-    return !of.throughCords || *of.throughCords - of.begun > kFailedAfter;
+    return !of.throughCords || of.sinceBegun(*of.throughCords) > kFailedAfter;
 }
 
 bool hadReadView(const TryMetrics& of) { return of.hadBlade && (of.isViewRead || of.view); }
@@ -130,7 +130,7 @@ Value courseValue(const TryMetrics& of, Metric metric)
     case Metric::InOesophagus:
         return yes(!of.oesophagus.empty());
     case Metric::OesophagealTime:
-        return inSeconds(of.oesophagus.empty() ? Duration{} : lengthOf(*longestStay(of), of.ended));
+        return inSeconds(of.oesophagus.empty() ? Duration{} : lengthOf(of, *longestStay(of)));
     case Metric::Failed:
         return yes(isLate(of) || !of.oesophagus.empty());
     case Metric::CuffInflated:
@@ -253,8 +253,9 @@ std::optional<SessionTime> momentOfCourse(const TryMetrics& of, Metric metric)
     case Metric::Failed:
         if (!of.oesophagus.empty())
             return of.oesophagus.front().in;
-        return isLate(of) ? std::optional{std::min(of.begun + kFailedAfter, of.ended)}
-                          : std::nullopt;
+        return isLate(of)
+                   ? std::optional{std::min(of.pauses.after(of.begun, kFailedAfter), of.ended)}
+                   : std::nullopt;
     case Metric::InBronchus:
         return isBeyondCarina(of) && of.depth ? std::optional{of.depth->at} : std::nullopt;
     case Metric::DepthError:

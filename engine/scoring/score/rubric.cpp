@@ -22,8 +22,9 @@ std::optional<SessionTime> momentOfLoss(const TryMetrics& metrics, const Criteri
     if (criterion.metric > Metric::TimeToBreath || criterion.bound != Bound::AtMost)
         return momentOf(metrics, criterion.metric);
     const std::chrono::duration<double> allowed{criterion.limit};
-    return std::clamp(metrics.begun + std::chrono::duration_cast<Duration>(allowed), metrics.begun,
-                      metrics.ended);
+    const auto time = std::chrono::duration_cast<Duration>(allowed);
+    return std::clamp(metrics.pauses.after(metrics.begun, std::max(time, Duration{})),
+                      metrics.begun, metrics.ended);
 }
 
 Judgement judgementOf(const TryMetrics& metrics, const Criterion& criterion)

@@ -48,6 +48,8 @@ private Q_SLOTS:
     void findsATryThatBeganBeforeItLooked();
     void findsTheLastTryThatEndedBeforeItLooked();
     void findsTheTryOfAnotherStation();
+    void countsNoPause();
+    void knowsTheTubeOfATryOfLongAgo();
 };
 
 void TestTryWatch::reportsATryOnceThePatientIsVentilated()
@@ -314,9 +316,7 @@ void TestTryWatch::judgesTheSameWheneverItLooks()
         noteNow(IntubationStep::TubeOut);
         session.tries.watch();
         session.endTry();
-        TryMetrics metrics = session.tries.report()->metrics;
-        metrics.oxygen.reset(); // measured when it looks
-        return metrics;
+        return session.tries.report()->metrics;
     };
     const TryMetrics metrics = reportOf(false);
     QCOMPARE(metrics.outcome, TryOutcome::OesophagusRecognised);
@@ -537,6 +537,69 @@ void TestTryWatch::findsTheTryOfAnotherStation()
     session.run(std::chrono::seconds{1});
     QVERIFY(session.tries.isUnderWay());
     QCOMPARE(session.tries.time(), time + std::chrono::seconds{2});
+}
+
+/// The instructor explains for three minutes, and goes on.
+void TestTryWatch::countsNoPause()
+{
+    const auto metricsOf = [](bool isPaused) {
+        TriedSession session;
+        BladeEffort effort;
+        effort.teeth = newtons(25.0);
+        session.tries.setEffort([effort] { return std::optional{effort}; });
+        session.note(IntubationStep::BladeIn);
+        session.note(IntubationStep::GlottisSeen);
+        if (isPaused) {
+            session.node.decide(fact::PhaseChanged{SessionPhase::Paused});
+            session.run(std::chrono::minutes{3});
+            session.node.decide(fact::PhaseChanged{SessionPhase::Running});
+        }
+        session.note(IntubationStep::TubePastTeeth);
+        session.note(IntubationStep::ThroughCords, TubeSeat::Trachea, millimetres(200.0));
+        session.note(IntubationStep::BladeOut);
+        session.tries.setEffort([] { return std::nullopt; });
+        session.note(IntubationStep::FirstBreath, TubeSeat::Trachea, millimetres(200.0));
+        const Duration before = session.tries.time();
+        session.run(std::chrono::seconds{25});
+        return std::pair{session.tries.report().value().metrics, before};
+    };
+    constexpr double kFactOnItsWay_s = 0.5;
+    const auto [plain, plainTime] = metricsOf(false);
+    const auto [paused, pausedTime] = metricsOf(true);
+    const auto isAlike = [](double a, double b) { return std::abs(a - b) < kFactOnItsWay_s; };
+    QVERIFY(isAlike(toSeconds(plainTime), toSeconds(pausedTime)));
+    for (const Metric metric : {Metric::TimeToBreath, Metric::TimeToCords, Metric::BladeTime})
+        QVERIFY(isAlike(*valueOf(plain, metric), *valueOf(paused, metric)));
+    QVERIFY(isAlike(toSeconds(plain.incisors->touched), toSeconds(paused.incisors->touched)));
+    QCOMPARE(valueOf(paused, Metric::Failed), std::optional{0.0});
+    QVERIFY(isAlike(toSeconds(plain.sinceBegun(plain.ended)),
+                    toSeconds(paused.sinceBegun(paused.ended))));
+    QVERIFY(paused.ended - paused.begun > std::chrono::minutes{3}); // of the session
+}
+
+/// Whose checkpoints are gone.
+void TestTryWatch::knowsTheTubeOfATryOfLongAgo()
+{
+    TriedSession session;
+    session.node.decide(fact::TubePlaced{{TubeSeat::Trachea, millimetres(6.0)}});
+    session.intubate();
+    session.endTry();
+    QVERIFY(session.tries.report());
+    RespirationFollower patient;
+    for (std::size_t i = 0; i < 2 * RespirationTimeline::kMostCheckpoints; ++i) {
+        session.run(std::chrono::seconds{11});
+        const auto state = session.node.state();
+        const Station& station = state->stations().at(FakeSessionNode::kStation);
+        for (const FactBody& part :
+             patient.at(station.respiration, *session.node.now()).checkpoint())
+            session.node.decide(part);
+    }
+    TryWatch late{session.session, FakeSessionNode::kStation};
+    late.setRule(DepthRule::ThreeDiameters);
+    late.watch();
+    const auto wanted = late.report().value().metrics.depthWanted;
+    QVERIFY(wanted.has_value());
+    QVERIFY(std::abs(inMillimetres(*wanted) - 180.0) < 1e-6);
 }
 
 CARINA_TEST(TestTryWatch)

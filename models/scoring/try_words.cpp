@@ -23,9 +23,10 @@ QString pointWords(const char* text, double points)
 }
 
 /// "2:05 min" of the try.
-QString momentText(SessionTime moment, SessionTime begun)
+QString momentText(const TryMetrics& metrics, SessionTime moment)
 {
-    const auto seconds = std::chrono::floor<std::chrono::seconds>(moment - begun).count();
+    const auto seconds =
+        std::chrono::floor<std::chrono::seconds>(metrics.sinceBegun(moment)).count();
     return tryWords(QT_TRANSLATE_NOOP("Try", "%1:%2\u00a0min"))
         .arg(seconds / 60)
         .arg(seconds % 60, 2, 10, QLatin1Char('0'));
@@ -47,10 +48,18 @@ QString neverText(Metric metric)
                     : tryWords(QT_TRANSLATE_NOOP("Try", "never"));
 }
 
+/// A saturation is told by the whole per cent that it reached: 89.7 % is below 90 %.
+QString shownText(double value, Metric metric)
+{
+    constexpr double kRounding = 1e-9;
+    return valueText(metric == Metric::LowestSaturation ? std::floor(value + kRounding) : value,
+                     entryOf(metric).unit);
+}
+
 QString measuredText(const TryMetrics& metrics, Metric metric)
 {
     if (const std::optional<double> value = valueOf(metrics, metric))
-        return valueText(*value, entryOf(metric).unit);
+        return shownText(*value, metric);
     return neverCameTo(metrics, metric) ? neverText(metric)
                                         : tryWords(QT_TRANSLATE_NOOP("Try", "not measured"));
 }
@@ -97,8 +106,8 @@ QString oxygenText(const TryMetrics& metrics)
     const QString lowest = measuredText(metrics, Metric::LowestSaturation);
     if (!metrics.oxygen)
         return lowest;
-    const QString moment = momentText(metrics.oxygen->lowestAt, metrics.begun);
-    if (valueOf(metrics, Metric::TimeBelow90) == 0.0)
+    const QString moment = momentText(metrics, metrics.oxygen->lowestAt);
+    if (!metrics.oxygen->fellBelow)
         return tryWords(QT_TRANSLATE_NOOP("Try", "%1, at %2; never below 90\u00a0%"))
             .arg(lowest, moment);
     return tryWords(QT_TRANSLATE_NOOP("Try", "▲ %1, at %2; below 90\u00a0% for %3"))
@@ -119,20 +128,19 @@ QString limitText(const Criterion& criterion)
 }
 
 /// Why the points are lost: "12.4 s, expected: at most 10.0 s; 0:10 min into the try".
-QString reasonText(const Judgement& judged, SessionTime begun)
+QString reasonText(const Judgement& judged, const TryMetrics& metrics)
 {
-    const QString value = judged.value
-                              ? valueText(*judged.value, entryOf(judged.criterion.metric).unit)
-                              : neverText(judged.criterion.metric);
+    const QString value = judged.value ? shownText(*judged.value, judged.criterion.metric)
+                                       : neverText(judged.criterion.metric);
     const QString reason = tryWords(QT_TRANSLATE_NOOP("Try", "%1, expected: %2"))
                                .arg(value, limitText(judged.criterion));
     if (!judged.moment)
         return reason;
     return tryWords(QT_TRANSLATE_NOOP("Try", "%1; %2 into the try"))
-        .arg(reason, momentText(*judged.moment, begun));
+        .arg(reason, momentText(metrics, *judged.moment));
 }
 
-QString judgementText(const Judgement& judged, SessionTime begun)
+QString judgementText(const Judgement& judged, const TryMetrics& metrics)
 {
     const QString got = pointsText(judged.points);
     const QString possible = pointsText(judged.criterion.points);
@@ -150,7 +158,7 @@ QString judgementText(const Judgement& judged, SessionTime begun)
                           : pointWords(QT_TRANSLATE_N_NOOP("Try", "▲ %1 of %2 points: %3"),
                                        judged.criterion.points)
                                 .arg(got, possible))
-            .arg(reasonText(judged, begun));
+            .arg(reasonText(judged, metrics));
     case ItemVerdict::NotMeasured:
         return tryWords(QT_TRANSLATE_NOOP("Try", "○ not measured, does not count"));
     }
@@ -163,6 +171,24 @@ QString groupText(const GroupFigure& figure, MetricUnit unit)
     return figure.deviation ? tryWords(QT_TRANSLATE_NOOP("Try", "%1 (SD %2)"))
                                   .arg(mean, valueText(*figure.deviation, unit))
                             : mean;
+}
+
+/// "▲ 45 N, 12 N on average; above 20 N for 3.1 s; above 40 N for 0.4 s".
+QString forceText(const ForceFigures& force, const ForceLimits& limits)
+{
+    const auto newtonsText = [](Force of) { return valueText(inNewtons(of), MetricUnit::Newtons); };
+    QString text = tryWords(QT_TRANSLATE_NOOP("Try", "%1, %2 on average"))
+                       .arg(newtonsText(force.peak), newtonsText(force.mean));
+    const auto addAbove = [&](Duration time, Force limit) {
+        if (time > Duration{})
+            text =
+                tryWords(QT_TRANSLATE_NOOP("Try", "%1; above %2 for %3"))
+                    .arg(text, newtonsText(limit), valueText(toSeconds(time), MetricUnit::Seconds));
+    };
+    addAbove(force.aboveWarning, limits.warning);
+    addAbove(force.aboveFault, limits.fault);
+    return force.aboveWarning > Duration{} ? tryWords(QT_TRANSLATE_NOOP("Try", "▲ %1")).arg(text)
+                                           : text;
 }
 
 QString placeText(TryOutcome outcome)
@@ -229,6 +255,23 @@ std::vector<SummaryLine> tryLines(const TryReport& report)
     return lines;
 }
 
+std::vector<SummaryLine> handlingLines(const TryMetrics& metrics)
+{
+    std::vector<SummaryLine> lines;
+    if (metrics.incisors)
+        lines.push_back(
+            {metricText(Metric::IncisorPeak), forceText(*metrics.incisors, kIncisorLimits)});
+    if (metrics.tongue)
+        lines.push_back(
+            {metricText(Metric::TonguePeak), forceText(*metrics.tongue, kTongueLimits)});
+    for (const Metric metric : {Metric::TongueImpulse, Metric::PlaneTilt, Metric::HandPath,
+                                Metric::HandAcceleration, Metric::HandJerk, Metric::HandSmoothness,
+                                Metric::HeadTravel, Metric::HeadAcceleration, Metric::HeadJerk})
+        if (valueOf(metrics, metric))
+            lines.push_back(measured(metrics, metric));
+    return lines;
+}
+
 QString scoreText(const Score& score)
 {
     const QString points = pointWords(QT_TRANSLATE_N_NOOP("Try", "%1 of %2 points"), score.possible)
@@ -246,7 +289,7 @@ std::vector<SummaryLine> judgementLines(const TryReport& report)
         const std::string& name = judged.criterion.name;
         lines.push_back(
             {name.empty() ? metricText(judged.criterion.metric) : QString::fromStdString(name),
-             judgementText(judged, report.metrics.begun)});
+             judgementText(judged, report.metrics)});
     }
     return lines;
 }

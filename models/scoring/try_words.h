@@ -22,6 +22,8 @@ namespace carina
 /// The main figures of a try beside its outcome: time, depth, lowest oxygen, view and others, each
 /// with its unit; of what was not measured, that.
 [[nodiscard]] std::vector<SummaryLine> tryLines(const TryReport& report);
+/// Forces and motion as far as they were measured, a force that was too high with a mark.
+[[nodiscard]] std::vector<SummaryLine> handlingLines(const TryMetrics& metrics);
 /// "40 of 50 points; 50 more could not be judged".
 [[nodiscard]] QString scoreText(const Score& score);
 /// Each criterion with its mark: points got, or why they were lost and when in the try.

@@ -57,6 +57,10 @@ private Q_SLOTS:
     void setFiguresOfTheLiteratureBeside();
     void tellWhatIsUncertainAndTooDeep();
     void takeTheSingularForOnePoint();
+    void tellForcesWithTheirLimits();
+    void tellOnlyTheMotionThatWasMeasured();
+    void tellNoSaturationAsMoreThanItWas();
+    void leaveOutPauses();
 };
 
 void TestTryWords::haveATextForEachOfAll()
@@ -167,6 +171,7 @@ void TestTryWords::tellWhatIsUncertainAndTooDeep()
     report.metrics.confidence = 0.55;
     report.metrics.depth->aboveCarina = millimetres(-12.0);
     report.metrics.oxygen->below = std::chrono::seconds{30};
+    report.metrics.oxygen->fellBelow = report.metrics.oxygen->lowestAt;
     const auto lines = tryLines(report);
     QCOMPARE(outcomeText(report.metrics),
              QStringLiteral("▲ In the right main bronchus (55\u00a0% sure)"));
@@ -183,6 +188,62 @@ void TestTryWords::takeTheSingularForOnePoint()
              QStringLiteral("1 of 1 point"));
     QCOMPARE(scoreText({.points = 0.5, .possible = 1.5, .ofAll = 1.5}),
              QStringLiteral("0.5 of 1.5 points"));
+}
+
+void TestTryWords::tellForcesWithTheirLimits()
+{
+    TryMetrics metrics;
+    metrics.incisors = ForceFigures{.peak = newtons(45.0),
+                                    .mean = newtons(12.0),
+                                    .aboveWarning = std::chrono::milliseconds{3100},
+                                    .aboveFault = std::chrono::milliseconds{400}};
+    metrics.tongue = ForceFigures{.peak = newtons(38.0), .mean = newtons(20.0), .impulse = 90.0};
+    const auto lines = handlingLines(metrics);
+    QCOMPARE(valueNamed(lines, "Incisors, highest force"),
+             QStringLiteral("▲ 45\u00a0N, 12\u00a0N on average; above 20\u00a0N for 3.1\u00a0s; "
+                            "above 40\u00a0N for 0.4\u00a0s"));
+    QCOMPARE(valueNamed(lines, "Tongue, highest force"),
+             QStringLiteral("38\u00a0N, 20\u00a0N on average"));
+    QCOMPARE(valueNamed(lines, "Tongue, force over time"), QStringLiteral("90\u00a0N\u00a0s"));
+}
+
+void TestTryWords::tellOnlyTheMotionThatWasMeasured()
+{
+    TryMetrics metrics;
+    QVERIFY(handlingLines(metrics).empty());
+    metrics.hand = MotionFigures{.path = metres(0.5), .meanJerk = 4.0};
+    const auto lines = handlingLines(metrics);
+    QCOMPARE(lines.size(), std::size_t{3}); // smoothness needs motion
+    QCOMPARE(valueNamed(lines, "Path of the laryngoscope"), QStringLiteral("50\u00a0cm"));
+    QCOMPARE(valueNamed(lines, "Jerk of the laryngoscope"), QStringLiteral("4.0\u00a0m/s³"));
+}
+
+/// 89.7 % is below 90 %, be it for less than the try could measure.
+void TestTryWords::tellNoSaturationAsMoreThanItWas()
+{
+    TryMetrics metrics = goodTry();
+    metrics.oxygen = OxygenFigures{.first = 0.99, .lowest = 0.897, .lowestAt = metrics.ended};
+    metrics.oxygen->fellBelow = metrics.ended;
+    const auto lines = tryLines(reportOf(metrics, DepthRule::TenthOfHeight, publishedRubric()));
+    const QString told = valueNamed(lines, "Lowest oxygen saturation");
+    QVERIFY2(told.startsWith(QStringLiteral("▲ 89\u00a0%")), qPrintable(told));
+    QVERIFY2(told.endsWith(QStringLiteral("below 90\u00a0% for 0.0\u00a0s")), qPrintable(told));
+    metrics.oxygen = OxygenFigures{.first = 1.0, .lowest = 0.90};
+    const auto kept = tryLines(reportOf(metrics, DepthRule::TenthOfHeight, publishedRubric()));
+    QVERIFY(valueNamed(kept, "Lowest oxygen saturation").startsWith(QStringLiteral("90\u00a0%")));
+}
+
+/// Twenty seconds into the try, and thirty in a pause.
+void TestTryWords::leaveOutPauses()
+{
+    TryMetrics metrics = goodTry();
+    metrics.pauses.add(metrics.begun + std::chrono::seconds{10},
+                       metrics.begun + std::chrono::seconds{40});
+    metrics.oxygen =
+        OxygenFigures{.lowest = 0.95, .lowestAt = metrics.begun + std::chrono::seconds{50}};
+    const auto lines = tryLines(reportOf(metrics, DepthRule::TenthOfHeight, publishedRubric()));
+    const QString told = valueNamed(lines, "Lowest oxygen saturation");
+    QVERIFY2(told.contains(QStringLiteral("at 0:20\u00a0min")), qPrintable(told));
 }
 
 CARINA_TEST(TestTryWords)

@@ -88,6 +88,7 @@ TryPanel::TryPanel(QWidget* parent)
     m_figures = addPart("tryFigures", tr("How it went"));
     m_advice = addPart("tryAdvice", tr("What to do next"));
     m_points = addPart("tryPoints", tr("Points"));
+    m_handling = addPart("tryHandling", tr("Force and motion"));
     m_literature = addPart("tryLiterature", tr("Beside figures of the literature"));
     m_missing = addPart("tryMissing", tr("What nothing measured"));
     column->addStretch(1);
@@ -156,7 +157,7 @@ void TryPanel::refresh()
     if (m_tries && m_tries->report())
         return showReport(*m_tries->report());
     m_outcome->hide();
-    for (const Part& part : {m_figures, m_advice, m_points, m_literature, m_missing})
+    for (const Part& part : {m_figures, m_advice, m_points, m_handling, m_literature, m_missing})
         tell(part, {});
 }
 
@@ -181,6 +182,7 @@ void TryPanel::showReport(const TryReport& report)
     tell(m_figures, linesText(tryLines(report)));
     tell(m_advice, adviceLines(report.advice));
     tell(m_points, m_linksMoments ? linkedPointsLines(report) : pointsLines(report));
+    tell(m_handling, linesText(handlingLines(report.metrics)));
     tell(m_literature, linesText(literatureLines(report.metrics)));
     tell(m_missing, notMeasuredText(report.metrics));
 }

@@ -55,6 +55,7 @@ private:
     Part m_figures;
     Part m_advice;
     Part m_points;
+    Part m_handling;
     Part m_literature;
     Part m_missing;
     bool m_linksMoments = false;

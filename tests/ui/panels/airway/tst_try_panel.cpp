@@ -18,7 +18,8 @@ namespace
 
 using test::soon;
 
-constexpr std::array kParts{"tryFigures", "tryAdvice", "tryPoints", "tryLiterature", "tryMissing"};
+constexpr std::array kParts{"tryFigures",  "tryAdvice",     "tryPoints",
+                            "tryHandling", "tryLiterature", "tryMissing"};
 
 struct Desk : test::TriedSession {
     TryPanel panel;
@@ -90,6 +91,9 @@ void TestTryPanel::endsATryByKeyboard()
 void TestTryPanel::tellsHowATryWent()
 {
     Desk desk;
+    BladeEffort effort;
+    effort.teeth = newtons(25.0);
+    desk.tries.setEffort([effort] { return std::optional{effort}; });
     desk.intubate();
     desk.endTry();
     const QString figures = desk.label("tryFigures").text();
@@ -102,6 +106,9 @@ void TestTryPanel::tellsHowATryWent()
     QCOMPARE(advice.count(QLatin1Char('\n')), qsizetype(kAdviceGiven) - 1);
     QVERIFY(advice.startsWith(QStringLiteral("1. ")));
     QVERIFY(desk.label("tryPoints").text().contains(QStringLiteral("BMC Med Educ 2014;14:144")));
+    QVERIFY(desk.label("tryHandling")
+                .text()
+                .startsWith(QStringLiteral("Incisors, highest force: ▲ 25\u00a0N")));
     QVERIFY(desk.label("tryLiterature").text().contains(QStringLiteral("experts")));
     QVERIFY(desk.label("tryMissing").text().startsWith(QStringLiteral("Not measured: ")));
     for (const char* part : kParts)

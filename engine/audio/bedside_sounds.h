@@ -24,7 +24,7 @@ struct BreathFlows {
 };
 
 /// All that is heard beside the patient: the monitor's tones and alarms, and what a stethoscope
-/// hears. The same calls give the same samples on every machine.
+/// hears. The same calls give the same samples where the mathematical library is the same.
 class BedsideSounds
 {
 public:

@@ -194,8 +194,10 @@ Vitals BodyFold::vitals() const
     vitals.systolic = mmHg(heart.mean_mmHg + 2.0 / 3.0 * heart.pulse_mmHg);
     vitals.diastolic = mmHg(heart.mean_mmHg - heart.pulse_mmHg / 3.0);
     if (heart.heartRate_perS > 0.0)
-        vitals.electrocardiogram = electrocardiogram_mV(heart.beat, heart.heartRate_perS);
-    if (m_settings.gas.probeOn && heart.heartRate_perS > 0.0) {
+        vitals.electrocardiogram =
+            electrocardiogramPeak_mV(heart.beat, heart.heartRate_perS, kBodyStep);
+    vitals.probeIsOn = m_settings.gas.probeOn;
+    if (vitals.probeIsOn && heart.heartRate_perS > 0.0) {
         vitals.pulseWave = pulse * pulseWave(heart.beat, heart.heartRate_perS);
         if (pulse > kLeastPulse)
             vitals.saturation = m_state.oximeter.shown;

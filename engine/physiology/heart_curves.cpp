@@ -34,6 +34,20 @@ double electrocardiogram_mV(double phase, double rate_perS)
            + 0.28 * bell(fromR - 0.26 * scale, 0.045 * scale);
 }
 
+double electrocardiogramPeak_mV(double phase, double rate_perS, double seconds)
+{
+    constexpr double kSampleEvery_s = 0.004;
+    double peak = electrocardiogram_mV(phase, rate_perS);
+    for (double before = kSampleEvery_s; before < seconds; before += kSampleEvery_s) {
+        const double earlier = phase - before * rate_perS;
+        const double sample = electrocardiogram_mV(
+            std::clamp(earlier - std::floor(earlier), 0.0, std::nextafter(1.0, 0.0)), rate_perS);
+        if (std::abs(sample) > std::abs(peak))
+            peak = sample;
+    }
+    return peak;
+}
+
 double pulseWave(double phase, double rate_perS)
 {
     CARINA_EXPECTS(phase >= 0.0 && phase < 1.0 && rate_perS > 0.0);

@@ -10,6 +10,11 @@ namespace carina
 /// @pre 0 <= phase < 1; the rate is above 0.
 [[nodiscard]] double electrocardiogram_mV(double phase, double rate_perS);
 
+/// What is farthest from zero of this in a step of so many seconds that ends at the phase, every 4
+/// ms: as a monitor keeps the peaks that fall between two points of its screen, so that the R waves
+/// of even beats are drawn equally high.
+[[nodiscard]] double electrocardiogramPeak_mV(double phase, double rate_perS, double seconds);
+
 /// The pulse wave at the finger at a phase of the beat, 0 to 1: upstroke, fall and a dicrotic
 /// wave, a quarter of a second behind the R wave. The shape is ours.
 /// @pre 0 <= phase < 1; the rate is above 0.

@@ -10,7 +10,8 @@ namespace carina
 /// What a bedside monitor measures of a patient at a moment.
 struct Vitals {
     double arterialSaturation = 0.0;  ///< true saturation of arterial blood, 0 to 1
-    std::optional<double> saturation; ///< as the oximeter shows it, late; without its probe nothing
+    bool probeIsOn = false;           ///< the oximeter's, on the finger
+    std::optional<double> saturation; ///< as the oximeter shows it, late; nothing without a pulse
     double pulseWave = 0.0;           ///< the oximeter's curve, 0 to 1
     std::optional<Pressure>
         exhaledCO2; ///< the capnograph's curve; nothing where it has no gas to sample

@@ -29,15 +29,18 @@ const Station* stationIn(const SessionState& state, StationId id)
     return found == state.stations().end() ? nullptr : &found->second;
 }
 
-/// How much a side wheezes, by the worst that narrows its airways.
+/// How much a side wheezes, by the worst that narrows its airways. What obstructs both is in
+/// trachea or larynx, and does not wheeze over the lungs.
 double narrowness(const LungConditions& conditions, ConditionSide side)
 {
     double worst = 0.0;
     for (const LungCondition& condition : conditions) {
-        const bool isNarrow = condition.kind == ConditionKind::Asthma
-                              || condition.kind == ConditionKind::Copd
-                              || condition.kind == ConditionKind::Obstruction;
-        if (isNarrow && (condition.side == ConditionSide::Both || condition.side == side))
+        const bool isObstructed =
+            condition.kind == ConditionKind::Obstruction && condition.side == side;
+        const bool isNarrow =
+            condition.kind == ConditionKind::Asthma || condition.kind == ConditionKind::Copd;
+        const bool isHere = condition.side == ConditionSide::Both || condition.side == side;
+        if (isObstructed || (isNarrow && isHere))
             worst = std::max(worst, condition.severity);
     }
     return worst;

@@ -94,7 +94,7 @@ void VitalAlarms::observe(const Vitals& vitals, double step_s)
         *m_sinceBreath_s += step_s;
     if (m_breath.take(vitals.exhaledCO2.value_or(Pressure{}).si))
         m_sinceBreath_s = 0.0;
-    m_hadProbe = m_hadProbe || vitals.saturation.has_value();
+    m_hadProbe = m_hadProbe || vitals.probeIsOn;
 }
 
 void VitalAlarms::judge(VitalAlarm alarm, const Vitals& vitals, double step_s)
@@ -128,7 +128,7 @@ std::optional<AlarmPriority> VitalAlarms::asked(VitalAlarm alarm, const Vitals& 
     case VitalAlarm::Apnoea:
         return high(m_sinceBreath_s && *m_sinceBreath_s >= toSeconds(m_limits.apnoea));
     case VitalAlarm::LowSaturation: {
-        const double shown = vitals.saturation.value_or(1.0);
+        const double shown = std::round(100.0 * vitals.saturation.value_or(1.0)) / 100.0;
         if (isBelow(shown, m_limits.veryLowSaturation, kSaturationBack, isKept))
             return AlarmPriority::High;
         return isBelow(shown, m_limits.lowSaturation, kSaturationBack, isKept)
@@ -144,7 +144,7 @@ std::optional<AlarmPriority> VitalAlarms::asked(VitalAlarm alarm, const Vitals& 
     case VitalAlarm::NoProbe:
         break;
     }
-    return m_hadProbe && !vitals.saturation ? std::optional{AlarmPriority::Low} : std::nullopt;
+    return m_hadProbe && !vitals.probeIsOn ? std::optional{AlarmPriority::Low} : std::nullopt;
 }
 
 /// A heart without any beat has an alarm of its own.

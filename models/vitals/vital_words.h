@@ -13,7 +13,7 @@ namespace carina
 [[nodiscard]] QString priorityText(AlarmPriority priority);
 /// "Oximeter tone".
 [[nodiscard]] QString soundText(SoundKind kind);
-/// What the stethoscope hears: "right lung, wheezing; heart"; "nothing is heard here"; empty off
+/// What the stethoscope hears: "right lung, heart, wheezing"; "nothing is heard here"; empty off
 /// the chest.
 [[nodiscard]] QString heardText(const VitalsModel::Heard& heard);
 

@@ -1,3 +1,4 @@
+#include "engine/physiology/capnograph.h"
 #include "tests/engine/lungs/mechanics/within.h"
 #include "tests/engine/physiology/bed.h"
 #include "tests/support/test_class.h"
@@ -72,6 +73,9 @@ private Q_SLOTS:
     void countsQuietBreaths();
     void hasNothingWithoutMaskAndTube();
     void forgetsAfterApnoea();
+    void isFlatInApnoea_data();
+    void isFlatInApnoea();
+    void keepsThePlateauOfASlowBreath();
 };
 
 // Baseline without carbon dioxide, a steep rise, a plateau that hardly slopes, and a steep fall.
@@ -230,6 +234,43 @@ void TestCapnogram::forgetsAfterApnoea()
     bed.run(15.0);
     QCOMPARE(bed.endTidal_mmHg(), 0.0);
     QCOMPARE(bed.body.vitals().capnographRate.si, 0.0);
+}
+
+void TestCapnogram::isFlatInApnoea_data()
+{
+    QTest::addColumn<bool>("isVentilated");
+    QTest::newRow("beneath a mask") << false;
+    QTest::newRow("through a tube") << true;
+}
+
+// The alarm is about a curve without breaths: a line near zero, that holds no plateau.
+void TestCapnogram::isFlatInApnoea()
+{
+    constexpr double kFlat_mmHg = 5.0;
+    QFETCH(const bool, isVentilated);
+    Bed bed = isVentilated ? ventilated() : Bed{test::kLeanAdult};
+    if (!isVentilated)
+        bed.holdMask(1.0);
+    bed.run(60.0);
+    bed.stopBreathing();
+    bed.squeezeBag(0.0, 0.0);
+    bed.run(kNoBreathTime + 1.0);
+    QVERIFY2(bed.exhaled_mmHg() < kFlat_mmHg, qPrintable(QString::number(bed.exhaled_mmHg())));
+}
+
+// At 6 breaths a minute, with a long pause behind each.
+void TestCapnogram::keepsThePlateauOfASlowBreath()
+{
+    constexpr double kPlateau_mmHg = 25.0;
+    Bed bed = ventilated();
+    bed.squeezeBag(6.0, 700.0);
+    bed.run(60.0);
+    double onPlateau_s = 0.0;
+    bed.runWhile(10.0, [&] {
+        onPlateau_s += bed.exhaled_mmHg() > kPlateau_mmHg ? kBodyStep : 0.0;
+        return true;
+    });
+    QVERIFY2(onPlateau_s > 5.0, qPrintable(QString::number(onPlateau_s)));
 }
 
 CARINA_TEST(TestCapnogram)

@@ -1,7 +1,9 @@
 #include "engine/physiology/heart_curves.h"
 #include "tests/support/test_class.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace carina::heart_curves_test
 {
@@ -31,6 +33,8 @@ private Q_SLOTS:
     void isContinuousFromBeatToBeat();
     void hasAnRWaveAndASmallerTWave();
     void beatsAtTheFingerAfterTheHeart();
+    void drawsEvenBeatsEquallyHigh_data();
+    void drawsEvenBeatsEquallyHigh();
 };
 
 void TestHeartCurves::isContinuousFromBeatToBeat_data()
@@ -78,6 +82,36 @@ void TestHeartCurves::beatsAtTheFingerAfterTheHeart()
         const double late_s = (pulse - r - std::floor(pulse - r)) / rate;
         QVERIFY2(late_s > 0.2 && late_s < 0.5, qPrintable(QString::number(late_s)));
     }
+}
+
+void TestHeartCurves::drawsEvenBeatsEquallyHigh_data()
+{
+    QTest::addColumn<double>("perMin");
+    QTest::newRow("72") << 72.0;
+    QTest::newRow("80") << 80.0;
+    QTest::newRow("90") << 90.0;
+    QTest::newRow("151") << 151.0;
+}
+
+// Beats whose R waves go up and down in turn are a sign of a tamponade.
+void TestHeartCurves::drawsEvenBeatsEquallyHigh()
+{
+    constexpr double kStep_s = 0.02;
+    constexpr double kAlike = 0.98;
+    QFETCH(const double, perMin);
+    const double rate = perMin / 60.0;
+    std::vector<double> peaks(12, 0.0);
+    for (int i = 0;; ++i) {
+        const double beats = i * kStep_s * rate;
+        if (beats >= double(peaks.size()))
+            break;
+        double& peak = peaks[std::size_t(beats)];
+        peak = std::max(peak, electrocardiogramPeak_mV(beats - std::floor(beats), rate, kStep_s));
+    }
+    const auto [lowest, highest] = std::ranges::minmax(peaks);
+    QVERIFY2(lowest > kAlike * highest,
+             qPrintable(QStringLiteral("%1 to %2 mV").arg(lowest).arg(highest)));
+    QVERIFY(highest < 1.2);
 }
 
 CARINA_TEST(TestHeartCurves)

@@ -70,12 +70,12 @@ private Q_SLOTS:
     {
         Bed bed;
         bed.watch(10.0);
-        bed.vitals.saturation = 0.895;
+        bed.vitals.saturation = 0.894;
         bed.watch(kBeforeDelay_s);
         QVERIFY(!bed.of(VitalAlarm::LowSaturation));
         bed.watch(1.0);
         QCOMPARE(bed.of(VitalAlarm::LowSaturation), AlarmPriority::Medium);
-        bed.vitals.saturation = 0.845;
+        bed.vitals.saturation = 0.844;
         bed.watch(kAfterDelay_s);
         QCOMPARE(bed.of(VitalAlarm::LowSaturation), AlarmPriority::High);
     }
@@ -85,16 +85,16 @@ private Q_SLOTS:
         Bed bed;
         bed.vitals.saturation = 0.84;
         bed.watch(kAfterDelay_s);
-        bed.vitals.saturation = 0.855;
+        bed.vitals.saturation = 0.854;
         bed.watch(0.2);
         QCOMPARE(bed.of(VitalAlarm::LowSaturation), AlarmPriority::High);
         bed.vitals.saturation = 0.865;
         bed.watch(0.2);
         QCOMPARE(bed.of(VitalAlarm::LowSaturation), AlarmPriority::Medium);
-        bed.vitals.saturation = 0.905;
+        bed.vitals.saturation = 0.904;
         bed.watch(0.2);
         QCOMPARE(bed.of(VitalAlarm::LowSaturation), AlarmPriority::Medium);
-        bed.vitals.saturation = 0.915;
+        bed.vitals.saturation = 0.914;
         bed.watch(0.2);
         QVERIFY(!bed.of(VitalAlarm::LowSaturation));
     }
@@ -192,14 +192,41 @@ private Q_SLOTS:
     void sayThatTheProbeIsOff()
     {
         Bed bed;
+        bed.vitals.probeIsOn = false;
         bed.vitals.saturation.reset();
         bed.watch(20.0); // it was never on
         QVERIFY(bed.alarms.active().empty());
+        bed.vitals.probeIsOn = true;
         bed.vitals.saturation = 0.97;
         bed.watch(1.0);
+        bed.vitals.probeIsOn = false;
         bed.vitals.saturation.reset();
         bed.watch(kAfterDelay_s);
         QCOMPARE(bed.of(VitalAlarm::NoProbe), AlarmPriority::Low);
+    }
+
+    /// It is on the finger, and finds no pulse there.
+    void sayNothingOfTheProbeInAnArrest()
+    {
+        Bed bed;
+        bed.watch(1.0);
+        bed.vitals.heartRate = {};
+        bed.vitals.saturation.reset();
+        bed.watch(kAfterDelay_s);
+        QVERIFY(!bed.of(VitalAlarm::NoProbe));
+        QCOMPARE(bed.of(VitalAlarm::NoHeartbeat), AlarmPriority::High);
+    }
+
+    /// No alarm says that 90 % is below 90 %.
+    void ofSaturationGoByTheNumberThatIsShown()
+    {
+        Bed bed;
+        bed.vitals.saturation = 0.896;
+        bed.watch(kAfterDelay_s);
+        QVERIFY(!bed.of(VitalAlarm::LowSaturation));
+        bed.vitals.saturation = 0.894;
+        bed.watch(kAfterDelay_s);
+        QCOMPARE(bed.of(VitalAlarm::LowSaturation), AlarmPriority::Medium);
     }
 
     void areOrderedByUrgency()

@@ -1,15 +1,19 @@
 #include "apps/program/played_intubation.h"
 
+#include "apps/program/listening_round.h"
 #include "engine/airway/tube/tube_size.h"
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "engine/io/anatomy_set/anatomy_cache.h"
+#include "engine/tracking/simulated/scripted_hands.h"
 #include "evaluation/intubation/motion_script.h"
 #include "models/patient/resting_patient.h"
+#include "models/vitals/stethoscope.h"
 
 #include <QStringList>
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 namespace carina::program
 {
@@ -19,6 +23,9 @@ namespace
 const QString kIntubation = QStringLiteral("intubation");
 const QString kSeed = QStringLiteral("seed");
 const QString kAfter = QStringLiteral("after");
+
+/// After the cuff is inflated, when the first breath has been given.
+constexpr Duration kToListen = std::chrono::seconds{4};
 
 Result<MotionKind> motionNamed(const QString& name)
 {
@@ -110,15 +117,36 @@ Result<IntubationMotion> motionFor(const PatientModel& patient, const PlayedIntu
         lengthened(patient.tube(), size->length), static_cast<std::uint32_t>(random()));
 }
 
-PlayedMotion playedBy(const IntubationMotion& motion, Duration after)
+/// Once the cuff is inflated, until it is emptied: who intubated listens whether the chest is
+/// ventilated.
+ListeningRound listeningIn(const IntubationMotion& motion, const PatientModel& patient)
+{
+    ListeningRound round{stylusBesideCheek(patient.landmarks().p_A_incisors),
+                         ChestSites{patient}.placesToListen()};
+    std::optional<Duration> inflated;
+    for (const MotionCommand& command : motion.commands()) {
+        if (command.act == MotionAct::CuffInflated)
+            inflated = command.at;
+        if (command.act == MotionAct::CuffDeflated && inflated)
+            round.listen(*std::exchange(inflated, std::nullopt) + kToListen, command.at);
+    }
+    if (inflated)
+        round.listen(*inflated + kToListen);
+    return round;
+}
+
+PlayedMotion playedBy(const IntubationMotion& motion, const PatientModel& patient, Duration after)
 {
     PlayedMotion played;
     played.laryngoscope = "laryngoscope " + std::string{motion.blade().name};
     for (const MotionCommand& command : motion.commands())
         if (const auto said = saidBy(command.act))
             played.controls.push_back({after + command.at, *said});
-    played.at = [kept = std::make_shared<const IntubationMotion>(motion), after](Duration t) {
-        return handledIn(*kept, std::clamp(t - after, Duration{}, kept->length()));
+    played.at = [kept = std::make_shared<const IntubationMotion>(motion),
+                 round = listeningIn(motion, patient), after](Duration t) {
+        HandledTools held = handledIn(*kept, std::clamp(t - after, Duration{}, kept->length()));
+        held.X_AS = round.at(t - after);
+        return held;
     };
     return played;
 }
@@ -160,8 +188,8 @@ MotionParameters parametersOf(const PlayedIntubation& played)
 PlayMotion playOf(const PlayedIntubation& played)
 {
     return [played](const PatientModel& patient) {
-        return motionFor(patient, played).map([&played](const IntubationMotion& motion) {
-            return playedBy(motion, played.after);
+        return motionFor(patient, played).map([&](const IntubationMotion& motion) {
+            return playedBy(motion, patient, played.after);
         });
     };
 }

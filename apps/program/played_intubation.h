@@ -37,8 +37,9 @@ struct SimulatedWords {
 [[nodiscard]] MotionParameters parametersOf(const PlayedIntubation& played);
 
 /// The motion for a patient with the tube of a program, by who plays it: the tip of that tube goes
-/// the patient's ways, and its cuff and stylet are set by controls. A flexion of the neck is left
-/// out: where the session lays the head, the hands go with it.
+/// the patient's ways, and its cuff and stylet are set by controls. Once the cuff is inflated the
+/// tip of the stylus listens at the chest (ListeningRound). A flexion of the neck is left out:
+/// where the session lays the head, the hands go with it.
 /// @returns from the motion: the errors of motionPatient
 [[nodiscard]] PlayMotion playOf(const PlayedIntubation& played);
 

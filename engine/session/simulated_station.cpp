@@ -192,7 +192,8 @@ TrueToolPose withLaryngoscopy(TrueToolPose hands, LaryngoscopyScript script, Nec
     };
 }
 
-/// The hands, of which a motion moves tube, jaw and laryngoscope in the frame of the head.
+/// The hands, of which a motion moves tube, jaw and laryngoscope in the frame of the head, and the
+/// stylus in that of the torso.
 TrueToolPose withMotion(TrueToolPose hands, HandMotion motion, NeckNow neck,
                         const RigidTransform& X_TA, const RigidTransform& X_AJ_closed)
 {
@@ -207,6 +208,10 @@ TrueToolPose withMotion(TrueToolPose hands, HandMotion motion, NeckNow neck,
             return X_TA * neck().X_AU() * motion(t).X_UL;
         case ToolRole::Jaw:
             return X_TA * neck().X_AU() * motion(t).X_UJ * X_AJ_closed;
+        case ToolRole::Stylus: {
+            const auto X_AS = motion(t).X_AS;
+            return X_AS ? X_TA * *X_AS : hands(tool, t);
+        }
         default:
             return hands(tool, t);
         }

@@ -29,11 +29,12 @@ struct SimulatedStation {
 using SimulatedPerson = std::function<unsigned()>;
 
 /// Where hands hold tube and laryngoscope, and the mandible, in the frame U of the head, which is A
-/// while head and neck lie in neutral position.
+/// while head and neck lie in neutral position; and a stylus, in that of the torso.
 struct HandledTools {
-    RigidTransform X_UE; ///< the tube's connector
-    RigidTransform X_UL; ///< the blade of the laryngoscope
-    RigidTransform X_UJ; ///< the mandible, the identity with the mouth shut
+    RigidTransform X_UE;                  ///< the tube's connector
+    RigidTransform X_UL;                  ///< the blade of the laryngoscope
+    RigidTransform X_UJ;                  ///< the mandible, the identity with the mouth shut
+    std::optional<RigidTransform> X_AS{}; ///< nothing where it lies beside the patient
 };
 
 /// What hands do with them. Called on the tracker's thread.
@@ -54,8 +55,9 @@ using SimulatedHead = std::function<HeadPosition()>;
 /// @param head neutral without it. The jaw goes with the head, a laryngoscope into the mouth as it
 ///        lies, and the tube the way of the airway there, with its form where it fits the airway
 ///        (bent); the tip rests as far above the carina as in neutral position
-/// @param motion what tube, jaw and laryngoscope do in place of all this, whoever the person is;
-///        they go with the head. The laryngoscope is seen where the device has one
+/// @param motion what tube, jaw, laryngoscope and stylus do in place of all this, whoever the
+///        person is; the first three go with the head. The laryngoscope is seen where the device
+///        has one
 /// @returns the errors of ScriptedHands::make for this airway.
 [[nodiscard]] Result<SimulatedStation>
 simulatedStation(const AirwayLandmarks& airway, const TubeShape& tube, ReadSessionClock clock,

@@ -22,14 +22,13 @@ constexpr int kGuardInterval_ms = 50; ///< of looks at the stylus
 /// Of who hosts: apart from the numbers of all trainees, and not where the first of them stand.
 constexpr unsigned kPersonOfHost = 1004;
 
-/// X_SP of the tracked stylus, with -z of P along the shaft.
-std::optional<RigidTransform> shaftOf(const StationTracking& tracking,
-                                      const SharedTools::Place& place)
+/// X_SP of the stylus that a tracker calls so, with -z of P along the shaft.
+std::optional<RigidTransform> calibratedShaft(const std::string& stylus,
+                                              const SharedTools::Place& place)
 {
     if (!place || !place->setup || !place->setup->guard)
         return std::nullopt;
-    const StylusTip* tip =
-        tipOfTool(place->setup->guard->styluses, tracking.toolName(ToolRole::Stylus));
+    const StylusTip* tip = tipOfTool(place->setup->guard->styluses, stylus);
     if (tip == nullptr)
         return std::nullopt;
     return RigidTransform{Quat::FromTwoVectors(-Vec3::UnitZ(), tip->p_SQ), tip->p_SQ};
@@ -264,7 +263,8 @@ Result<void> SharedTools::simulate(Laid& laid) const
         device.laryngoscope = true;
         device.laryngoscopeName = played->laryngoscope;
         laid.played = std::make_shared<PlayedHands>(m_node, *std::move(played));
-        motion = [hands = laid.played](SessionTime t) { return hands->at(t); };
+        motion = heldByTip([hands = laid.played](SessionTime t) { return hands->at(t); },
+                           calibratedShaft(kSimulatedStylus, laid.place));
     }
     auto simulated = simulatedStation(
         laid.patient->landmarks(), laid.patient->tube(), clock(), registrationIn(laid.place),
@@ -383,8 +383,16 @@ std::optional<PoseSample> SharedTools::shownAt(ToolRole tool, SessionTime t) con
     const auto sample = m_laid->tracking ? m_laid->tracking->shownAt(tool, t) : std::nullopt;
     if (!sample || tool != ToolRole::Stylus)
         return sample;
-    const auto X_SP = shaftOf(*m_laid->tracking, m_laid->place);
+    const auto X_SP = shaftOf(*m_laid);
     return X_SP ? std::optional{attached(*sample, *X_SP)} : std::nullopt;
+}
+
+std::optional<RigidTransform> SharedTools::shaftOf(const Laid& laid)
+{
+    if (!laid.place)
+        return laid.played ? std::optional{RigidTransform{}} : std::nullopt;
+    return laid.tracking ? calibratedShaft(laid.tracking->toolName(ToolRole::Stylus), laid.place)
+                         : std::nullopt;
 }
 
 void SharedTools::recordBy(PoseRecording& recording) const
@@ -404,9 +412,7 @@ std::optional<PoseSample> SharedTools::Published::newest(ToolRole tool) const
 void SharedTools::publishPoses()
 {
     m_board->store(std::make_shared<const Published>(
-        Published{m_laid->tracking,
-                  m_laid->tracking ? shaftOf(*m_laid->tracking, m_laid->place) : std::nullopt,
-                  m_station, m_laryngoscope}));
+        Published{m_laid->tracking, shaftOf(*m_laid), m_station, m_laryngoscope}));
 }
 
 PoseSource SharedTools::source(ToolRole tool) const

@@ -160,6 +160,9 @@ private:
     [[nodiscard]] bool isTracking(const Tracker& tracker) const;
     [[nodiscard]] ReadSessionClock clock() const;
     [[nodiscard]] std::optional<PoseSample> shownAt(ToolRole tool, SessionTime t) const;
+    /// X_SP as Published has it; without a site, of hands that play a motion, the stylus begins at
+    /// its tip.
+    [[nodiscard]] static std::optional<RigidTransform> shaftOf(const Laid& laid);
     void publishPoses();
     void share();
     void share(ObjectKind kind, ToolRole tool, const char* name);

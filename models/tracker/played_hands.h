@@ -35,4 +35,8 @@ private:
     std::size_t m_done = 0;                   ///< of the controls
 };
 
+/// The motion, of which the tip of the stylus goes where its origin went.
+/// @param X_SP the tip in the frame S of the stylus' markers; nothing where S begins at the tip
+[[nodiscard]] HandMotion heldByTip(HandMotion motion, const std::optional<RigidTransform>& X_SP);
+
 } // namespace carina

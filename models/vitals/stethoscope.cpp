@@ -15,6 +15,8 @@ constexpr double kGrownLungs_m = 0.16; ///< between the middles of a grown perso
 constexpr double kToLeft = 1.0 / 3.0;
 constexpr double kBelowGlottis = 1.0 / 3.0;
 constexpr double kBelowLung = 0.1;
+constexpr double kInTheAir_m = 1.0;  ///< in front of any chest
+constexpr double kOnSkin_m = 0.0005; ///< a bell that is as near touches it
 
 /// A surface of this role; null without one.
 const TriangleMesh* surfaceOf(const PatientModel& patient, PartRole role)
@@ -86,6 +88,27 @@ AuscultationGains ChestSites::heardAt(const Vec3& p_AQ) const
                        distanceInFront(m_stomach, p_AQ), distanceInFront(m_heart, p_AQ),
                        distanceInFront(m_trachea, p_AQ), skin},
                       m_scale);
+}
+
+std::vector<Vec3> ChestSites::placesToListen() const
+{
+    std::vector<Vec3> places;
+    for (const std::optional<Vec3>& p_AS : {m_stomach, m_left, m_right})
+        if (p_AS)
+            places.push_back(onSkinBefore(*p_AS));
+    return places;
+}
+
+/// From the air straight to a site, each time by as much as the skin is away at least.
+Vec3 ChestSites::onSkinBefore(const Vec3& p_AS) const
+{
+    if (!m_skin)
+        return p_AS;
+    Vec3 p_AQ = p_AS - kInTheAir_m * Vec3::UnitY();
+    for (double away = m_skin->distanceTo(p_AQ); away > kOnSkin_m && p_AQ.y() < p_AS.y();
+         away = m_skin->distanceTo(p_AQ))
+        p_AQ.y() += away;
+    return p_AQ;
 }
 
 std::optional<AuscultationGains> Stethoscope::heard(const PatientModel& patient,

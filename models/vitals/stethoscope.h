@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace carina
 {
@@ -29,8 +30,13 @@ public:
     /// What is heard with the stethoscope at a point of A.
     [[nodiscard]] AuscultationGains heardAt(const Vec3& p_AQ) const;
 
+    /// Where breathing is listened for, in the order that is taught: on the skin in front of the
+    /// stomach, the left lung and the right one. Without those that the patient does not have.
+    [[nodiscard]] std::vector<Vec3> placesToListen() const;
+
 private:
     void place(const PatientModel& patient);
+    [[nodiscard]] Vec3 onSkinBefore(const Vec3& p_AS) const;
 
     std::unique_ptr<const SurfaceTree> m_skin; ///< null without one: no place is off the chest
     std::optional<Vec3> m_right;

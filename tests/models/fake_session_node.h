@@ -3,6 +3,7 @@
 #include "engine/net/node/session_node.h"
 #include "engine/session/session_authority.h"
 
+#include <atomic>
 #include <deque>
 #include <utility>
 
@@ -39,7 +40,7 @@ public:
 
     void advance(Duration time)
     {
-        m_now += time;
+        std::atomic_ref{m_now}.store(m_now + time);
         while (!m_onTheWay.empty() && m_onTheWay.front().made + 2 * m_path <= m_now) {
             const Made next = std::move(m_onTheWay.front());
             m_onTheWay.pop_front();
@@ -152,7 +153,7 @@ public:
     [[nodiscard]] ParticipantId self() const override { return m_self; }
     [[nodiscard]] std::optional<SessionTime> now() const override
     {
-        return m_hasClock ? std::optional{m_now} : std::nullopt;
+        return m_hasClock ? std::optional{std::atomic_ref{m_now}.load()} : std::nullopt;
     }
     [[nodiscard]] std::optional<SessionTime> sessionTime(LocalTime t) const override
     {
@@ -260,7 +261,7 @@ private:
     [[nodiscard]] LocalTime local() const { return LocalTime{m_silence}; }
 
     ParticipantId m_self;
-    SessionTime m_now{std::chrono::seconds{1000}};
+    mutable SessionTime m_now{std::chrono::seconds{1000}}; ///< a tracker reads it on its thread
     bool m_hasClock = true;
     bool m_hostIsHere = true;
     std::uint64_t m_proposals = 0;

@@ -26,7 +26,7 @@ constexpr double kParallel = 1e-3; // rad, to x
 const Vec3 kCondyles = 0.088 * Vec3{0.0, std::cos(degrees(26.0).si), std::sin(degrees(26.0).si)};
 const Vec3 kChin{0.0, 0.0, -0.045};
 const Vec3 kEyes{0.0, -0.30, 0.30};
-const Vec3 kParkedStylus{0.13, 0.03, 0.0};
+const Vec3 kBesideCheek{0.13, 0.03, 0.0};
 const Vec3 kGrip{0.0, 0.0, 0.03}; // of the hand that holds the tube, in E
 const Vec3 kSceneCentre{0.05, -0.14, -0.03};
 const Vec3 kTracker = 1.25 * Vec3{3.0, -1.0, 0.0}.normalized(); // from the centre of the scene
@@ -147,7 +147,8 @@ std::optional<RigidTransform> ScriptedHands::operator()(ToolRole tool, SessionTi
     case ToolRole::Tube:
         return tubeAt(phase);
     case ToolRole::Stylus:
-        return m_script.X_TA * RigidTransform::translation(m_script.p_A_incisors + kParkedStylus);
+        return m_script.X_TA
+               * RigidTransform::translation(stylusBesideCheek(m_script.p_A_incisors));
     case ToolRole::Hand: {
         const auto X_TE = tubeAt(phase);
         return X_TE ? std::optional{*X_TE * handOnTube()} : std::nullopt;
@@ -273,6 +274,8 @@ RigidTransform ScriptedHands::headAt(double phase) const
 }
 
 RigidTransform handOnTube() { return RigidTransform::translation(kGrip); }
+
+Vec3 stylusBesideCheek(const Vec3& p_A_incisors) { return p_A_incisors + kBesideCheek; }
 
 RigidTransform movedJaw(const Vec3& p_A_incisors, Angle opening, Length forward, double size)
 {

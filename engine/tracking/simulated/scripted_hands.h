@@ -87,6 +87,9 @@ private:
 /// X_EG of the hand that holds the tube.
 [[nodiscard]] RigidTransform handOnTube();
 
+/// Where the stylus is parked, in A.
+[[nodiscard]] Vec3 stylusBesideCheek(const Vec3& p_A_incisors);
+
 /// X_AJ of a mandible whose frame J coincides with A while the mouth is closed: moved forward, and
 /// rotated about the transverse axis through the condyles, which lie 88 mm from the incisors, 26
 /// degrees above the plane of the teeth (Bonwill's triangle, Balkwill's angle).

@@ -86,7 +86,7 @@ SimulatedTracker::SimulatedTracker(SimulatedTrackerSettings settings, TrueToolPo
     add("head", ToolRole::Head);
     add("jaw", ToolRole::Jaw);
     add("tube", ToolRole::Tube);
-    add("stylus", ToolRole::Stylus);
+    add(kSimulatedStylus, ToolRole::Stylus);
     if (m_settings.chestMarker)
         add("chest", ToolRole::Chest);
     if (m_settings.bodyProbe)

@@ -33,6 +33,9 @@ struct Occlusion {
 /// 45 mm; each role has another arrangement.
 [[nodiscard]] Probe simulatedProbe(ToolRole role);
 
+/// Its name of the stylus.
+inline constexpr const char* kSimulatedStylus = "stylus";
+
 /// Accuracy and timing of the simulated device.
 struct SimulatedTrackerSettings {
     Frequency rate = hertz(60.0); ///< the device with three probes reaches 30 Hz

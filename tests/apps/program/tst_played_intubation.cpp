@@ -1,9 +1,11 @@
 #include "apps/program/played_intubation.h"
 
 #include "engine/anatomy/patient/builtin_patient.h"
+#include "engine/tracking/simulated/scripted_hands.h"
 #include "models/intubation/intubation_watch.h"
 #include "models/patient/patient_source.h"
 #include "models/tracker/played_hands.h"
+#include "models/vitals/stethoscope.h"
 #include "tests/models/fake_session_node.h"
 #include "tests/support/test_class.h"
 
@@ -134,6 +136,45 @@ private Q_SLOTS:
         QCOMPARE((motion.at(3000s).X_UE * boy().tube().p_E_tip).eval(), p);
         const Vec3 p_A_place = boy().tube().X_AE * boy().tube().p_E_tip;
         QVERIFY((p - p_A_place).norm() < 0.02); // m: in the trachea, about as deep as usual
+    }
+
+    /// Nothing before the cuff is inflated, then stomach, left and right lung, and nothing again.
+    void listensToTheChest()
+    {
+        const PlayedMotion motion = playOf({.after = 10s})(boy()).value();
+        const auto inflated =
+            std::ranges::find_if(motion.controls, [](const PlayedMotion::Control& control) {
+                return std::holds_alternative<fact::CuffSet>(control.body);
+            });
+        const ChestSites sites{boy()};
+        std::vector<std::string> heard;
+        for (Duration t = 0s; t < inflated->at + 60s; t += 100ms) {
+            const auto gains = sites.heardAt(motion.at(t).X_AS->translation());
+            std::string most;
+            for (const auto& [name, gain] : {std::pair{"stomach", gains.stomach},
+                                             {"left", gains.left},
+                                             {"right", gains.right}})
+                if (gain > 0.95)
+                    most = name;
+            QVERIFY(most.empty() || t > inflated->at);
+            if (heard.empty() || heard.back() != most)
+                heard.push_back(most);
+        }
+        QCOMPARE(heard, (std::vector<std::string>{"", "stomach", "", "left", "", "right", ""}));
+    }
+
+    void listensWhereItsTrackerSeesIt()
+    {
+        const RigidTransform X_TA = patientBeforeTracker(boy().landmarks().p_A_incisors);
+        const PlayedMotion motion = playOf({})(boy()).value();
+        for (Duration t = 0s; t < 90s; t += 500ms) {
+            const Vec3 p_T = X_TA * motion.at(t).X_AS->translation();
+            QVERIFY2(WorkingVolume{}.contains(p_T), qPrintable(QStringLiteral("%1 s: %2 %3 %4")
+                                                                   .arg(toSeconds(t))
+                                                                   .arg(p_T.x())
+                                                                   .arg(p_T.y())
+                                                                   .arg(p_T.z())));
+        }
     }
 
     void isToldByTheMonitor_data()

@@ -480,6 +480,20 @@ private Q_SLOTS:
             }
     }
 
+    /// On the torso, however the head lies.
+    void letsAMotionMoveTheStylusOverTheChest()
+    {
+        const WithLaryngoscope station;
+        const RigidTransform X_AS{rotationFromVector({1.5, 0.0, 0.0}), {-0.06, -0.12, -0.1}};
+        const auto made = simulatedStation(
+            station.patient.landmarks, station.tube, [] { return std::optional<SessionTime>{}; },
+            {}, {}, {}, {}, {}, [] { return kNeckFlexed; },
+            [&X_AS](SessionTime) { return HandledTools{.X_AS = X_AS}; });
+        const auto X_TS = made->truth(ToolRole::Stylus, SessionTime{7s});
+        QVERIFY(X_TS.has_value());
+        QVERIFY((made->X_TA * X_AS).matrix().isApprox(X_TS->matrix(), 1e-12));
+    }
+
     void seesEverybodysToolsAtAllTimes_data()
     {
         QTest::addColumn<BuiltinPatient>("who");

@@ -1,6 +1,7 @@
 #include "models/station/shared_tools.h"
 
 #include "engine/anatomy/patient/builtin_patient.h"
+#include "engine/tracking/simulated/scripted_hands.h"
 #include "tests/models/fake_session_node.h"
 #include "tests/models/tracker/sending_device.h"
 #include "tests/support/soon.h"
@@ -69,11 +70,14 @@ const SharedPatientModel& patient(BuiltinPatient which = BuiltinPatient::Adult)
 struct SaidBySite {
     bool isReadable = true;
     bool isRegistered = true;
+    bool isThere = true;
 
     [[nodiscard]] Result<SharedTools::Place> placeOf(const PatientModel& of) const
     {
         if (!isReadable)
             return fail(Errc::FileMalformed, "site.json");
+        if (!isThere)
+            return std::optional<SitePlace>{};
         SitePlace place{
             .standing = {isRegistered ? RegistrationState::Good : RegistrationState::Stale,
                          StaleReason::None,
@@ -217,6 +221,61 @@ private Q_SLOTS:
         const auto before = station.tools.tracking();
         QVERIFY(station.tools.lay(patient(BuiltinPatient::TwelveYears)));
         QVERIFY(station.tracker() != &before->tracker());
+    }
+
+    void showsTheTipOfAPlayedStylus_data()
+    {
+        QTest::addColumn<bool>("hasSite");
+        QTest::newRow("by the tip that is calibrated") << true;
+        QTest::newRow("without a site") << false;
+    }
+
+    /// At a place of the patient, as others see it. The site has its patient half a metre off the
+    /// tracker, and the markers of the stylus 100 mm up its shaft.
+    void showsTheTipOfAPlayedStylus()
+    {
+        QFETCH(const bool, hasSite);
+        constexpr double kNoise_m = 0.003; // of the tracker, at the end of the shaft
+        const Vec3 p_A{0.05, -0.1, -0.2};
+        SimulatedDevice device;
+        device.play = [&p_A](const PatientModel&) -> Result<PlayedMotion> {
+            return PlayedMotion{.at = [&p_A](Duration) {
+                return HandledTools{.X_AS = RigidTransform::translation(p_A)};
+            }};
+        };
+        Station station{std::nullopt};
+        station.site.isThere = hasSite;
+        QVERIFY(station.tools.lay(patient()));
+        QVERIFY(station.tools.setTracker(TrackerChoice{device}));
+        const RigidTransform X_TA = patientBeforeTracker(patient()->landmarks().p_A_incisors);
+        const Vec3 p_A_shown = hasSite ? at(0.0, 0.5, 0.0) * X_TA * p_A : p_A;
+        const auto stylus = std::ranges::find(station.node.published, ObjectKind::Stylus,
+                                              &FakeSessionNode::Published::kind);
+        QVERIFY(stylus != station.node.published.end());
+        QVERIFY(soon(
+            [&] {
+                station.node.advance(std::chrono::milliseconds{20});
+                return stylus->newest().has_value();
+            },
+            kPatience));
+        QVERIFY(isAt(stylus->newest(), p_A_shown, kNoise_m));
+        QVERIFY(isAt(station.tools.posesOnScreen().at(ObjectKind::Stylus, *station.node.now()),
+                     p_A_shown, kNoise_m));
+    }
+
+    /// Hands that play nothing leave it beside the patient, and it is not shown.
+    void showsNoStylusThatNobodyCalibrated()
+    {
+        Station station{TrackerChoice{SimulatedDevice{}}};
+        station.site.isThere = false;
+        QVERIFY(station.tools.lay(patient()));
+        QVERIFY(soon(
+            [&] {
+                station.node.advance(std::chrono::milliseconds{20});
+                return station.newest(ToolRole::Stylus).has_value();
+            },
+            kPatience));
+        QVERIFY(!station.tools.posesOnScreen().at(ObjectKind::Stylus, *station.node.now()));
     }
 
     void tellsOfAReplacementWhileTheFormerIsThere()

@@ -1,9 +1,11 @@
 #include "models/tracker/played_hands.h"
 
+#include "engine/geometry/rotation.h"
 #include "tests/models/fake_session_node.h"
 #include "tests/support/test_class.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace carina::played_hands_test
 {
@@ -117,6 +119,20 @@ private Q_SLOTS:
         QVERIFY(work.isCuffInflated());
         work.goOn(5s);
         QCOMPARE(work.node.proposed, 2); // each once
+    }
+
+    /// Markers 100 mm up the shaft, whose -z points to the back.
+    void holdTheStylusByItsTip()
+    {
+        const RigidTransform X_AP{rotationFromVector({0.5 * std::numbers::pi, 0.0, 0.0}),
+                                  {0.05, -0.12, -0.1}};
+        const HandMotion origin = [&X_AP](SessionTime) { return HandledTools{.X_AS = X_AP}; };
+        const HandMotion tip = heldByTip(origin, RigidTransform::translation({0.0, 0.0, -0.1}));
+        const Vec3 p_A_markers = tip({}).X_AS->translation();
+        QVERIFY((p_A_markers - Vec3{0.05, -0.22, -0.1}).norm() < kExact_m);
+        QCOMPARE(heldByTip(origin, {})({}).X_AS->translation(), X_AP.translation());
+        const HandMotion none = heldByTip([](SessionTime) { return HandledTools{}; }, X_AP);
+        QVERIFY(!none({}).X_AS);
     }
 };
 

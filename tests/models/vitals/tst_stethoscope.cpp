@@ -90,6 +90,27 @@ private Q_SLOTS:
         QVERIFY(heard.heart > 0.9);
     }
 
+    /// On the skin, and nothing but what is beneath.
+    void listensForBreathingWhereItIsHeard()
+    {
+        const ChestSites sites{child()};
+        const std::vector<Vec3> places = sites.placesToListen();
+        QCOMPARE(places.size(), std::size_t{3});
+        const AuscultationGains stomach = sites.heardAt(places[0]);
+        QVERIFY(stomach.stomach > 0.99);
+        const AuscultationGains left = sites.heardAt(places[1]);
+        QVERIFY(left.left > 0.99 && left.right < 0.3);
+        const AuscultationGains right = sites.heardAt(places[2]);
+        QVERIFY(right.right > 0.99 && right.left < 0.3);
+        QVERIFY(places[0].x() > 0.0 && places[0].z() < boxOf(Side::Left).min.z()); // left, below it
+        QVERIFY(boxOf(Side::Left).min.x() < places[1].x() && places[2].x() < 0.0);
+        for (const Vec3& p_A : places) {
+            // That is first heard kAuscultationContact before the skin; a bell goes on in steps.
+            const double on_m = p_A.y() - inFrontOf(p_A + 0.1 * Vec3::UnitY()).y();
+            QVERIFY2(on_m > 0.0 && on_m < 0.025, qPrintable(QString::number(on_m)));
+        }
+    }
+
     void hearsNothingOffTheChest()
     {
         Vec3 before = inFrontOf(boxOf(Side::Right).centre());

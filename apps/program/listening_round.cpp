@@ -1,5 +1,6 @@
 #include "apps/program/listening_round.h"
 
+#include "engine/core/expects.h"
 #include "engine/geometry/rotation.h"
 #include "evaluation/intubation/hand_track.h"
 
@@ -32,6 +33,7 @@ ListeningRound::ListeningRound(const Vec3& p_A_parked, std::vector<Vec3> p_A_pla
 
 void ListeningRound::listen(Duration from, Duration until)
 {
+    CARINA_EXPECTS(m_stops.size() == 1 || from >= m_stops.back().from + kListenerReach);
     const RigidTransform X_AS_parked = m_stops.front().X_AS;
     const std::size_t before = m_stops.size();
     for (const Vec3& p_A : m_p_A_places) {

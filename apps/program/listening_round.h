@@ -19,7 +19,7 @@ public:
     ListeningRound(const Vec3& p_A_parked, std::vector<Vec3> p_A_places);
 
     /// Goes round once, from this time of a motion on, and back; nowhere that it would not have
-    /// left before `until`. @pre from is not before the former round has ended
+    /// left before `until`. @pre from is not before the stylus is back from the former round
     void listen(Duration from, Duration until = Duration::max());
 
     /// X_AS of the stylus at a time of the motion, with its tip as origin.

@@ -30,7 +30,7 @@ void atConnector(CapnographState& state, const SampledGas& gas, double seconds)
     const double share = isStill ? 0.0 : 1.0 - std::exp(-std::abs(gas.moved_ml) / gas.connector_ml);
     const double arriving = gas.moved_ml < 0.0 ? gas.passing * gas.exhaled_mmHg : 0.0;
     state.connector_mmHg += share * (arriving - state.connector_mmHg);
-    const double wash = state.sinceBreath_s < kHeldTime ? kWashTime : kApnoeaTime;
+    const double wash = isStill && state.sinceBreath_s >= kHeldTime ? kApnoeaTime : kWashTime;
     state.connector_mmHg -= seconds / wash * state.connector_mmHg;
 }
 

@@ -181,8 +181,10 @@ void TryWatch::take(const SessionState& state, const IntubationEvent& event)
     if (takeLate(event))
         return;
     const bool wasUnderWay = isUnderWay();
-    if (!wasUnderWay && beginsTry(event.step))
+    if (!wasUnderWay && beginsTry(event.step)) {
         begin(event.at);
+        m_course.setPauses(state.pauses());
+    }
     m_course.add(event);
     if (!isUnderWay())
         return;
@@ -192,7 +194,7 @@ void TryWatch::take(const SessionState& state, const IntubationEvent& event)
         return;
     if (event.at < *m_watchedSince)
         m_course.beganBefore();
-    if (m_maskVentilated && event.at - *m_maskVentilated <= kMaskBefore)
+    if (m_maskVentilated && state.pauses().between(*m_maskVentilated, event.at) <= kMaskBefore)
         m_course.check(TryCheck::MaskVentilated, true);
     Q_EMIT changed();
 }

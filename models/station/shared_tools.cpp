@@ -263,8 +263,9 @@ Result<void> SharedTools::simulate(Laid& laid) const
         device.laryngoscope = true;
         device.laryngoscopeName = played->laryngoscope;
         laid.played = std::make_shared<PlayedHands>(m_node, *std::move(played));
+        laid.X_SP_played = calibratedShaft(kSimulatedStylus, laid.place).value_or(RigidTransform{});
         motion = heldByTip([hands = laid.played](SessionTime t) { return hands->at(t); },
-                           calibratedShaft(kSimulatedStylus, laid.place));
+                           laid.X_SP_played);
     }
     auto simulated = simulatedStation(
         laid.patient->landmarks(), laid.patient->tube(), clock(), registrationIn(laid.place),
@@ -389,8 +390,8 @@ std::optional<PoseSample> SharedTools::shownAt(ToolRole tool, SessionTime t) con
 
 std::optional<RigidTransform> SharedTools::shaftOf(const Laid& laid)
 {
-    if (!laid.place)
-        return laid.played ? std::optional{RigidTransform{}} : std::nullopt;
+    if (laid.played)
+        return laid.X_SP_played;
     return laid.tracking ? calibratedShaft(laid.tracking->toolName(ToolRole::Stylus), laid.place)
                          : std::nullopt;
 }

@@ -132,6 +132,7 @@ private:
         TrueHead truth{};
         /// What the simulated hands play; shared with the tracker's thread.
         std::shared_ptr<PlayedHands> played{};
+        RigidTransform X_SP_played{};               ///< of the stylus that they hold
         std::unique_ptr<RegistrationGuard> guard{}; ///< of the tracking; null without a site
         Place place{};                              ///< as read from the site last
     };
@@ -160,8 +161,7 @@ private:
     [[nodiscard]] bool isTracking(const Tracker& tracker) const;
     [[nodiscard]] ReadSessionClock clock() const;
     [[nodiscard]] std::optional<PoseSample> shownAt(ToolRole tool, SessionTime t) const;
-    /// X_SP as Published has it; without a site, of hands that play a motion, the stylus begins at
-    /// its tip.
+    /// X_SP as Published has it.
     [[nodiscard]] static std::optional<RigidTransform> shaftOf(const Laid& laid);
     void publishPoses();
     void share();

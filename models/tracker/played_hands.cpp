@@ -35,11 +35,9 @@ void PlayedHands::look(StationId station)
         m_node.propose(station, m_motion.controls[m_done].body);
 }
 
-HandMotion heldByTip(HandMotion motion, const std::optional<RigidTransform>& X_SP)
+HandMotion heldByTip(HandMotion motion, const RigidTransform& X_SP)
 {
-    if (!X_SP)
-        return motion;
-    return [motion = std::move(motion), X_PS = X_SP->inverse()](SessionTime t) {
+    return [motion = std::move(motion), X_PS = X_SP.inverse()](SessionTime t) {
         HandledTools held = motion(t);
         if (held.X_AS)
             held.X_AS = *held.X_AS * X_PS;

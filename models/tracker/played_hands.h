@@ -36,7 +36,7 @@ private:
 };
 
 /// The motion, of which the tip of the stylus goes where its origin went.
-/// @param X_SP the tip in the frame S of the stylus' markers; nothing where S begins at the tip
-[[nodiscard]] HandMotion heldByTip(HandMotion motion, const std::optional<RigidTransform>& X_SP);
+/// @param X_SP the tip in the frame S of the stylus' markers
+[[nodiscard]] HandMotion heldByTip(HandMotion motion, const RigidTransform& X_SP);
 
 } // namespace carina

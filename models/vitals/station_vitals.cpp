@@ -121,7 +121,10 @@ std::optional<BreathFlows> StationVitals::flowsAt(SessionTime t)
     const PatientRun* run = runAt(t);
     if (!run)
         return std::nullopt;
-    const LungConditions& conditions = run->fold().settings().conditions;
+    const auto state = m_session.node().state();
+    // As they are set: those of the fold have a kinked tube or shut cords among them.
+    const LungConditions conditions =
+        stationIn(*state, m_station)->respiration.settingsAt(t).conditions;
     const auto& intoLung = run->fold().moment().intoLung;
     const double heard = ofGrownFlow(run->fold().settings().build);
     return BreathFlows{.right = heard * intoLung[0],

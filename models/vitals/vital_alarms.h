@@ -59,7 +59,7 @@ struct AlarmLimits {
 ///
 /// Saturations count as the whole per cent that are shown. An alarm begins, or becomes more urgent,
 /// when its limit was passed for kDelay_s on end, and then has the urgency of the moment; it ends,
-/// or becomes less urgent, once the value is back by more than a small distance (1 % of saturation,
+/// or becomes less urgent, once the value is back by a small distance (1 % of saturation,
 /// 2 beats per minute, 3 mmHg; of ours). Apnoea begins after its own time and ends with a breath's
 /// CO2; the last breath before the first moment counts, by the capnograph, which takes less CO2 for
 /// a breath (kBreathAt_mmHg): with a tube in the oesophagus who comes late hears the alarm up to

@@ -45,6 +45,9 @@ public:
     /// What is not later than the last is ignored.
     void add(SessionTime t, Force force);
 
+    /// Nothing presses any more that is known of, until the next addition.
+    void pause() { m_force = {}; }
+
     /// Nothing before the first addition.
     [[nodiscard]] const std::optional<ForceFigures>& figures() const { return m_figures; }
 

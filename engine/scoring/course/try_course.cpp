@@ -124,6 +124,11 @@ void TryCourse::addForces(SessionTime t, Force incisors, Force tongue)
 {
     if (!hasBegun())
         return;
+    if (wasPausedBetween(m_lastForces.value_or(t), t)) {
+        m_incisors.pause();
+        m_tongue.pause();
+    }
+    m_lastForces = t;
     m_incisors.add(t, incisors);
     m_tongue.add(t, tongue);
 }

@@ -85,6 +85,7 @@ private:
     std::vector<PoseSample> m_heads;
     ForceMeter m_incisors{kIncisorLimits};
     ForceMeter m_tongue{kTongueLimits};
+    std::optional<SessionTime> m_lastForces;
     BladeSamples m_blade;
     std::optional<SessionTime> m_lastBlade; ///< in the mouth
     PlaneMeter m_plane;

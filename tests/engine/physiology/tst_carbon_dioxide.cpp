@@ -57,9 +57,9 @@ void TestCarbonDioxide::risesInApnoea_data()
     QTest::newRow("lean adult") << test::kLeanAdult;
 }
 
-// 8 to 15 mmHg in the first minute, in arterial blood and in the first breath that follows; then 3
-// to 4 in each minute (Eger and Severinghaus, Anesthesiology 1961;22:419). Fresh gas of the first
-// breath dilutes what it shows.
+// 8 to 15 mmHg in the first minute in arterial blood, then 3 to 4 in each minute (Eger and
+// Severinghaus, Anesthesiology 1961;22:419). So does the first breath that follows, whose fresh gas
+// dilutes what it shows.
 void TestCarbonDioxide::risesInApnoea()
 {
     constexpr double kDiluted = 0.8;

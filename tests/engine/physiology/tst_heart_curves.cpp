@@ -1,4 +1,5 @@
 #include "engine/physiology/heart_curves.h"
+#include "tests/engine/physiology/bed.h"
 #include "tests/support/test_class.h"
 
 #include <algorithm>
@@ -35,6 +36,7 @@ private Q_SLOTS:
     void beatsAtTheFingerAfterTheHeart();
     void drawsEvenBeatsEquallyHigh_data();
     void drawsEvenBeatsEquallyHigh();
+    void drawsThoseOfAPatientEquallyHigh();
 };
 
 void TestHeartCurves::isContinuousFromBeatToBeat_data()
@@ -112,6 +114,32 @@ void TestHeartCurves::drawsEvenBeatsEquallyHigh()
     QVERIFY2(lowest > kAlike * highest,
              qPrintable(QStringLiteral("%1 to %2 mV").arg(lowest).arg(highest)));
     QVERIFY(highest < 1.2);
+}
+
+// Who breathes quietly, and whose rate hardly changes from beat to beat.
+void TestHeartCurves::drawsThoseOfAPatientEquallyHigh()
+{
+    constexpr double kAlike = 0.98;
+    constexpr double kOfR_mV = 0.6;
+    test::Bed bed{test::kTwelve};
+    bed.run(60.0);
+    std::vector<double> peaks;
+    double last = 0.0;
+    bed.runWhile(12.0, [&] {
+        const double now = bed.body.vitals().electrocardiogram;
+        if (now > kOfR_mV) {
+            if (last > kOfR_mV)
+                peaks.back() = std::max(peaks.back(), now);
+            else
+                peaks.push_back(now);
+        }
+        last = now;
+        return true;
+    });
+    QVERIFY(peaks.size() > 10);
+    const auto [lowest, highest] = std::ranges::minmax(peaks);
+    QVERIFY2(lowest > kAlike * highest,
+             qPrintable(QStringLiteral("%1 to %2 mV").arg(lowest).arg(highest)));
 }
 
 CARINA_TEST(TestHeartCurves)

@@ -55,6 +55,7 @@ void TestOximeter::showsNothingWithoutProbe()
     bed.apply();
     bed.run(1.0);
     QVERIFY(!bed.body.vitals().saturation);
+    QVERIFY(!bed.body.vitals().probeIsOn);
     QCOMPARE(bed.body.vitals().pulseWave, 0.0);
     bed.care.gas.probeOn = true;
     bed.apply();
@@ -70,6 +71,7 @@ void TestOximeter::showsNothingWithoutPulse()
     bed.run(5.0);
     QVERIFY(bed.body.state().circulation.arrested);
     QVERIFY(!bed.body.vitals().saturation);
+    QVERIFY(bed.body.vitals().probeIsOn);
     QCOMPARE(bed.body.breathingLeft(), 0.0);
     QCOMPARE(bed.body.vitals().heartRate.si, 0.0);
     QCOMPARE(bed.body.vitals().electrocardiogram, 0.0);

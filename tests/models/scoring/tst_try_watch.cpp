@@ -28,6 +28,7 @@ private Q_SLOTS:
     void takesEachNoteOnceAlsoOfATubeThatRestsAgain();
     void watchesTheOxygen();
     void countsMaskVentilationBefore();
+    void countsMaskVentilationBeforeAPause();
     void takesTheForcesThatAreEstimated();
     void tellsATubeInTheOesophagusWhenAsked();
     void judgesNoTubeByWhatWasSetBefore();
@@ -165,6 +166,24 @@ void TestTryWatch::countsMaskVentilationBefore()
     QCOMPARE(checkAfter(true, std::chrono::seconds{20}), std::optional{true});
     QVERIFY(!checkAfter(false, std::chrono::seconds{20})); // what was done is not known
     QVERIFY(!checkAfter(true, std::chrono::minutes{4}));
+}
+
+/// An explanation in between takes it away from nobody.
+void TestTryWatch::countsMaskVentilationBeforeAPause()
+{
+    TriedSession session;
+    session.node.decide(fact::GasSupplySet{{1.0, true, true}});
+    session.squeezeBag();
+    session.run(std::chrono::seconds{5});
+    session.node.decide(fact::BagSqueezed{});
+    session.run(std::chrono::seconds{5});
+    session.node.decide(fact::PhaseChanged{SessionPhase::Paused});
+    session.run(std::chrono::minutes{4});
+    session.node.decide(fact::PhaseChanged{SessionPhase::Running});
+    session.run(std::chrono::seconds{1});
+    session.intubate();
+    session.endTry();
+    QCOMPARE(session.tries.report()->metrics.check(TryCheck::MaskVentilated), std::optional{true});
 }
 
 void TestTryWatch::takesTheForcesThatAreEstimated()
@@ -507,8 +526,18 @@ void TestTryWatch::findsTheLastTryThatEndedBeforeItLooked()
     session.note(IntubationStep::BladeIn);
     session.note(IntubationStep::BladeOut);
     session.run(std::chrono::seconds{12});
+    session.note(IntubationStep::BladeIn);
+    session.node.decide(fact::PhaseChanged{SessionPhase::Paused});
+    session.run(std::chrono::minutes{3});
+    session.node.decide(fact::PhaseChanged{SessionPhase::Running});
+    session.run(std::chrono::seconds{1});
     session.intubate();
-    session.endTry();
+    session.note(IntubationStep::FirstBreath, TubeSeat::Trachea, millimetres(200.0));
+    session.run(std::chrono::seconds{5});
+    session.node.decide(fact::PhaseChanged{SessionPhase::Paused});
+    session.run(std::chrono::minutes{1});
+    session.node.decide(fact::PhaseChanged{SessionPhase::Running});
+    session.run(std::chrono::seconds{25});
     TryWatch late{session.session, FakeSessionNode::kStation};
     const QSignalSpy ended{&late, &TryWatch::ended};
     late.watch();
@@ -520,6 +549,8 @@ void TestTryWatch::findsTheLastTryThatEndedBeforeItLooked()
     QCOMPARE(found.begun, whole.begun);
     QCOMPARE(found.ended, whole.ended);
     QCOMPARE(found.attempts, whole.attempts);
+    QCOMPARE(valueOf(found, Metric::TimeToBreath), valueOf(whole, Metric::TimeToBreath));
+    QCOMPARE(valueOf(found, Metric::BladeTime), valueOf(whole, Metric::BladeTime));
 }
 
 void TestTryWatch::findsTheTryOfAnotherStation()
@@ -570,7 +601,9 @@ void TestTryWatch::countsNoPause()
     QVERIFY(isAlike(toSeconds(plainTime), toSeconds(pausedTime)));
     for (const Metric metric : {Metric::TimeToBreath, Metric::TimeToCords, Metric::BladeTime})
         QVERIFY(isAlike(*valueOf(plain, metric), *valueOf(paused, metric)));
-    QVERIFY(isAlike(toSeconds(plain.incisors->touched), toSeconds(paused.incisors->touched)));
+    const double touched_s =
+        toSeconds(paused.incisors->touched) - toSeconds(plain.incisors->touched);
+    QVERIFY2(std::abs(touched_s) < 0.35, qPrintable(QString::number(touched_s)));
     QCOMPARE(valueOf(paused, Metric::Failed), std::optional{0.0});
     QVERIFY(isAlike(toSeconds(plain.sinceBegun(plain.ended)),
                     toSeconds(paused.sinceBegun(paused.ended))));

@@ -1,7 +1,10 @@
 #include "engine/scoring/course/try_course.h"
 
+#include "engine/scoring/score/metric.h"
 #include "tests/engine/scoring/course/hand_written_course.h"
 #include "tests/support/test_class.h"
+
+#include <cmath>
 
 namespace carina::try_course_test
 {
@@ -51,6 +54,9 @@ private Q_SLOTS:
     void keepsNoMoreThanItsMost();
     void believesWhatIsSaidAfterTheEnd();
     void endsByABreathWhereThePersonSaysItWent();
+    void tellsTheSameWithAPauseInIt_data();
+    void tellsTheSameWithAPauseInIt();
+    void endsAsMuchLaterAsItWasPaused();
 };
 
 void TestTryCourse::beginsWithBladeOrTube()
@@ -270,6 +276,94 @@ void TestTryCourse::keepsNoMoreThanItsMost()
         written.at(0.1 * double(i), IntubationStep::BladeIn);
     QCOMPARE(follow(written).metrics(courseTime(500.0), std::nullopt).attempts.size(),
              TryCourse::kMostEvents);
+}
+
+void TestTryCourse::tellsTheSameWithAPauseInIt_data()
+{
+    QTest::addColumn<double>("at");
+    for (const double at : {12.0, 21.0, 28.0, 33.0})
+        QTest::addRow("at %.0f s", at) << at;
+}
+
+/// Everything behind it happens as much later: an oesophageal try with too little oxygen, a hand
+/// and a head that move, and forces.
+void TestTryCourse::tellsTheSameWithAPauseInIt()
+{
+    constexpr double kPause_s = 100.0;
+    constexpr double kStep_s = 1.0 / 60.0;
+    QFETCH(const double, at);
+    const auto metricsOf = [at](double pause_s) {
+        const auto later = [at, pause_s](double seconds) {
+            return courseTime(seconds < at ? seconds : seconds + pause_s);
+        };
+        HandWrittenCourse written;
+        written.at(10.0, IntubationStep::BladeIn)
+            .at(17.0, IntubationStep::TubePastTeeth)
+            .at(20.0, IntubationStep::InOesophagus, TubeSeat::Oesophagus)
+            .at(29.0, IntubationStep::BladeOut)
+            .at(31.0, IntubationStep::OutOfOesophagus, TubeSeat::None)
+            .at(35.0, IntubationStep::TubeOut);
+        TryCourse course{kUp};
+        Pauses pauses;
+        pauses.add(courseTime(at), courseTime(at + pause_s));
+        course.setPauses(pauses);
+        auto event = written.events().begin();
+        for (double t = 10.0; t < 40.0; t += kStep_s) {
+            for (; event != written.events().end() && event->at <= courseTime(t); ++event) {
+                IntubationEvent happened = *event;
+                happened.at = later(toSeconds(event->at.time_since_epoch()));
+                course.add(happened);
+            }
+            PoseSample sample = bladeAt(0.0, 0.05 * std::sin(2.0 * t));
+            sample.time = later(t);
+            course.addBlade(sample);
+            course.addHead(sample);
+            course.addForces(later(t), newtons(t < 30.0 ? 25.0 : 0.0), newtons(30.0));
+            course.addVitals(later(t), saturatedBy(t > 20.5 ? 0.85 : 0.95));
+        }
+        return course.metrics(later(36.0), millimetres(200.0));
+    };
+    const TryMetrics plain = metricsOf(0.0);
+    const TryMetrics paused = metricsOf(kPause_s);
+    QVERIFY(plain.incisors && plain.hand && plain.head && plain.oxygen->below > Duration{});
+    for (std::size_t i = 0; i < kMetricCount; ++i) {
+        const auto metric = static_cast<Metric>(i);
+        const auto without = valueOf(plain, metric);
+        const auto with = valueOf(paused, metric);
+        QCOMPARE(with.has_value(), without.has_value());
+        // A force that was held for a step less, and a hand that is measured for a window less.
+        const double tolerance = metric == Metric::TongueImpulse ? 30.0 * 1.1 * kStep_s
+                                 : metric >= Metric::PlaneTilt && metric <= Metric::HeadJerk
+                                     ? 0.15 * std::abs(without.value_or(0.0))
+                                     : 0.04;
+        QVERIFY2(!with || std::abs(*with - *without) <= tolerance,
+                 qPrintable(QStringLiteral("%1: %2 and %3")
+                                .arg(QLatin1String{entryOf(metric).word})
+                                .arg(with.value_or(0.0))
+                                .arg(without.value_or(0.0))));
+    }
+}
+
+void TestTryCourse::endsAsMuchLaterAsItWasPaused()
+{
+    Pauses pauses;
+    pauses.add(courseTime(35.0), courseTime(135.0));
+    TryCourse good = follow(goodCourse()); // breathes at 30 s
+    good.setPauses(pauses);
+    QVERIFY(!good.endedBy(courseTime(149.9)));
+    QCOMPARE(good.endedBy(courseTime(150.0)), courseTime(150.0));
+    HandWrittenCourse out;
+    out.at(10.0, IntubationStep::BladeIn).at(30.0, IntubationStep::BladeOut);
+    TryCourse givenUp = follow(out);
+    givenUp.setPauses(pauses);
+    QVERIFY(!givenUp.endedBy(courseTime(139.9)));
+    QCOMPARE(givenUp.endedBy(courseTime(140.0)), courseTime(30.0));
+    HandWrittenCourse endless;
+    endless.at(10.0, IntubationStep::BladeIn);
+    TryCourse longest = follow(endless);
+    longest.setPauses(pauses);
+    QVERIFY(!longest.endedBy(courseTime(709.9)));
+    QCOMPARE(longest.endedBy(courseTime(710.0)), courseTime(710.0));
 }
 
 CARINA_TEST(TestTryCourse)

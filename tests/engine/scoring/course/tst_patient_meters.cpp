@@ -35,6 +35,9 @@ private Q_SLOTS:
     void sayNothingBeforeTheFirstValue();
     void measureAForceThatRisesAndFalls();
     void holdNoForceAcrossAGap();
+    void ignoreWhatIsNotLater();
+    void keepTheFirstOfEqualValues();
+    void countNinetyItselfAsEnough();
 };
 
 void TestPatientMeters::findTheLowestSaturation()
@@ -89,6 +92,40 @@ void TestPatientMeters::holdNoForceAcrossAGap()
     QCOMPARE(meter.figures()->touched, ForceMeter::kLongestGap);
     QCOMPARE(meter.figures()->aboveWarning, ForceMeter::kLongestGap);
     QCOMPARE(meter.figures()->aboveFault, Duration{});
+}
+
+void TestPatientMeters::ignoreWhatIsNotLater()
+{
+    ForceMeter force{kIncisorLimits};
+    OxygenMeter oxygen;
+    for (const double t : {1.0, 1.0, 0.5}) {
+        force.add(courseTime(t), newtons(t < 1.0 || force.figures() ? 50.0 : 10.0));
+        oxygen.add(courseTime(t), saturatedBy(t < 1.0 || oxygen.figures() ? 0.5 : 0.95));
+    }
+    QCOMPARE(inNewtons(force.figures()->peak), 10.0);
+    QCOMPARE(oxygen.figures()->lowest, 0.95);
+}
+
+void TestPatientMeters::keepTheFirstOfEqualValues()
+{
+    ForceMeter force{kIncisorLimits};
+    OxygenMeter oxygen;
+    for (const double t : {1.0, 2.0, 3.0}) {
+        force.add(courseTime(t), newtons(t > 1.5 ? 10.0 : 0.0));
+        oxygen.add(courseTime(t), saturatedBy(t > 1.5 ? 0.85 : 0.95));
+    }
+    QCOMPARE(force.figures()->peakAt, courseTime(2.0));
+    QCOMPARE(oxygen.figures()->lowestAt, courseTime(2.0));
+    QCOMPARE(oxygen.figures()->fellBelow.value(), courseTime(2.0));
+}
+
+void TestPatientMeters::countNinetyItselfAsEnough()
+{
+    OxygenMeter oxygen;
+    for (const double t : {1.0, 2.0, 3.0})
+        oxygen.add(courseTime(t), saturatedBy(kLowSaturation));
+    QCOMPARE(oxygen.figures()->below, Duration{});
+    QVERIFY(!oxygen.figures()->fellBelow);
 }
 
 CARINA_TEST(TestPatientMeters)

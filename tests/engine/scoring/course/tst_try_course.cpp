@@ -255,6 +255,7 @@ void TestTryCourse::believesWhatIsSaidAfterTheEnd()
     course.tell(TubeSeat::Oesophagus, courseTime(70.0));
     const TryMetrics told = course.metrics(courseTime(50.0), std::nullopt);
     QVERIFY(told.isTold);
+    QCOMPARE(told.confidence, 1.0);
     QCOMPARE(told.outcome, TryOutcome::OesophagusUnrecognised);
     QCOMPARE(told.oesophagus.at(0).in, courseTime(50.0));
 }

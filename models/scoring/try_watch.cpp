@@ -98,7 +98,7 @@ void TryWatch::watch()
     if (!isUnderWay())
         return lookAtMask(*station, *now);
     takeCuff(*state, *now);
-    if (state->phaseAt(*now) != SessionPhase::Paused)
+    if (!state->pauses().contains(*now))
         takeForces(*now);
     takePoses(*state, *now);
     endBy(*state, *now);

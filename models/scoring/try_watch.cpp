@@ -182,7 +182,7 @@ void TryWatch::take(const SessionState& state, const IntubationEvent& event)
         return;
     const bool wasUnderWay = isUnderWay();
     if (!wasUnderWay && beginsTry(event.step)) {
-        begin(event.at);
+        begin(*stationIn(state), event.at);
         m_course.setPauses(state.pauses());
     }
     m_course.add(event);
@@ -215,11 +215,11 @@ void TryWatch::takeForces(SessionTime now)
         m_course.addForces(now, effort->teeth, effort->contact.tongue);
 }
 
-void TryWatch::begin(SessionTime now)
+void TryWatch::begin(const Station& station, SessionTime now)
 {
     m_begun = now;
     m_isTubeOut = false;
-    m_isCuffInflated = false;
+    m_isCuffInflated = station.respiration.tube().cuffInflatedAt(now);
     m_vitalsAt = std::chrono::ceil<VitalsGrid>(now);
     m_posesAt = now;
     m_report.reset();

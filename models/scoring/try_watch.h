@@ -83,7 +83,7 @@ private:
     void takePoses(const SessionState& state, SessionTime now);
     [[nodiscard]] std::optional<SessionTime> endedByPerson(const SessionState& state) const;
     void endBy(const SessionState& state, SessionTime t);
-    void begin(SessionTime now);
+    void begin(const Station& station, SessionTime now);
     void end(const Station& station, SessionTime at);
     void judge();
     [[nodiscard]] const Station* stationIn(const SessionState& state) const;

@@ -121,7 +121,7 @@ void CourseReader::readPlace(const IntubationEvent& event)
 {
     if (event.step == IntubationStep::ShapesApart)
         m_areApart = true;
-    if (event.step == IntubationStep::ShapesTogether)
+    if (event.step == IntubationStep::ShapesTogether || event.step == IntubationStep::TubeOut)
         m_areApart = false;
     if (event.seat != m_seat) {
         m_seat = event.seat;

@@ -24,6 +24,7 @@ private Q_SLOTS:
     void takesTheFirstBreathThatIsNoted();
     void takesTheCuffFromItsControl();
     void takesNoCuffFromATubeThatIsOut();
+    void takesNoCuffFromBeforeTheTry();
     void judgesTheDepthByTheRuleOfThePatient();
     void takesEachNoteOnceAlsoOfATubeThatRestsAgain();
     void watchesTheOxygen();
@@ -110,6 +111,18 @@ void TestTryWatch::takesNoCuffFromATubeThatIsOut()
     session.note(IntubationStep::CuffInflated);
     session.endTry();
     QVERIFY(session.tries.report()->metrics.cuffInflated);
+}
+
+/// It was inflated by who worked before.
+void TestTryWatch::takesNoCuffFromBeforeTheTry()
+{
+    TriedSession session;
+    session.node.decide(fact::CuffSet{true});
+    session.run(std::chrono::seconds{1});
+    session.note(IntubationStep::BladeIn);
+    session.run(std::chrono::seconds{1});
+    session.endTry();
+    QVERIFY(!session.tries.report().value().metrics.cuffInflated);
 }
 
 /// The patient of a session is at first a child of 150 cm: 0.10 height + 5 cm is 200 mm.

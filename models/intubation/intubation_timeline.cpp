@@ -52,16 +52,25 @@ QString breathText(TubeSeat seat)
     return IntubationTimeline::tr("First breath through the tube");
 }
 
+/// With the best view of the attempt, which is known at its end.
+QString bladeOutText(double mostOfGlottis)
+{
+    const long percent = std::lround(100.0 * mostOfGlottis);
+    return percent == 0
+               ? IntubationTimeline::tr("Blade out")
+               : IntubationTimeline::tr("Blade out: up to %1\u00a0% of the glottis was seen")
+                     .arg(percent);
+}
+
 QString happenedText(const IntubationEvent& event)
 {
     switch (event.step) {
     case IntubationStep::BladeIn:
         return IntubationTimeline::tr("Blade in the mouth: an attempt begins");
     case IntubationStep::BladeOut:
-        return IntubationTimeline::tr("Blade out");
+        return bladeOutText(event.glotticOpening);
     case IntubationStep::GlottisSeen:
-        return IntubationTimeline::tr("Glottis seen, %1 % of it")
-            .arg(std::lround(100.0 * event.glotticOpening));
+        return IntubationTimeline::tr("Glottis seen");
     case IntubationStep::TubePastTeeth:
         return IntubationTimeline::tr("Tube past the teeth");
     case IntubationStep::TubeOut:
@@ -131,6 +140,16 @@ bool hasDepth(IntubationStep step)
     return false;
 }
 
+/// Whether what is said of it may be wrong where the confidence in the place of the tube is low:
+/// what people set has happened, and so has a breath, or a tube's coming to rest, wherever it is.
+bool tellsPlace(const IntubationEvent& event)
+{
+    const bool isBreath = event.step == IntubationStep::FirstBreath;
+    const bool isElsewhere = event.seat != TubeSeat::None && event.seat != TubeSeat::Trachea;
+    return !isOfControls(event.step) && event.step != IntubationStep::AtRest
+           && (!isBreath || isElsewhere);
+}
+
 /// The first breath goes where the console says that the tube is.
 IntubationEvent asSet(IntubationEvent event, const SetTube& set)
 {
@@ -184,7 +203,7 @@ QString intubationText(const IntubationEvent& event)
     if (hasDepth(event.step) && event.depthAtTeeth > Length{})
         text = IntubationTimeline::tr("%1, %2 at the teeth", "what happened; a length")
                    .arg(text, centimetresText(event.depthAtTeeth));
-    return asSureAs(text, event.confidence);
+    return tellsPlace(event) ? asSureAs(text, event.confidence) : text;
 }
 
 IntubationTimeline::IntubationTimeline(SessionModel& session, StationId station, QObject* parent)

@@ -128,6 +128,29 @@ private Q_SLOTS:
         QCOMPARE(intubationText(event), QStringLiteral("▲ In the oesophagus"));
     }
 
+    /// It happened; only where the tube is may be something else.
+    void doubtsNothingThatPeopleSet()
+    {
+        for (const IntubationStep step :
+             {IntubationStep::CuffInflated, IntubationStep::CuffDeflated, IntubationStep::StyletOut,
+              IntubationStep::FirstBreath, IntubationStep::AtRest}) {
+            const IntubationEvent event{.step = step, .seat = TubeSeat::Trachea, .confidence = 0.4};
+            QVERIFY(!intubationText(event).contains(QStringLiteral("sure")));
+        }
+        const IntubationEvent event{
+            .step = IntubationStep::FirstBreath, .seat = TubeSeat::Oesophagus, .confidence = 0.4};
+        QCOMPARE(intubationText(event),
+                 QStringLiteral("▲ First breath goes into the oesophagus? (40\u00a0% sure)"));
+    }
+
+    /// How much was seen at most is known at the end of an attempt.
+    void tellsTheBestViewOfAnAttempt()
+    {
+        QCOMPARE(intubationText({.step = IntubationStep::BladeOut, .glotticOpening = 0.61}),
+                 QStringLiteral("Blade out: up to 61\u00a0% of the glottis was seen"));
+        QCOMPARE(intubationText({.step = IntubationStep::BladeOut}), QStringLiteral("Blade out"));
+    }
+
     /// As where a tube bends, and nothing tells which way it went.
     void asksWhatIsLessLikelyThanNot()
     {
@@ -187,7 +210,7 @@ private Q_SLOTS:
         story.node.advance(1s);
         story.node.decide(fact::IntubationNoted{.event = late});
         QCoreApplication::sendPostedEvents();
-        QCOMPARE(story.line(0), QStringLiteral("00:08  Glottis seen, 43 % of it"));
+        QCOMPARE(story.line(0), QStringLiteral("00:08  Glottis seen"));
         QCOMPARE(story.line(1), QStringLiteral("00:10  Tube past the teeth"));
     }
 

@@ -77,6 +77,7 @@ ConsoleSession::ConsoleSession(HostedSession hosted, const program::ChosenPatien
     m_attention.setPatient(m_shown.patient());
     m_window.setReach(m_hosted.reach);
     m_watch.readView([this] { return m_window.glottisSeen(); });
+    m_watch.readStanding([this] { return m_tools.standing(); });
     m_window.stationScene().bendTubeBy(
         [this](const StationMoment& moment, const TissueAround& tissue) {
             return m_watch.tubeAt(moment, tissue);

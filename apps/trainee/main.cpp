@@ -306,6 +306,7 @@ Result<Left> takePart(const QCommandLineParser& parser, Outfit& outfit, program:
                                                  program::dataFolder(parser))};
     IntubationWatch watch{station.node(), place.id(), tools.posesOnScreen()};
     watch.readView([&window] { return window.glottisSeen(); });
+    watch.readStanding([&tools] { return tools.standing(); });
     window.stationScene().bendTubeBy(
         [own = QPointer{&watch}](const StationMoment& moment, const TissueAround& tissue) {
             return own ? own->tubeAt(moment, tissue) : TubeInAirway{};

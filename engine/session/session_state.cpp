@@ -472,6 +472,14 @@ std::optional<SessionTime> SessionState::ended() const
     return isOver ? std::optional{changes.back().from} : std::nullopt;
 }
 
+SessionTime SessionState::whenRan(Duration runningTime) const
+{
+    const auto changes = m_running.changes();
+    const auto first = std::ranges::find_if(changes, [](const auto& each) { return each.value; });
+    CARINA_EXPECTS(first != changes.end());
+    return pauses().after(first->from, runningTime);
+}
+
 Pauses SessionState::pauses() const
 {
     Pauses pauses;

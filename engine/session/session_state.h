@@ -139,6 +139,9 @@ public:
     [[nodiscard]] Pauses pauses() const;
     /// Time spent in phase Running up to t.
     [[nodiscard]] Duration runningTime(SessionTime t) const { return m_running.integral(t); }
+    /// When it was first that: of more than there was, as if the session ran on.
+    /// @pre it has run
+    [[nodiscard]] SessionTime whenRan(Duration runningTime) const;
 
     [[nodiscard]] const std::map<ParticipantId, Participant>& participants() const
     {

@@ -1,6 +1,8 @@
 #include "models/intubation/intubation_watch.h"
 
+#include "engine/airway/monitor/drawn_ways.h"
 #include "engine/anatomy/events/swallow.h"
+#include "engine/session/body/noted_so_far.h"
 #include "engine/session/news_rules.h"
 #include "engine/session/respiration/respiration_timeline.h"
 #include "models/intubation/sent_shape.h"
@@ -65,6 +67,7 @@ void IntubationWatch::lieIn(const PatientModel& patient)
 void IntubationWatch::forget()
 {
     m_monitor = IntubationMonitor{};
+    m_isTakenUp = false;
     m_rest = {};
     if (m_tube)
         m_tube->letGo();
@@ -80,6 +83,46 @@ void IntubationWatch::forget()
     m_noted.clear();
 }
 
+/// Where somebody worked before; on the clock of the monitor.
+void IntubationWatch::takeUp(SessionTime now)
+{
+    const auto state = m_node.state();
+    const auto station = state->stations().find(m_station);
+    if (m_isTakenUp || station == state->stations().end())
+        return;
+    m_isTakenUp = true;
+    const TubeTimeline& tube = station->second.respiration.tube();
+    const NotedSoFar noted = notedSoFar(tube);
+    m_monitor = IntubationMonitor{{}, courseFrom(noted, SessionTime{state->runningTime(now)})};
+    if (noted.breath)
+        m_breaths = TubeBreathWatch{*noted.breath};
+    if (tube.notedAt(SessionTime::max()).innerDiameter == m_patient->tube().innerDiameter)
+        m_rest.note(m_monitor.told(IntubationStep::AtRest, now)); // else it is noted with its own
+}
+
+void IntubationWatch::expectPoses()
+{
+    const auto standing = m_standing();
+    m_monitor.expect({.boundAtCords = standing ? standing->error : Length{}});
+}
+
+bool IntubationWatch::knowsTip() const
+{
+    const auto standing = m_standing();
+    if (!standing || standing->state == RegistrationState::Simulated)
+        return true;
+    const bool isPlaced = standing->state == RegistrationState::Good
+                          || standing->state == RegistrationState::Unverified;
+    return isPlaced && tellsWhereItLies();
+}
+
+/// In session time.
+IntubationEvent IntubationWatch::onClock(IntubationEvent event) const
+{
+    event.at = m_node.state()->whenRan(event.at.time_since_epoch());
+    return event;
+}
+
 bool IntubationWatch::isAtWork() const
 {
     return m_patient != nullptr && m_node.self() != kNobody
@@ -93,6 +136,7 @@ void IntubationWatch::look()
         forget(); // whoever works meanwhile has another tube
         return;
     }
+    takeUp(*now);
     const bool isRunning = m_node.state()->phaseAt(*now) == SessionPhase::Running;
     findLumen();
     takeMoments(*now, isRunning);
@@ -117,22 +161,27 @@ void IntubationWatch::takeMoments(SessionTime now, bool isRunning)
 {
     if (!isRunning && !m_tube) {
         m_taken.reset();
+        m_monitor.lookAway();
         return;
     }
     if (!m_ways)
         m_ways = waysOf(*m_patient);
+    expectPoses();
     const SessionTime until = wholeMultiple(now - kReadBehind);
     if (!m_taken || until - *m_taken > kLongestSkip)
         m_taken = until - kEach;
     while (*m_taken < until) {
         *m_taken += kEach;
-        const AirwayMoment moment = airwayAt(*m_taken);
-        if (!isRunning)
+        AirwayMoment moment = airwayAt(*m_taken);
+        if (!isRunning || m_node.state()->pauses().contains(*m_taken)) {
+            m_monitor.lookAway();
             continue;
+        }
+        moment.at = SessionTime{m_node.state()->runningTime(*m_taken)};
         for (const IntubationEvent& event : m_monitor.take(moment))
-            queue(event);
+            queue(onClock(event));
         if (const auto rest = m_rest.take(m_monitor))
-            queue(*rest);
+            queue(onClock(*rest));
     }
 }
 
@@ -178,6 +227,7 @@ AirwayMoment IntubationWatch::airwayAt(SessionTime t)
         tube.validity = moment.tube->validity;
         measured = measuredTube(*m_patient, throat.neck, moment.tube->X_FO);
         tube.p_A_measured = measured;
+        tube.isTipKnown = knowsTip();
         tube.p_A_shown = tellsWhereItLies() ? m_tube->tube().constrained() : measured;
     }
     return airwayMoment(t, ways, tube, bladeIn(moment, sight), isShut(moment));
@@ -267,7 +317,6 @@ BladeSeen IntubationWatch::bladeIn(const StationMoment& moment, const Laryngosco
     const auto view = m_view();
     return {.validity = laryngoscopeOf(moment)->pose.validity,
             .p_A_tip = sight.X_AL * middleOfBlade(sight.blade.form, 1.0),
-            .isOnTeeth = sight.effort.isOnTeeth,
             .glottis = view ? std::optional{view->opening} : std::nullopt};
 }
 

@@ -5,8 +5,8 @@
 #include "engine/geometry/deformation/airway_field.h"
 #include "engine/session/respiration/respiration_follower.h"
 #include "engine/session/respiration/tube_breath_watch.h"
-#include "models/intubation/drawn_ways.h"
 #include "models/intubation/tube_in_airway.h"
+#include "models/intubation/ways_in_patient.h"
 #include "models/patient/patient_lumen.h"
 #include "models/station/laryngoscope_sight.h"
 #include "models/station/station_view.h"
@@ -29,6 +29,16 @@ namespace carina
 /// program's participant is at work there and the session runs, and notes its steps in the session
 /// (fact::IntubationNoted), with the inner diameter of the tube: that of the site where it is
 /// calibrated, else the patient's usual one (PatientModel::tube).
+///
+/// It takes up what the session has noted of the tube and the blade that are there: who works after
+/// somebody else has tools of their own, and those of the other are noted to be out once the own
+/// ones are seen outside.
+///
+/// Time does not run for it while the session is paused, and what happens meanwhile is not seen. It
+/// expects poses to be as far off as the registration's standing says, but no less than usual. It
+/// does not know where the tip is of a tube that bends nobody knows how, whose curve at rest was
+/// not touched or that is in no measured lumen, nor where the registration is missing, stale or
+/// not good; of a simulated manikin all of that is known.
 ///
 /// Moments are kEach apart, at whole multiples of it in session time, and kReadBehind in the past.
 /// Patient, neck, jaw and tissue are as they are drawn then.
@@ -67,8 +77,8 @@ public:
     IntubationWatch(SessionNode& node, StationId station, ObjectPoses own,
                     QObject* parent = nullptr);
 
-    /// Follows another station, or the same with another patient, from now on; what was concluded
-    /// is forgotten, as when somebody else takes up the work.
+    /// Follows another station, or the same with another patient, from now on, as who takes up the
+    /// work there.
     void setStation(StationId station);
     /// @pre it outlives this, or lives until the next one lies there.
     void lieIn(const PatientModel& patient);
@@ -76,10 +86,14 @@ public:
     /// @pre a patient lies there
     void takeOwnBlade(const std::optional<Blade>& blade) { m_laryngoscope->takeOwnBlade(blade); }
     void readView(ReadView view) { m_view = std::move(view); }
+    /// Of the registration; nothing: all is simulated.
+    using ReadStanding = std::function<std::optional<RegistrationStanding>()>;
+    void readStanding(ReadStanding standing) { m_standing = std::move(standing); }
 
     /// Takes the moments that are due; a timer calls it every kEach.
     void look();
 
+    /// Its times are those for which the session has run (SessionState::runningTime).
     [[nodiscard]] const IntubationCourse& course() const { return m_monitor.course(); }
 
     /// How the tube of this program's participant is drawn in the airway at a moment; AsMeasured
@@ -123,6 +137,10 @@ private:
     using ShapeBoard = std::atomic<std::shared_ptr<const StreamShape>>;
 
     void forget();
+    void takeUp(SessionTime now);
+    void expectPoses();
+    [[nodiscard]] IntubationEvent onClock(IntubationEvent event) const;
+    [[nodiscard]] bool knowsTip() const;
     [[nodiscard]] bool isAtWork() const;
     void findLumen();
     void takeMoments(SessionTime now, bool isRunning);
@@ -151,6 +169,7 @@ private:
     StationId m_station;
     ObjectPoses m_own;
     ReadView m_view = [] { return std::nullopt; };
+    ReadStanding m_standing = [] { return std::nullopt; };
     std::optional<PatientWays> m_ways; ///< of the patient, once they are needed
     const PatientModel* m_patient = nullptr;
     PatientLumen m_lumen;
@@ -159,6 +178,7 @@ private:
     std::shared_ptr<ShapeBoard> m_shape = std::make_shared<ShapeBoard>();
     std::optional<StationLaryngoscope> m_laryngoscope;
     IntubationMonitor m_monitor;
+    bool m_isTakenUp = false; ///< the work, and in the monitor what was noted before
     RestWatch m_rest;
     std::optional<SessionTime> m_taken; ///< the latest moment
     std::optional<Controls> m_controls; ///< at the latest look

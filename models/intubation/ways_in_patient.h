@@ -2,7 +2,6 @@
 
 #include "engine/airway/monitor/patient_ways.h"
 #include "models/patient/patient_model.h"
-#include "models/station/laryngoscope_sight.h"
 
 #include <vector>
 
@@ -13,12 +12,6 @@ namespace carina
 /// epiglottis, cords or a soft palate has those of its landmarks.
 /// @pre the landmarks' path has two points at least, on either side of the glottis
 [[nodiscard]] PatientWays waysOf(const PatientModel& patient);
-
-/// The same ways as they are drawn.
-/// @param changes of the airway by events
-/// @param tissue  as a blade pushes it
-[[nodiscard]] PatientWays drawnWays(const PatientWays& ways, const AirwayField& changes,
-                                    const FollowingThroat& throat, const BladeField& tissue);
 
 /// The centre line of the patient's tube in A, from connector to tip, as it is measured with its
 /// connector at X_AE: rigid, and bent as the neck is where it was made to fit the airway

@@ -1,7 +1,8 @@
 #include "models/station/flown_endoscope.h"
 
+#include "engine/airway/monitor/drawn_ways.h"
 #include "engine/anatomy/laryngoscopy/seen_structure.h"
-#include "models/intubation/drawn_ways.h"
+#include "models/intubation/ways_in_patient.h"
 
 #include <QCoreApplication>
 

@@ -40,13 +40,32 @@ Result<void> refuseAny(const Words& words, std::initializer_list<Option> options
     return {};
 }
 
+/// A registration that is worse is turned as much more, too.
+Result<ObservationSettings> observationOption(const Words& words)
+{
+    constexpr double kWorst_mm = 20.0;
+    const ObservationSettings usual;
+    return words
+        .number(intubate_option::kRegistration, 0.0, kWorst_mm, inMillimetres(usual.registration))
+        .map([&usual](double error_mm) {
+            ObservationSettings settings = usual;
+            settings.registration = millimetres(error_mm);
+            const double share = settings.registration / usual.registration;
+            settings.registrationTurn = share * usual.registrationTurn;
+            return settings;
+        });
+}
+
 Result<QJsonObject> oneMotion(const Words& words, MotionKind kind)
 {
     const auto seed = words.whole(intubate_option::kSeed, 0, kGreatestSeed, 1);
     if (!seed)
         return tl::unexpected(seed.error());
+    const auto observation = observationOption(words);
+    if (!observation)
+        return tl::unexpected(observation.error());
     return intubationSubjectOption(words).and_then([&](const IntubationSubject& subject) {
-        return runTrial(subject, kind, static_cast<std::uint32_t>(*seed))
+        return runTrial(subject, kind, static_cast<std::uint32_t>(*seed), *observation)
             .and_then([&](const IntubationTrial& trial) {
                 return save(words, trial).map([&] { return trialReport(subject, trial); });
             });
@@ -70,10 +89,14 @@ Result<QJsonObject> allMotions(const Words& words)
     const auto subject = intubationSubjectOption(words);
     if (!subject)
         return tl::unexpected(subject.error());
+    const auto observation = observationOption(words);
+    if (!observation)
+        return tl::unexpected(observation.error());
     TrialStatistics statistics;
     for (const NamedMotion& motion : kNamedMotions)
         for (std::int64_t seed = 1; seed <= *seeds; ++seed) {
-            const auto trial = runTrial(*subject, motion.kind, static_cast<std::uint32_t>(seed));
+            const auto trial =
+                runTrial(*subject, motion.kind, static_cast<std::uint32_t>(seed), *observation);
             if (!trial)
                 return tl::unexpected(trial.error());
             statistics.add(*trial);
@@ -92,7 +115,7 @@ Result<QJsonObject> intubate(const Words& words)
     if (fits && !kind)
         fits = refuseAny(words, {kSeed, kSave}, "one motion");
     if (fits && !isAll && !kind)
-        fits = refuseAny(words, {kElastic}, "motions");
+        fits = refuseAny(words, {kElastic, kRegistration}, "motions");
     if (fits && (isAll || kind))
         fits = refuseAny(words, {kSite, kBlade, kTold}, "a recording");
     if (!fits)
@@ -145,14 +168,15 @@ Use intubateOnce()
 {
     static const std::string motions = namesOfMotions();
     return {.lines = {"SCRIPT [--patient WHO] [--anatomy DIR] [--tube MM] [--elastic]",
-                      "SCRIPT [--seed N] [--save FILE]"},
+                      "SCRIPT [--seed N] [--registration MM] [--save FILE]"},
             .text = "Lets simulated hands intubate a patient, observes tube, laryngoscope and jaw "
                     "with the errors of a tracker and a registration, and prints what the monitor "
                     "of intubations makes of it beside what happened, what becomes of the patient, "
                     "and the score. The same words print the same.",
             .notes = {{"SCRIPT", motions.c_str()}},
             .options = {kPatient, kAnatomy, intubate_option::kTube, intubate_option::kElastic,
-                        intubate_option::kSeed, intubate_option::kSave},
+                        intubate_option::kSeed, intubate_option::kRegistration,
+                        intubate_option::kSave},
             .schema = intubate_key::kSchema,
             .keys = andTheCourse({intubate_key::kPatient,
                                   intubate_key::kTube,
@@ -204,11 +228,12 @@ Use intubateRecorded()
 Use intubateOften()
 {
     return {.lines = {"--all-scripts [--seeds N] [--patient WHO] [--anatomy DIR]",
-                      "--all-scripts [--tube MM] [--elastic]"},
+                      "--all-scripts [--tube MM] [--elastic] [--registration MM]"},
             .text = "Runs each motion with the seeds 1 to N, without the patient's vital signs, "
                     "and prints how often and how far the monitor was wrong.",
             .options = {intubate_option::kAll, intubate_option::kSeeds, kPatient, kAnatomy,
-                        intubate_option::kTube, intubate_option::kElastic},
+                        intubate_option::kTube, intubate_option::kElastic,
+                        intubate_option::kRegistration},
             .schema = intubate_all_key::kSchema,
             .keys = {intubate_all_key::kPatient,      intubate_all_key::kTube,
                      intubate_all_key::kShape,        intubate_all_key::kRuns,

@@ -19,6 +19,10 @@ inline constexpr Option kElastic{
     "passes through them; the monitor is shown a rod"};
 inline constexpr Option kSeed{"seed", "N",
                               "of the motion, tracker and registration; 1 unless given"};
+inline constexpr Option kRegistration{
+    "registration", "MM",
+    "error of the registration at the carina, root mean square, 0 to 20, and 1 degree for each "
+    "1.5 mm about it; 1.5 unless given"};
 inline constexpr Option kSave{"save", "FILE",
                               "write the observed poses as a recording, in the form of the "
                               "extension: .csv or .igs.mha, with the times from the start"};

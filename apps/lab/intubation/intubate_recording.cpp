@@ -136,6 +136,7 @@ Result<QJsonObject> watchFile(const Words& words)
                 takeSite(words.text(intubate_option::kSite), who->anatomy, setup, known, *subject);
             !taken)
             return tl::unexpected(taken.error());
+    subject->isBendKnown = !subject->tube.fitsAirway && subject->lumen;
     setup.blade = named->value_or(known.value_or(setup.blade));
     return watchRecording(*subject, *recording, setup).map([&](const WatchedIntubation& watched) {
         QJsonObject report = watchedReport(*subject, watched);

@@ -20,6 +20,7 @@ struct IntubationSubject {
     Length innerDiameter{};
     TubeShape tube;
     TubeBending bending = TubeBending::Rigid; ///< as the hands move it
+    bool isBendKnown = true; ///< of the tube; else it is only taken to have the form of the airway
     /// For tubes as thick as that, where it bends or was touched; else null, and where it cannot be
     /// measured (measuredLumen).
     std::shared_ptr<const AirwayLumen> lumen;

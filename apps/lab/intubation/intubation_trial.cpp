@@ -3,6 +3,7 @@
 #include "apps/lab/intubation/recorded_intubation.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace carina::lab
@@ -27,6 +28,15 @@ bool isPassage(IntubationStep step)
 Length movedBy(const RigidTransform& X_AprimeA, const Vec3& p_A)
 {
     return metres((X_AprimeA * p_A - p_A).norm());
+}
+
+/// As a site tells it: what is drawn, and no less than usual.
+PlacementError expectedBy(const ObservationSettings& observation)
+{
+    const PlacementError usual;
+    const double ofAxis = 1.0 / std::sqrt(3.0);
+    return {.translation = std::max(usual.translation, ofAxis * observation.registration),
+            .rotation = std::max(usual.rotation, ofAxis * observation.registrationTurn)};
 }
 
 } // namespace
@@ -83,6 +93,7 @@ Result<IntubationTrial> runTrial(const IntubationSubject& subject, MotionKind ki
                                   {.blade = motion->blade(),
                                    .commands = motion->commands(),
                                    .headAt = headAt,
+                                   .expected = expectedBy(observation),
                                    .begins = SessionTime{}});
     if (!watched)
         return tl::unexpected(watched.error());

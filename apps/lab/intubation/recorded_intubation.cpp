@@ -60,6 +60,7 @@ Result<WatchedIntubation> watchRecording(const IntubationSubject& subject,
         return seenAt(station.at(ToolRole::Tube, t));
     };
     IntubationWatcher watcher{subject, setup.blade, connectorAt, watched};
+    watcher.expect(setup.expected);
     for (const PoseSample& sample : tube->samples) {
         const Duration since = sample.time - begins;
         const SessionTime t = kTrialStart + since;

@@ -20,6 +20,7 @@ struct RecordingSetup {
     std::vector<MotionCommand> commands; ///< by time, from its beginning
     /// By time from its beginning. No tool tells it.
     std::function<HeadPosition(Duration)> headAt = [](Duration) { return HeadPosition{}; };
+    PlacementError expected{};           ///< of the poses
     std::optional<SessionTime> begins{}; ///< by its clock; nothing: with its first sample
 };
 

@@ -14,17 +14,21 @@ namespace
 
 namespace all_key = intubate_all_key;
 
-/// Of sorted numbers, the one that a share of them does not exceed; 0 of none.
-double quantile(std::vector<double> numbers, double share)
+/// In thousandths, the one of numbers that a share of them does not exceed; null of none.
+QJsonValue quantile(std::vector<double> numbers, double share)
 {
     if (numbers.empty())
-        return 0.0;
+        return {};
     std::ranges::sort(numbers);
     const auto rank = std::ceil(share * double(numbers.size())) - 1.0;
-    return numbers[static_cast<std::size_t>(std::max(rank, 0.0))];
+    return 1e3 * numbers[static_cast<std::size_t>(std::max(rank, 0.0))];
 }
 
-double shareOf(int count, std::size_t all) { return all == 0 ? 1.0 : count / double(all); }
+/// Null of none.
+QJsonValue shareOf(int count, std::size_t all)
+{
+    return all == 0 ? QJsonValue{} : QJsonValue{count / double(all)};
+}
 
 } // namespace
 
@@ -98,17 +102,17 @@ QJsonArray TrialStatistics::confusion() const
 
 QJsonObject TrialStatistics::lengthsOf(const Errors& errors)
 {
-    return {{all_key::kMedian, 1e3 * quantile(errors.sizes, 0.5)},
-            {all_key::k95, 1e3 * quantile(errors.sizes, 0.95)},
-            {all_key::kGreatest, 1e3 * quantile(errors.sizes, 1.0)},
+    return {{all_key::kMedian, quantile(errors.sizes, 0.5)},
+            {all_key::k95, quantile(errors.sizes, 0.95)},
+            {all_key::kGreatest, quantile(errors.sizes, 1.0)},
             {all_key::kWithin, shareOf(errors.within, errors.sizes.size())}};
 }
 
 QJsonObject TrialStatistics::times() const
 {
-    return {{all_key::kMedianTime, 1e3 * quantile(m_times.sizes, 0.5)},
-            {all_key::k95Time, 1e3 * quantile(m_times.sizes, 0.95)},
-            {all_key::kGreatestTime, 1e3 * quantile(m_times.sizes, 1.0)},
+    return {{all_key::kMedianTime, quantile(m_times.sizes, 0.5)},
+            {all_key::k95Time, quantile(m_times.sizes, 0.95)},
+            {all_key::kGreatestTime, quantile(m_times.sizes, 1.0)},
             {all_key::kWithinTime, shareOf(m_times.within, m_times.sizes.size())},
             {all_key::kMissed, m_missed},
             {all_key::kInvented, m_invented}};

@@ -1,5 +1,6 @@
 #include "apps/lab/intubation/watched_airway.h"
 
+#include "engine/airway/monitor/drawn_ways.h"
 #include "engine/anatomy/airway/centreline.h"
 #include "engine/anatomy/airway/jaw_reach.h"
 
@@ -7,6 +8,13 @@
 
 namespace carina::lab
 {
+namespace
+{
+
+const AirwayField kNoEvents;
+
+} // namespace
+
 WatchedAirway::WatchedAirway(const IntubationSubject& subject, const Blade& blade,
                              ElasticTube::ConnectorAt connectorAt)
     : m_subject{subject}, m_blade{blade}, m_connectorAt{std::move(connectorAt)}
@@ -18,15 +26,18 @@ WatchedAirway::WatchedAirway(const IntubationSubject& subject, const Blade& blad
 AirwayMoment WatchedAirway::take(const SeenTools& tools)
 {
     const FollowingThroat throat = throatOf(tools);
-    followTube(tools, throat);
+    const BladeField blade = tissueAt(tools, throat);
+    followTube(tools, throat, blade);
     const std::vector<Vec3> p_A_measured = measuredTube(tools, throat.neck);
-    TubeCurves tube{
-        .validity = tools.tube.validity, .p_A_shown = p_A_measured, .p_A_measured = p_A_measured};
+    TubeCurves tube{.validity = tools.tube.validity,
+                    .p_A_shown = p_A_measured,
+                    .p_A_measured = p_A_measured,
+                    .isTipKnown = m_subject.isBendKnown};
     if (m_tube && m_tube->isLaid())
         tube.p_A_shown = m_tube->tube().constrained();
     const AirwayMoment moment =
-        airwayMoment(tools.tube.time, waysAt(throat), tube, bladeAt(tools, throat),
-                     m_tube && m_tube->isStoppedAtCords());
+        airwayMoment(tools.tube.time, drawnWays(m_subject.ways, kNoEvents, throat, blade), tube,
+                     bladeAt(tools, throat), m_tube && m_tube->isStoppedAtCords());
     if (moment.tube != Validity::Lost)
         m_isNear = moment.pastTeeth > Length{} - kInFront;
     return moment;
@@ -36,19 +47,19 @@ FollowingThroat WatchedAirway::throatOf(const SeenTools& tools) const
 {
     const MotionPatient& patient = *m_subject.motion;
     const Vec3& p_A_incisors = patient.airway.p_A_incisors;
-    const bool isMeasured = isInReachOfJaw(tools.jaw.X_FO, p_A_incisors, patient.upper.size());
+    const bool isMeasured = tools.jaw.validity != Validity::Lost
+                            && isInReachOfJaw(tools.jaw.X_FO, p_A_incisors, patient.upper.size());
     const RigidTransform held = isMeasured ? tools.jaw.X_FO : patient.held;
     return {patient.throat, held * patient.held.inverse(),
             NeckField{patient.airway.p_A_glottis, p_A_incisors, tools.head}};
 }
 
-PatientWays WatchedAirway::waysAt(const FollowingThroat& throat) const
+BladeField WatchedAirway::tissueAt(const SeenTools& tools, const FollowingThroat& throat) const
 {
-    return moved(m_subject.ways, [&](const Vec3& p) {
-        const Vec3 p_A = throat.neck.placed(p);
-        const double share = shareOfJaw(m_subject.ways, p);
-        return Vec3{p_A + share * throatPull(throat, ThroatTissue::Airway, p_A).d};
-    });
+    if (tools.laryngoscope.validity == Validity::Lost)
+        return {};
+    return bladeInTissue(followed(m_subject.motion->upper, throat), m_blade,
+                         tools.laryngoscope.X_FO);
 }
 
 std::vector<Vec3> WatchedAirway::measuredTube(const SeenTools& tools, const NeckField& neck) const
@@ -59,7 +70,8 @@ std::vector<Vec3> WatchedAirway::measuredTube(const SeenTools& tools, const Neck
     return line;
 }
 
-void WatchedAirway::followTube(const SeenTools& tools, const FollowingThroat& throat)
+void WatchedAirway::followTube(const SeenTools& tools, const FollowingThroat& throat,
+                               const BladeField& blade)
 {
     if (!m_tube)
         return;
@@ -67,12 +79,7 @@ void WatchedAirway::followTube(const SeenTools& tools, const FollowingThroat& th
         m_tube->letGo();
         return;
     }
-    BladeField blade;
-    if (tools.laryngoscope.validity != Validity::Lost)
-        blade = bladeInTissue(followed(m_subject.motion->upper, throat), m_blade,
-                              tools.laryngoscope.X_FO);
-    const AirwayField changes; // there are no events
-    m_tube->follow(tools.tube.time, m_connectorAt, tissueAround(changes, throat, blade));
+    m_tube->follow(tools.tube.time, m_connectorAt, tissueAround(kNoEvents, throat, blade));
 }
 
 BladeSeen WatchedAirway::bladeAt(const SeenTools& tools, const FollowingThroat& throat)
@@ -82,9 +89,7 @@ BladeSeen WatchedAirway::bladeAt(const SeenTools& tools, const FollowingThroat& 
         return {};
     m_effort = m_levering.take(followed(m_subject.motion->upper, throat), m_blade, seen.X_FO,
                                throat.neck.X_AU());
-    return {.validity = seen.validity,
-            .p_A_tip = seen.X_FO * middleOfBlade(m_blade.form, 1.0),
-            .isOnTeeth = m_effort.isOnTeeth};
+    return {.validity = seen.validity, .p_A_tip = seen.X_FO * middleOfBlade(m_blade.form, 1.0)};
 }
 
 } // namespace carina::lab

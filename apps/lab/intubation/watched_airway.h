@@ -20,8 +20,8 @@ struct SeenTools {
     HeadPosition head;
 };
 
-/// Makes of poses what the monitor of an intubation takes: the ways of the patient as jaw and neck
-/// have taken them, the tube in both shapes, and the blade's tip.
+/// Makes of poses what the monitor of an intubation takes: the ways of the patient as they are
+/// drawn in a program, the tube in both shapes, and the blade's tip.
 ///
 /// As measured the tube is its curve at rest at the pose of its connector. The patient's own has
 /// the form of the airway: it bends with the neck and keeps its length, as one that is fixed at the
@@ -48,10 +48,10 @@ public:
 
 private:
     [[nodiscard]] FollowingThroat throatOf(const SeenTools& tools) const;
-    [[nodiscard]] PatientWays waysAt(const FollowingThroat& throat) const;
+    [[nodiscard]] BladeField tissueAt(const SeenTools& tools, const FollowingThroat& throat) const;
     [[nodiscard]] std::vector<Vec3> measuredTube(const SeenTools& tools,
                                                  const NeckField& neck) const;
-    void followTube(const SeenTools& tools, const FollowingThroat& throat);
+    void followTube(const SeenTools& tools, const FollowingThroat& throat, const BladeField& blade);
     [[nodiscard]] BladeSeen bladeAt(const SeenTools& tools, const FollowingThroat& throat);
 
     const IntubationSubject& m_subject;

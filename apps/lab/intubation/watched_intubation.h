@@ -42,6 +42,8 @@ public:
     {
     }
 
+    /// Of the poses, as IntubationMonitor.
+    void expect(const PlacementError& error) { m_monitor.expect(error); }
     /// The next moment, in ascending time.
     void take(const SeenTools& tools);
     /// After the last one.

@@ -205,6 +205,7 @@ void findTube(AirwayMoment& moment, const PatientWays& ways, const TubeCurves& t
     moment.pastCords = pastCords(ways, moment.p_A_tip);
     moment.measuredPastCords = pastCords(ways, measured);
     moment.besides = metres((measured - moment.p_A_tip).norm());
+    moment.isTipKnown = tube.isTipKnown;
     findTip(moment, ways, measured);
     if (moment.pastTeeth > Length{})
         moment.depthAtTeeth = depthOf(ways, tube.p_A_shown);
@@ -224,7 +225,6 @@ AirwayMoment airwayMoment(SessionTime at, const PatientWays& ways, const TubeCur
     moment.blade = blade.validity;
     if (blade.validity != Validity::Lost) {
         moment.bladePastTeeth = bladePastTeeth(ways, blade.p_A_tip);
-        moment.isOnTeeth = blade.isOnTeeth;
         moment.glottis = blade.glottis;
     }
     return moment;

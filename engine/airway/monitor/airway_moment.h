@@ -15,13 +15,13 @@ struct TubeCurves {
     Validity validity = Validity::Lost;
     std::span<const Vec3> p_A_shown;    ///< as it is drawn; two points at least unless it is lost
     std::span<const Vec3> p_A_measured; ///< by pose and rest curve; empty: as shown
+    bool isTipKnown = true;             ///< else the tip may be elsewhere altogether
 };
 
 /// A laryngoscope at a moment.
 struct BladeSeen {
     Validity validity = Validity::Lost;
     Vec3 p_A_tip = Vec3::Zero();
-    bool isOnTeeth = false;
     std::optional<double> glottis{}; ///< the share of it that is seen, where it was measured
 };
 
@@ -42,10 +42,10 @@ struct AirwayMoment {
     Length depthAtTeeth{};        ///< along the tube; 0 outside
     Length measuredPastCords{};   ///< of the tip as it was measured
     Length besides{};             ///< distance of both tips
+    bool isTipKnown = true;       ///< TubeCurves::isTipKnown
     bool areCordsShut = false;    ///< in the virtual patient
     Validity blade = Validity::Lost;
     Length bladePastTeeth{}; ///< of its tip
-    bool isOnTeeth = false;
     std::optional<double> glottis{};
 
     friend bool operator==(const AirwayMoment&, const AirwayMoment&) = default;

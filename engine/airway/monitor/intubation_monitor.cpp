@@ -42,15 +42,61 @@ constexpr double kSeenInPart = 0.9;
 constexpr double kShapesDiffer = 0.8;
 constexpr double kForgotten = 0.5;
 
+/// Of errors in space, by the standard deviation of one axis (chi-squared of 3 degrees of freedom).
+constexpr double kWithin95 = 2.7955;
+
 double normalBelow(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
 
 double probabilityOf(double logOdds) { return 1.0 / (1.0 + std::exp(-logOdds)); }
+
+double knownOf(const AirwayMoment& moment, TubeSeat seat)
+{
+    return moment.isTipKnown || seat == TubeSeat::None ? 1.0 : IntubationMonitor::kTipNotKnown;
+}
 
 } // namespace
 
 Length PlacementError::atCords() const
 {
-    return metres(std::hypot(translation.si, rotation.si * kLandmarksToCords.si));
+    const double usual = std::hypot(translation.si, rotation.si * kLandmarksToCords.si);
+    return metres(std::max(usual, boundAtCords.si / kWithin95));
+}
+
+IntubationCourse courseFrom(const NotedSoFar& noted, SessionTime at)
+{
+    IntubationCourse course;
+    course.attempts = noted.isBladeIn ? 1 : 0;
+    course.blade.isIn = noted.isBladeIn;
+    course.bladeSeen = at;
+    course.wasGlottisSeen = noted.wasGlottisSeen;
+    course.glottis = noted.glottis;
+
+    course.tip = noted.tip;
+    course.tip.at = at;
+    course.seat = noted.seat;
+    course.confidence = noted.confidence;
+    course.teeth.isIn = noted.isTubeIn;
+    course.shapes.isIn = noted.areShapesApart;
+    course.cords.isIn = noted.seat != TubeSeat::None;
+    course.measured.isIn = course.cords.isIn || noted.hasPassedShut;
+    course.carina.isIn = isInMainBronchus(noted.seat);
+    course.isConcluded = course.cords.isIn;
+    course.isConvinced = noted.confidence >= probabilityOf(kConvincing);
+    course.isInOesophagus = noted.seat == TubeSeat::Oesophagus;
+    const auto unseen = [&course](double beyond) {
+        return Passage{.reading = course.tip, .isIn = true, .wasUnseen = true, .beyond = beyond};
+    };
+    course.throughCords = unseen(kCordsRule.sure);
+    course.pastCarina = unseen(kCarinaRule.sure);
+    return course;
+}
+
+void IntubationMonitor::lookAway()
+{
+    for (Crossing* each : {&m_course.blade, &m_course.view, &m_course.teeth, &m_course.cords,
+                           &m_course.carina, &m_course.shapes, &m_course.measured})
+        each->value.reset();
+    m_course.seen.reset();
 }
 
 std::vector<IntubationEvent> IntubationMonitor::take(const AirwayMoment& moment)
@@ -61,7 +107,10 @@ std::vector<IntubationEvent> IntubationMonitor::take(const AirwayMoment& moment)
     m_noted.clear();
     takeBlade(moment);
     takeTube(moment);
-    std::ranges::stable_sort(m_noted, {}, &IntubationEvent::at);
+    std::ranges::stable_sort(m_noted, {}, [](const IntubationEvent& event) {
+        return std::pair{event.at,
+                         event.step == IntubationStep::TubeOut}; // it left the rest before
+    });
     return std::exchange(m_noted, {});
 }
 
@@ -333,7 +382,8 @@ double IntubationMonitor::seatConfidence(const AirwayMoment& moment, TubeSeat se
     const bool isAtCarina =
         isInMainBronchus(seat) || (isInMainBronchus(m_course.seat) && isThroughCords(seat));
     const Passage& passage = isAtCarina ? m_course.pastCarina : m_course.throughCords;
-    return std::min(wayConfidence(seat), confidenceOf(moment.tube, passage));
+    return knownOf(moment, seat)
+           * std::min(wayConfidence(seat), confidenceOf(moment.tube, passage));
 }
 
 /// Of the seat as the tip lies now, however it came there.
@@ -346,7 +396,8 @@ double IntubationMonitor::presentConfidence(const AirwayMoment& moment) const
         margin = std::min(moment.pastCords, moment.aboveCarina);
     else if (isInMainBronchus(m_course.seat))
         margin = Length{} - moment.aboveCarina;
-    return std::min(wayConfidence(m_course.seat), normalBelow(margin / m_error.atCords()));
+    const double placed = normalBelow(margin / m_error.atCords());
+    return knownOf(moment, m_course.seat) * std::min(wayConfidence(m_course.seat), placed);
 }
 
 void IntubationMonitor::note(IntubationStep step, const TipReading& reading, TubeSeat seat,

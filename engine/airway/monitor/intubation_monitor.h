@@ -17,15 +17,33 @@ struct PlacementError {
     Length translation = millimetres(1.5);
     Angle rotation = degrees(1.0); ///< about the landmarks, kLandmarksToCords from the cords
 
+    /// Within which 95 % of the errors at the cords are expected to be, where that is known.
+    Length boundAtCords{};
+
     static constexpr Length kLandmarksToCords = millimetres(100.0); ///< of ours
 
-    /// Of a place at the cords.
+    /// Of a place at the cords, of one axis: of the larger of both expectations.
     [[nodiscard]] Length atCords() const;
 };
 
 /// Who reads poses for a monitor reads those of so long ago: there they lie between samples, and
 /// are interpolated and not predicted. Of ours.
 inline constexpr Duration kReadBehind = std::chrono::milliseconds{80};
+
+/// What is known of an intubation that others have followed so far.
+struct NotedSoFar {
+    bool isBladeIn = false;
+    bool wasGlottisSeen = false; ///< in this attempt,
+    double glottis = 0.0;        ///< the largest share of it
+    bool isTubeIn = false;       ///< in the mouth
+    TubeSeat seat = TubeSeat::None;
+    double confidence = 1.0; ///< in the seat
+    TipReading tip{};        ///< as it was told last
+    bool areShapesApart = false;
+    bool hasPassedShut = false; ///< the measured tube
+    /// Where the first breath went.
+    std::optional<TubeSeat> breath{};
+};
 
 /// What the monitor has concluded so far. A copy of it is a checkpoint.
 struct IntubationCourse {
@@ -58,6 +76,11 @@ struct IntubationCourse {
     friend bool operator==(const IntubationCourse&, const IntubationCourse&) = default;
 };
 
+/// Of a monitor that goes on from there: it notes what has become different since, and nothing
+/// that is noted already. What follows was not seen to happen. A blade that it never sees is out
+/// kBladeForgotten later.
+[[nodiscard]] IntubationCourse courseFrom(const NotedSoFar& noted, SessionTime at);
+
 /// Tells the steps of an intubation from moments in ascending time.
 ///
 /// A step is the passage of a plane by a tip. It is noted once the tip is beyond by more than noise
@@ -76,7 +99,8 @@ struct IntubationCourse {
 /// kJumpForgiven before. Where the tube was not seen while it passed, the step's confidence is
 /// lower; also where it was partly seen, near a plane for the registration's error, or where the
 /// evidence is weak, and while measured and constrained shape are apart, when the depth stays what
-/// it was before.
+/// it was before. In a seat of a tip of which nobody knows where it is the confidence is
+/// kTipNotKnown of that.
 ///
 /// An attempt begins with the blade past the teeth and ends when it was out for kBetweenAttempts,
 /// or lost for kBladeForgotten. All constants are of ours.
@@ -87,6 +111,11 @@ public:
         : m_error{error}, m_course{std::move(course)}
     {
     }
+
+    /// From now on.
+    void expect(const PlacementError& error) { m_error = error; }
+    /// What happens until the next moment is not seen, as in a pause.
+    void lookAway();
 
     /// @returns what is known now, by time. A moment that is not later than the one before says
     ///          nothing.
@@ -103,6 +132,7 @@ public:
     /// Log odds: of 149 tubes that physicians placed out of hospital 10 were found in the
     /// oesophagus (Timmermann et al., Anesth Analg 2007;104:619).
     static constexpr double kUsuallyTrachea = 2.63;
+    static constexpr double kTipNotKnown = 0.45; ///< less than half is never told as known
     static constexpr double kLeastView = 0.05;
     static constexpr double kFastestTip = 2.0; ///< m/s
     static constexpr Duration kJumpForgiven = std::chrono::milliseconds{200};

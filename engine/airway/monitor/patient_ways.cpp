@@ -135,8 +135,9 @@ PatientWays patientWays(const AirwayLandmarks& landmarks, const std::optional<Up
     const double larynx = upper ? upper->larynxSize() : ways.size;
     ways.p_A_notch =
         upper ? upper->p_A_notch : Vec3{middle - 0.5 * larynx * kReferenceGlottis.si * forward};
-    ways.p_A_aboveCords = middle + kBesideCords.si * up;
-    ways.p_A_belowCords = middle - kBesideCords.si * up;
+    ways.p_A_frontOfCords = middle + kBesideCords.si * forward;
+    ways.p_A_backOfCords = middle - kBesideCords.si * forward;
+    ways.p_A_leftOfCords = middle + kBesideCords.si * up.cross(forward);
 
     ways.p_A_rightEnd =
         farEnd(pointsOf(parts, PartRole::RightMainBronchus), ways.p_A_carina())
@@ -164,8 +165,8 @@ PatientWays moved(PatientWays ways, const std::function<Vec3(const Vec3&)>& draw
     for (Centreline* line : {&ways.overTongue, &ways.trachea, &ways.oesophagus})
         for (Vec3& p : *line)
             p = drawn(p);
-    for (Vec3* p : {&ways.p_A_rightEnd, &ways.p_A_leftEnd, &ways.p_A_notch, &ways.p_A_aboveCords,
-                    &ways.p_A_belowCords})
+    for (Vec3* p : {&ways.p_A_rightEnd, &ways.p_A_leftEnd, &ways.p_A_notch, &ways.p_A_frontOfCords,
+                    &ways.p_A_backOfCords, &ways.p_A_leftOfCords})
         *p = drawn(*p);
     return ways;
 }

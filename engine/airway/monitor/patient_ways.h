@@ -18,16 +18,21 @@ struct PatientWays {
     Centreline oesophagus; ///< from behind the larynx, at the height of the cords, down
     Vec3 p_A_rightEnd = Vec3::Zero(); ///< of the right main bronchus, which begins at the carina
     Vec3 p_A_leftEnd = Vec3::Zero();
-    Vec3 p_A_notch = Vec3::Zero();      ///< interarytenoid: the end of the glottis behind
-    Vec3 p_A_aboveCords = Vec3::Zero(); ///< kBesideCords from the middle of the glottis, along
-    Vec3 p_A_belowCords = Vec3::Zero(); ///< the normal of the cords' plane, to either side
-    double size = 1.0;                  ///< UpperAirway::size
+    Vec3 p_A_notch = Vec3::Zero();        ///< interarytenoid: the end of the glottis behind
+    Vec3 p_A_frontOfCords = Vec3::Zero(); ///< kBesideCords from the middle of the glottis, in the
+    Vec3 p_A_backOfCords = Vec3::Zero();  ///< plane of the cords; what shears them, as a blade
+    Vec3 p_A_leftOfCords = Vec3::Zero();  ///< does, turns that plane less than its normal line
+    double size = 1.0;                    ///< UpperAirway::size
 
     [[nodiscard]] const Vec3& p_A_incisors() const { return overTongue.front(); }
     [[nodiscard]] const Vec3& p_A_glottis() const { return trachea.front(); }
     [[nodiscard]] const Vec3& p_A_carina() const { return trachea.back(); }
     /// The normal of the cords' plane, towards the head; unit.
-    [[nodiscard]] Vec3 up_A() const { return (p_A_aboveCords - p_A_belowCords).normalized(); }
+    [[nodiscard]] Vec3 up_A() const
+    {
+        const Vec3 forward = p_A_frontOfCords - p_A_backOfCords;
+        return forward.cross(p_A_leftOfCords - p_A_glottis()).normalized();
+    }
     /// The normal of the plane at the incisors, into the mouth: the way's direction there; unit.
     [[nodiscard]] Vec3 inward_A() const;
 };

@@ -84,6 +84,7 @@ public:
     {
         return m_noted.at(t).isWatched && m_override.at(t).tube.isSet();
     }
+    [[nodiscard]] NotedTube notedAt(SessionTime t) const { return m_noted.at(t); }
     /// Whether a monitor has noted a tube by then.
     [[nodiscard]] bool isWatchedAt(SessionTime t) const { return m_noted.at(t).isWatched; }
     /// A watched or set tube whose tip is above the cords, or out of the mouth, has the seat None

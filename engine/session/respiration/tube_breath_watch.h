@@ -13,6 +13,10 @@ namespace carina
 class TubeBreathWatch
 {
 public:
+    TubeBreathWatch() = default;
+    /// One that has found the breath through a tube there.
+    explicit TubeBreathWatch(TubeSeat found) : m_seat{found}, m_isFound{true} {}
+
     /// Takes a patient at ascending times; a breath that lies between two of them is missed.
     /// @param seat of the tip by who asks. While the mechanics have another one, as before a fact
     ///             takes effect or where the console overrides it, there is no breath.

@@ -229,6 +229,11 @@ void TestSessionState::countsOnlyRunningTime()
     QVERIFY(state.runningTime(atSeconds(40.0)) == seconds{10});
     QVERIFY(state.runningTime(atSeconds(51.0)) == seconds{11});
     QVERIFY(state.runningTime(atSeconds(900.0)) == seconds{20});
+    for (const double ran : {0.5, 3.0, 9.5, 10.5, 19.5}) {
+        const SessionTime when = state.whenRan(fromSeconds(ran));
+        QVERIFY(state.runningTime(when) == fromSeconds(ran));
+    }
+    QVERIFY(state.whenRan(seconds{10}) < atSeconds(40.0)); // at the end of the first part
 }
 
 void TestSessionState::drivesEachStationByItsOwnFacts()

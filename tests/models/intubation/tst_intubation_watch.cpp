@@ -138,6 +138,26 @@ void Work::measureLumen()
 
 double secondsFrom(SessionTime begin, SessionTime t) { return toSeconds(t - begin); }
 
+/// In the trachea, in which a tube ends that is pushed in.
+double confidenceBy(const RegistrationStanding& standing, const PatientModel& who)
+{
+    Work work;
+    work.watch.readStanding([standing] { return std::optional{standing}; });
+    work.watch.lieIn(who);
+    work.tube = [](SessionTime) { return pushed(0.0); };
+    work.measureLumen();
+    work.tube = [](SessionTime) { return pushed(-0.2); };
+    work.goOn(1s);
+    work.runs();
+    const SessionTime begin = *work.node.now();
+    work.tube = [begin](SessionTime t) {
+        return pushed(std::min(0.05 * secondsFrom(begin, t), 0.2) - 0.2);
+    };
+    work.goOn(7s);
+    const IntubationCourse& course = work.watch.course();
+    return course.seat == TubeSeat::Trachea ? course.confidence : -1.0;
+}
+
 } // namespace
 
 class TestIntubationWatch : public QObject
@@ -240,6 +260,112 @@ private Q_SLOTS:
         QCOMPARE(work.noted(IntubationStep::GlottisSeen).size(), 1U);
     }
 
+    /// Of which no time passes for who is intubated: the blade is lost for 20 s, of which the
+    /// session runs for one.
+    void forgetsNoBladeThatIsLostInAPause()
+    {
+        Work work;
+        work.runs();
+        const RigidTransform inMouth = Laryngoscopy::of(patient(), bladeOf(BladeKind::Macintosh3))
+                                           ->pose(LaryngoscopyStep::Uvula, kUsualLift)
+                                           .X_AL;
+        work.blade = [inMouth](SessionTime) { return inMouth; };
+        work.goOn(2s);
+        QCOMPARE(work.noted(IntubationStep::BladeIn).size(), 1U);
+        work.node.decide(fact::PhaseChanged{SessionPhase::Paused});
+        work.blade = [](SessionTime) { return std::nullopt; };
+        work.goOn(20s);
+        work.runs();
+        work.goOn(1s);
+        QVERIFY(work.noted(IntubationStep::BladeOut).empty());
+        work.blade = [inMouth](SessionTime) { return inMouth; };
+        work.goOn(1s);
+        QCOMPARE(work.noted(IntubationStep::BladeIn).size(), 1U);
+        work.blade = [](SessionTime) { return std::nullopt; };
+        work.goOn(9s);
+        QVERIFY(work.noted(IntubationStep::BladeOut).empty());
+        work.goOn(2s);
+        QCOMPARE(work.noted(IntubationStep::BladeOut).size(), 1U);
+    }
+
+    /// They work with another tube, which is not in the patient.
+    void notesThatTheTubeOfWhoWorkedBeforeIsOut()
+    {
+        Work work;
+        work.runs();
+        work.tube = [](SessionTime) { return pushed(0.0); };
+        work.goOn(2s);
+        work.node.decide(fact::CuffSet{true});
+        work.goOn(1s);
+        QCOMPARE(work.place().seat, TubeSeat::Trachea);
+        const auto isWorkOf = [&work](ParticipantId next) {
+            const ParticipantId before = work.node.state()->atWork(FakeSessionNode::kStation);
+            work.node.decide(fact::WorkTaken{next, before});
+            work.goOn(1s);
+            QCOMPARE(work.node.state()->atWork(FakeSessionNode::kStation), next);
+        };
+        isWorkOf(FakeSessionNode::kInstructor);
+        QVERIFY(work.noted(IntubationStep::TubeOut).empty());
+        isWorkOf(FakeSessionNode::kTrainee); // with the same tube
+        work.goOn(2s);
+        QVERIFY(work.noted(IntubationStep::AtRest).empty());
+        QCOMPARE(work.noted(IntubationStep::TubePastTeeth).size(), 1U);
+        QCOMPARE(work.noted(IntubationStep::ThroughCords).size(), 1U);
+        isWorkOf(FakeSessionNode::kInstructor);
+        work.tube = [](SessionTime) { return RigidTransform::translation({0.0, -0.4, 0.3}); };
+        isWorkOf(FakeSessionNode::kTrainee);
+        QCOMPARE(work.noted(IntubationStep::TubeOut).size(), 1U);
+        QCOMPARE(work.place().seat, TubeSeat::None);
+        const auto state = work.node.state();
+        const Station& station = state->stations().at(FakeSessionNode::kStation);
+        QVERIFY(!station.respiration.tube().cuffInflatedAt(*work.node.now()));
+    }
+
+    /// Its curve at rest was not touched; a simulated one has that which is assumed.
+    void asksWhereARealTubeIsOfWhichTheBendIsNotKnown()
+    {
+        QVERIFY(confidenceBy({RegistrationState::Simulated, {}, {}}, patient()) > 0.7);
+        QVERIFY(confidenceBy({RegistrationState::Good, {}, {}}, patient())
+                <= IntubationMonitor::kTipNotKnown);
+        QVERIFY(confidenceBy({RegistrationState::Good, {}, {}}, touched()) > 0.7);
+        for (const auto state :
+             {RegistrationState::NotGood, RegistrationState::Stale, RegistrationState::Missing})
+            QVERIFY(confidenceBy({state, {}, {}}, touched()) <= IntubationMonitor::kTipNotKnown);
+    }
+
+    /// Trachea and oesophagus are less than that apart.
+    void isLessSureByARegistrationThatIsFarOff()
+    {
+        const double close =
+            confidenceBy({RegistrationState::Good, {}, millimetres(3.0)}, touched());
+        const double far =
+            confidenceBy({RegistrationState::Good, {}, millimetres(30.0)}, touched());
+        QVERIFY2(far < 0.8 && close > far + 0.1,
+                 qPrintable(QStringLiteral("%1 %2").arg(close).arg(far)));
+    }
+
+    /// What was decided of who worked before takes effect later than the change of who works.
+    void knowsWhatIsStillToTakeEffect()
+    {
+        Work work;
+        work.runs();
+        work.goOn(1s);
+        const ParticipantId instructor = FakeSessionNode::kInstructor;
+        work.node.decide(fact::WorkTaken{instructor, FakeSessionNode::kTrainee});
+        work.tube = [](SessionTime) { return RigidTransform::translation({0.0, -0.4, 0.3}); };
+        work.goOn(1s);
+        work.node.decide(fact::IntubationNoted{{.step = IntubationStep::ThroughCords,
+                                                .at = *work.node.now(),
+                                                .seat = TubeSeat::Trachea},
+                                               {}});
+        work.node.decide(fact::WorkTaken{FakeSessionNode::kTrainee, instructor});
+        QCOMPARE(work.place().seat, TubeSeat::None);
+        work.watch.look();
+        work.goOn(3s);
+        QCOMPARE(work.noted(IntubationStep::TubeOut).size(), 1U);
+        QCOMPARE(work.place().seat, TubeSeat::None);
+    }
+
     void notesWhatPeopleSet()
     {
         Work work;
@@ -287,6 +413,7 @@ private Q_SLOTS:
     {
         Work work;
         work.runs();
+        work.goOn(20ms); // from when on this program watches: it sees no blade
         work.node.decide(fact::GasSupplySet{{1.0, true, true}});
         work.node.decide(fact::DrugGiven{{DrugKind::Propofol, 40.0}}); // 1 mg/kg
         work.node.decide(

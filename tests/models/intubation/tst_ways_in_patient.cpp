@@ -1,15 +1,17 @@
-#include "models/intubation/drawn_ways.h"
+#include "models/intubation/ways_in_patient.h"
 
+#include "engine/airway/monitor/drawn_ways.h"
 #include "engine/anatomy/patient/builtin_patient.h"
 #include "models/patient/laryngoscopy.h"
 #include "models/patient/patient_source.h"
 #include "tests/support/test_class.h"
 
-namespace carina::drawn_ways_test
+namespace carina::ways_in_patient_test
 {
 namespace
 {
 
+constexpr double kOfPlane_deg = 3.0;
 constexpr double kStays_m = 1e-6;
 constexpr double kLifted_m = 3e-3; ///< by which a blade lifts the glottis, at least
 
@@ -22,11 +24,27 @@ const PatientModel& child()
 
 } // namespace
 
-class TestDrawnWays : public QObject
+class TestWaysInPatient : public QObject
 {
     Q_OBJECT
 
 private Q_SLOTS:
+    /// They are where the drawn glottis is: its line, from the notch to its middle, lies in their
+    /// plane, though what is above them is moved by centimetres and what is below not at all.
+    void turnsThePlaneOfTheCordsNoMoreThanTheGlottis()
+    {
+        const auto laryngoscopy = Laryngoscopy::of(child(), bladeOf(BladeKind::Macintosh3));
+        const LaryngoscopyPose pose = laryngoscopy->pose(LaryngoscopyStep::Full, kUsualLift);
+        const PatientWays ways = waysOf(child());
+        const PatientWays lifted = drawnWays(ways, {}, child().throat(pose.X_AJ), pose.field);
+        const auto offPlane = [](const PatientWays& of) {
+            const Vec3 glottis = (of.p_A_glottis() - of.p_A_notch).normalized();
+            return std::abs(inDegrees(radians(std::asin(glottis.dot(of.up_A())))));
+        };
+        QVERIFY(offPlane(ways) < kOfPlane_deg);
+        QVERIFY(offPlane(lifted) < kOfPlane_deg);
+    }
+
     /// Depths are read there.
     void leavesTheTeethWhereABladeTiltsTheLarynx()
     {
@@ -43,8 +61,8 @@ private Q_SLOTS:
     }
 };
 
-CARINA_TEST(TestDrawnWays)
+CARINA_TEST(TestWaysInPatient)
 
-} // namespace carina::drawn_ways_test
+} // namespace carina::ways_in_patient_test
 
-#include "tst_drawn_ways.moc"
+#include "tst_ways_in_patient.moc"

@@ -1,7 +1,9 @@
 #include "models/station/flown_endoscope.h"
 
+#include "engine/airway/monitor/drawn_ways.h"
 #include "engine/anatomy/patient/builtin_patient.h"
-#include "models/intubation/drawn_ways.h"
+#include "models/intubation/ways_in_patient.h"
+#include "models/patient/laryngoscopy.h"
 #include "models/patient/patient_source.h"
 #include "tests/models/lacking_patient.h"
 #include "tests/support/test_class.h"

@@ -99,6 +99,16 @@ private Q_SLOTS:
                 < good[QStringLiteral("score")][QStringLiteral("points")].toDouble());
     }
 
+    /// A share of nothing is none.
+    void tellsNoShareOfNothing()
+    {
+        const QJsonObject report = TrialStatistics{}.report(subject());
+        for (const char* key : {"depth", "above_carina", "times"}) {
+            const QJsonValue within = report[QLatin1StringView{key}][QStringLiteral("within")];
+            QVERIFY2(within.isNull(), key);
+        }
+    }
+
     void countsWhatWasWrong()
     {
         TrialStatistics statistics;
@@ -174,6 +184,8 @@ private Q_SLOTS:
         row("both", "good --all-scripts", "one motion or recording, or --all-scripts");
         row("unknown motion", "bad", "choose one of good, slow, oesophageal");
         row("seeds of one", "good --seeds 3", "--seeds with --all-scripts");
+        row("registration of a recording", "poses.csv --registration 3",
+            "--registration with motions");
         row("site of a motion", "good --site a.json", "--site with a recording");
         row("told of all", "--all-scripts --told first_breath=3", "--told with a recording");
         row("saved of all", "--all-scripts --save a.csv", "--save with one motion");

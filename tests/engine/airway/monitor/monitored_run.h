@@ -154,7 +154,6 @@ inline std::vector<AirwayMoment> momentsOf(
         const BladeSeen blade{
             .validity = seen,
             .p_A_tip = ways.p_A_incisors() + motion.blade(t) * ways.inward_A() + d,
-            .isOnTeeth = false,
             .glottis = motion.blade(t) > 0.03 ? std::optional{0.6} : std::nullopt};
         moments.push_back(airwayMoment(SessionTime{fromSeconds(t)}, ways, {seen, tube, {}}, blade));
     }

@@ -210,11 +210,10 @@ private Q_SLOTS:
         const BladeSeen blade{.validity = Validity::Tracked,
                               .p_A_tip = test::drawnWays().p_A_incisors()
                                          + 0.01 * test::drawnWays().inward_A(),
-                              .isOnTeeth = true,
                               .glottis = 0.4};
         const AirwayMoment moment = airwayMoment(SessionTime{}, test::drawnWays(), {}, blade, true);
         QVERIFY(moment.tube == Validity::Lost && moment.depthAtTeeth == Length{});
-        QVERIFY(moment.isOnTeeth && moment.glottis == 0.4 && moment.areCordsShut);
+        QVERIFY(moment.glottis == 0.4 && moment.areCordsShut);
         QVERIFY(std::abs(moment.bladePastTeeth.si - 0.01) < kDrawn);
         QVERIFY(!airwayMoment(SessionTime{}, test::drawnWays(), {}, {}).glottis);
     }

@@ -5,6 +5,8 @@
 #include <functional>
 #include <numbers>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace carina::monitor_limits_test
 {
@@ -198,6 +200,160 @@ private Q_SLOTS:
         stay(monitor, inTrachea(pastCords, aboveCarina), now);
         QCOMPARE(monitor.course().seat, pastCords > 0.0 ? TubeSeat::Trachea : TubeSeat::None);
         QVERIFY(std::abs(monitor.course().confidence - below(margin / kError)) < 1e-3);
+    }
+
+    /// Of a tube whose curve at rest nobody touched.
+    void asksWhereATipIsThatIsNotKnown()
+    {
+        const auto confidenceIn = [](bool isTipKnown) {
+            IntubationMonitor monitor;
+            SessionTime now{};
+            for (double past = 0.0; past < 0.060; past += 2e-3) {
+                AirwayMoment moment = inTrachea(past, 0.125 - past);
+                moment.isTipKnown = isTipKnown;
+                stay(monitor, moment, now);
+            }
+            return monitor.course().confidence;
+        };
+        QVERIFY(confidenceIn(true) > 0.95);
+        QCOMPARE(confidenceIn(false), IntubationMonitor::kTipNotKnown * confidenceIn(true));
+    }
+
+    /// 95 % of errors in space are within 2.7955 standard deviations of one axis.
+    void expectsTheLargerOfBothErrors()
+    {
+        QVERIFY(std::abs(PlacementError{}.atCords().si - kError) < 1e-12);
+        QCOMPARE(PlacementError{.boundAtCords = millimetres(5.0)}.atCords(),
+                 PlacementError{}.atCords());
+        const Length worse = PlacementError{.boundAtCords = millimetres(10.0)}.atCords();
+        QVERIFY(std::abs(inMillimetres(worse) - 10.0 / 2.7955) < 1e-3);
+        IntubationMonitor monitor;
+        monitor.expect({.boundAtCords = millimetres(10.0)});
+        SessionTime now{};
+        stay(monitor, inTrachea(-0.001, 0.126), now);
+        QVERIFY(std::abs(monitor.course().confidence - below(1e-3 / worse.si)) < 1e-3);
+    }
+
+    /// What is noted already is not noted again.
+    void goesOnFromWhatWasNoted()
+    {
+        for (const TubeSeat seat :
+             {TubeSeat::Trachea, TubeSeat::Oesophagus, TubeSeat::RightMain, TubeSeat::LeftMain}) {
+            IntubationMonitor monitor{
+                {}, courseFrom({.isTubeIn = true, .seat = seat, .confidence = 0.99}, {})};
+            AirwayMoment moment = inTrachea(0.060, 0.060);
+            if (seat == TubeSeat::Oesophagus)
+                moment.towardsOesophagus = millimetres(7.0);
+            if (isInMainBronchus(seat)) {
+                moment = inTrachea(0.140, -0.020);
+                moment.rightToLeft = millimetres(20.0);
+                moment.towardsLeft = millimetres(seat == TubeSeat::LeftMain ? 10.0 : -10.0);
+            }
+            SessionTime now{};
+            for (int i = 0; i < 100; ++i) {
+                moment.at = now += kStep;
+                QVERIFY(monitor.take(moment).empty());
+            }
+            QCOMPARE(monitor.course().seat, seat);
+        }
+    }
+
+    /// The depth is as it was told while no tube is seen.
+    void tellsTheDepthThatWasNoted()
+    {
+        const TipReading tip{.depthAtTeeth = millimetres(210.0), .aboveCarina = millimetres(30.0)};
+        const IntubationMonitor monitor{
+            {}, courseFrom({.isTubeIn = true, .seat = TubeSeat::Trachea, .tip = tip}, {})};
+        const IntubationEvent cuff = monitor.told(IntubationStep::CuffInflated, SessionTime{});
+        QCOMPARE(cuff.depthAtTeeth, tip.depthAtTeeth);
+        QCOMPARE(cuff.tipAboveCarina, tip.aboveCarina);
+    }
+
+    /// Nobody who watches now saw it pass: it is dated to when they took up the work.
+    void turnsWhatWasNotedWhenItBegan()
+    {
+        const SessionTime begin{std::chrono::seconds{100}};
+        IntubationMonitor monitor{
+            {},
+            courseFrom({.isTubeIn = true, .seat = TubeSeat::Trachea, .confidence = 0.6}, begin)};
+        AirwayMoment moment = inTrachea(0.060, 0.060);
+        moment.towardsOesophagus = millimetres(7.0);
+        std::vector<IntubationEvent> events;
+        for (SessionTime now = begin; events.empty() && now < begin + milliseconds{1000};) {
+            moment.at = now += kStep;
+            events = monitor.take(moment);
+        }
+        QCOMPARE(events.size(), std::size_t{2}); // out of the one way, and into the other
+        for (const IntubationEvent& event : events) {
+            QVERIFY(event.at == begin);
+            QVERIFY(event.confidence > 0.5 && event.confidence <= 0.7);
+        }
+        QCOMPARE(events.back().seat, TubeSeat::Oesophagus);
+    }
+
+    /// What happened while nobody looked.
+    void isLessSureOfWhatHappenedUnseen()
+    {
+        for (const bool looksAway : {false, true}) {
+            IntubationMonitor monitor;
+            SessionTime now{};
+            AirwayMoment moment = inMouth();
+            moment.pastTeeth = millimetres(-30.0);
+            stay(monitor, moment, now);
+            if (looksAway)
+                monitor.lookAway();
+            moment.pastTeeth = millimetres(30.0);
+            std::vector<IntubationEvent> events;
+            for (int i = 0; i < 10 && events.empty(); ++i) {
+                moment.at = now += kStep;
+                events = monitor.take(moment);
+            }
+            QCOMPARE(events.size(), std::size_t{1});
+            QVERIFY(looksAway ? std::abs(events.front().confidence - 0.7) < 1e-3
+                              : events.front().confidence > 0.99);
+        }
+    }
+
+    /// A tube that is seen outside has left the place in which it was before the mouth.
+    void notesThatATubeOfBeforeIsOut()
+    {
+        IntubationMonitor monitor{{},
+                                  courseFrom({.isTubeIn = true, .seat = TubeSeat::LeftMain}, {})};
+        AirwayMoment moment = inMouth();
+        moment.pastTeeth = millimetres(-100.0);
+        moment.pastCords = millimetres(-200.0);
+        moment.measuredPastCords = moment.pastCords;
+        SessionTime now{};
+        std::vector<IntubationStep> steps;
+        for (int i = 0; i < 100; ++i) {
+            moment.at = now += kStep;
+            for (const IntubationEvent& event : monitor.take(moment))
+                steps.push_back(event.step);
+        }
+        const std::vector<IntubationStep> expected{IntubationStep::BackAboveCarina,
+                                                   IntubationStep::BackAboveCords,
+                                                   IntubationStep::TubeOut};
+        QCOMPARE(steps, expected);
+    }
+
+    /// A blade that nobody sees any more, and one that is seen outside.
+    void notesThatABladeOfBeforeIsOut()
+    {
+        for (const auto& [seen, after] : {std::pair{Validity::Lost, milliseconds{10000}},
+                                          std::pair{Validity::Tracked, milliseconds{2020}}}) {
+            IntubationMonitor monitor{{}, courseFrom({.isBladeIn = true}, {})};
+            AirwayMoment moment = inMouth();
+            moment.tube = Validity::Lost;
+            moment.blade = seen;
+            std::optional<SessionTime> out;
+            for (SessionTime now{}; !out && now < SessionTime{milliseconds{20000}};) {
+                moment.at = now += kStep;
+                for (const IntubationEvent& event : monitor.take(moment))
+                    if (event.step == IntubationStep::BladeOut)
+                        out = now;
+            }
+            QVERIFY(out == SessionTime{after});
+        }
     }
 
     /// A tip that is elsewhere, so long after it was seen last.

@@ -78,6 +78,7 @@ StationMoment StationView::at(SessionTime t, std::size_t level) const
         moment.position = station->second.respiration.settingsAt(t).position;
         moment.airwayEvents = airwayEventsAt(station->second, run, t);
         moment.headPosition = headPositionAt(station->second, t);
+        moment.isCuffInflated = station->second.respiration.tube().cuffInflatedAt(t);
         moment.tubeIsApart = station->second.respiration.tube().areShapesApartAt(t);
         moment.exaggeration = m_exaggeration;
         const ChestPose drawn = drawnPose(m_lungs, moment.breathing, level);

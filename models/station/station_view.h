@@ -43,7 +43,8 @@ struct StationMoment {
     std::shared_ptr<const RemoteObject> tubePoses;
     /// How that bends, as its owner has it; nothing where it is not told.
     std::optional<ShapeBetween> tubeShape;
-    bool tubeIsApart = false; ///< from where it was measured, as it is noted in the session
+    bool isCuffInflated = false; ///< of the tube in the patient
+    bool tubeIsApart = false;    ///< from where it was measured, as it is noted in the session
     TubeDrawing tubeDrawing = TubeDrawing::AsMeasured; ///< set by who draws it
 };
 

@@ -12,15 +12,15 @@ constexpr const char* kMeasuredTube = "measured tube";
 /// Below those of what lies in a throat, and far above those of people.
 constexpr std::uint16_t kFirstIdOfMeasured = 0xd000;
 
-std::string bodyName(SurfaceBody body)
+std::string bodyOf(const PatientSurface& surface)
 {
-    switch (body) {
+    switch (surface.body) {
     case SurfaceBody::Anatomy:
         return kPatientBody;
     case SurfaceBody::Mandible:
         return kMandible;
     case SurfaceBody::Tube:
-        return kTubeBody;
+        return surface.name == kInflatedCuff ? kCuffBody : kTubeBody;
     }
     return {};
 }
@@ -60,7 +60,7 @@ Appearance tubeAppearance(const std::string& piece)
 {
     if (piece == "Depth marks")
         return {MaterialGroup::Tool, {28, 32, 44}};
-    if (piece == "Cuff")
+    if (piece == "Cuff" || piece == kInflatedCuff)
         return {MaterialGroup::Tool, {112, 176, 216}};
     if (piece == "Connector")
         return {MaterialGroup::Tool, {238, 240, 242}};
@@ -91,7 +91,7 @@ std::vector<ScenePart> sceneParts(const PatientModel& patient)
                                             ? BodyRegion::Tools
                                             : bodyRegionOf(surface.description.role),
                          .region = drawnRegionOf(surface),
-                         .body = bodyName(surface.body),
+                         .body = bodyOf(surface),
                          .liftedWith = surface.body == SurfaceBody::Tube
                                            ? ""
                                            : groupName(groupOf(surface.description.role)),
@@ -119,8 +119,11 @@ std::vector<ScenePart> tubeParts(const PatientModel& patient, const std::string&
 
 void bendTube(SceneFrame& frame, const PatientModel& patient, const std::string& body)
 {
-    if (patient.tube().fitsAirway)
-        frame.bentInPlace[body] = patient.tube().X_AE;
+    if (!patient.tube().fitsAirway)
+        return;
+    frame.bentInPlace[body] = patient.tube().X_AE;
+    if (body == kTubeBody)
+        frame.bentInPlace[kCuffBody] = patient.tube().X_AE;
 }
 
 SceneFigure measuredTubeFigure(const PatientModel& patient)
@@ -156,6 +159,8 @@ SceneFrame sceneFrame(const StationMoment& moment, const ChestField& chest,
     frame.bodies[kMandible] = inPatient(patient, throat.neck.X_AU() * throat.X_AJ);
     if (moment.tube && moment.tube->validity != Validity::Lost)
         frame.bodies[kTubeBody] = moment.tube->X_FO;
+    if (frame.bodies.contains(kTubeBody) && moment.isCuffInflated)
+        frame.bodies[kCuffBody] = frame.bodies.at(kTubeBody);
     return frame;
 }
 

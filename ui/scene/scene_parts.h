@@ -17,6 +17,8 @@ namespace carina
 inline constexpr const char* kPatientBody = "patient";
 /// The body of the tube that is drawn with the patient.
 inline constexpr const char* kTubeBody = "tube";
+/// That of its cuff while it is inflated.
+inline constexpr const char* kCuffBody = "cuff";
 
 /// The surfaces of a patient as parts of a scene, in their order; a part's id is its index + 1.
 [[nodiscard]] std::vector<ScenePart> sceneParts(const PatientModel& patient);

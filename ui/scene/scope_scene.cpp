@@ -52,7 +52,7 @@ ScopeScene scopeScene(const PatientModel& patient, const Blade& blade, TissueCol
     scene.structures.resize(scene.parts.size() + 1, SeenStructure::Nothing);
     for (std::size_t i = 0; i < scene.parts.size(); ++i) {
         ScenePart& part = scene.parts[i];
-        if (part.body == kTubeBody) {
+        if (part.body == kTubeBody || part.body == kCuffBody) {
             scene.structures[part.id] = SeenStructure::Tube;
             continue;
         }

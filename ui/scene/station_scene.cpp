@@ -88,9 +88,11 @@ TubeDrawing StationScene::bendTubeAtWork(SceneFrame& frame, const StationMoment&
         moment.tubePoses ? m_distantTube.at(moment, tissue) : m_tubeInAirway(moment, tissue);
     if (lies.p_E.empty())
         return lies.drawing;
-    frame.bentInPlace.erase(kTubeBody);
-    frame.bentAlong[kTubeBody] =
-        std::make_shared<const LineBend>(m_patient->tube().p_E_centre, lies.p_E);
+    const auto bend = std::make_shared<const LineBend>(m_patient->tube().p_E_centre, lies.p_E);
+    for (const char* body : {kTubeBody, kCuffBody}) {
+        frame.bentInPlace.erase(body);
+        frame.bentAlong[body] = bend;
+    }
     if (lies.drawing == TubeDrawing::Apart)
         addMeasuredTube(frame, *m_patient);
     return lies.drawing;

@@ -15,11 +15,13 @@ namespace
 
 constexpr double kOutside = 0.05;      ///< metres of tube in front of the incisors
 constexpr double kStep = 0.004;        ///< between rings of the tube's wall, metres
-constexpr double kBevel = 0.003;       ///< of the tip
+constexpr double kRounded = 0.003;     ///< of the tip, metres
+constexpr double kBevel = 2.0;         ///< its length in radii of the tube: 45 degrees; of ours
 constexpr double kMarkRise = 0.00015;  ///< of a depth mark above the wall
 constexpr double kCuffFromTip = 0.015; ///< metres, to its lower end
 constexpr double kCuffLength = 0.032;
 constexpr double kCuffSwell = 1.25;        ///< of the tube's radius: fills a trachea the tube fits
+constexpr double kFlatCuff = 1.03;         ///< likewise, of an empty one
 constexpr double kFullCuffRadius = 0.0034; ///< of a tube of 5.0 mm; thinner ones have shorter cuffs
 constexpr double kConnectorLength = 0.02;
 constexpr double kConnectorRadius = 0.0075; ///< ISO 5356: 15 mm
@@ -33,15 +35,38 @@ double nearestAlong(const SweptLine& line, const Vec3& p)
     return line.along[std::size_t(nearest - line.points.begin())];
 }
 
+/// The tip is cut obliquely and opens to the patient's left, as that of tubes that are sold: the
+/// wall there is drawn back, by nothing on the right and by kBevel on the left.
+void bevel(TriangleMesh& wall, const SweptLine& tube, double radius)
+{
+    const double reach = 2.0 * kBevel * radius; // within which it is
+    const Vec3 along = tube.tangents.back();
+    const Vec3 left = (Vec3::UnitX() - along.x() * along).normalized();
+    for (std::size_t i = 0; i < wall.positions.size(); ++i) {
+        const Vec3 p = wall.positions[i].cast<double>() - tube.points.back();
+        const double share = 1.0 + p.dot(along) / reach; // 1 at the tip
+        if (share <= 0.0 || p.norm() > 2.0 * reach)
+            continue;
+        const double most = 0.5 * kBevel * radius * (1.0 + p.dot(left) / radius);
+        wall.positions[i] -= (share * most * along).cast<float>();
+        const Vec3 slope = -0.5 * kBevel * share * left - most / reach * along;
+        const Vec3 n = wall.normals[i].cast<double>();
+        wall.normals[i] =
+            Vec3{n - n.dot(along) / (1.0 + slope.dot(along)) * slope}.normalized().cast<float>();
+    }
+}
+
 TriangleMesh wall(const SweptLine& tube, double radius)
 {
     const double length = tube.along.back();
     std::vector<Ring> rings;
-    for (double along = 0.0; along < length - kBevel; along += kStep)
+    for (double along = 0.0; along < length - kRounded; along += kStep)
         rings.push_back({along, radius});
-    rings.push_back({length - kBevel, radius});
+    rings.push_back({length - kRounded, radius});
     rings.push_back({length, 0.8 * radius});
-    return sweptSurface(tube, rings);
+    TriangleMesh mesh = sweptSurface(tube, rings);
+    bevel(mesh, tube, radius);
+    return mesh;
 }
 
 TriangleMesh depthMarks(const SweptLine& tube, double radius)
@@ -57,7 +82,8 @@ TriangleMesh depthMarks(const SweptLine& tube, double radius)
     return marks;
 }
 
-TriangleMesh cuff(const SweptLine& tube, double radius)
+/// @param most of the tube's radius, in its middle
+TriangleMesh cuff(const SweptLine& tube, double radius, double most)
 {
     constexpr int kRings = 16;
     const double size = std::min(radius / kFullCuffRadius, 1.0);
@@ -67,7 +93,7 @@ TriangleMesh cuff(const SweptLine& tube, double radius)
         // A half sine to the power of one half: full in the middle, steep at both ends.
         const double swell = std::sqrt(std::sin(std::numbers::pi * share));
         rings.push_back({tube.along.back() - size * (kCuffFromTip + kCuffLength * (1.0 - share)),
-                         radius * (1.01 + (kCuffSwell - 1.01) * std::max(swell, 0.0))});
+                         radius * (1.01 + (most - 1.01) * std::max(swell, 0.0))});
     }
     return sweptSurface(tube, rings);
 }
@@ -88,7 +114,8 @@ std::vector<TubePiece> piecesOf(const SweptLine& tube, double radius)
 {
     return {{"Tube", wall(tube, radius)},
             {"Depth marks", depthMarks(tube, radius)},
-            {"Cuff", cuff(tube, radius)},
+            {"Cuff", cuff(tube, radius, kFlatCuff)},
+            {kInflatedCuff, cuff(tube, radius, kCuffSwell)},
             {"Connector", connector(tube)}};
 }
 

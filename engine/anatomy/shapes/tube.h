@@ -13,12 +13,15 @@
 namespace carina
 {
 
-/// One piece of a tracheal tube, in the connector's frame E: "Tube", "Depth marks", "Cuff" or
-/// "Connector".
+/// One piece of a tracheal tube, whose tip is cut obliquely and opens to the patient's left, in the
+/// connector's frame E: "Tube", "Depth marks", "Cuff", which lies flat, kInflatedCuff, which
+/// encloses it, or "Connector".
 struct TubePiece {
     std::string name;
     TriangleMesh mesh; ///< closed, with normals
 };
+
+inline constexpr const char* kInflatedCuff = "Inflated cuff";
 
 /// A tracheal tube as a rigid body, whose shape fits one airway at its final depth.
 ///

@@ -407,6 +407,9 @@ void TestStationView::bendsTheTubeOfAnotherAsItWasSent()
     node.decide(fact::IntubationNoted{{.step = IntubationStep::ShapesApart, .at = kNow}, {}},
                 FakeSessionNode::kTrainee);
     QVERIFY(view.at(kNow + std::chrono::milliseconds{200}, 0).tubeIsApart);
+    QVERIFY(!view.at(kNow + std::chrono::milliseconds{200}, 0).isCuffInflated);
+    node.decide(fact::CuffSet{true});
+    QVERIFY(view.at(kNow + std::chrono::milliseconds{400}, 0).isCuffInflated);
     node.becomes(FakeSessionNode::kTrainee);
     QVERIFY(!view.at(kNow, 0).tubeShape);
 }

@@ -87,6 +87,33 @@ private Q_SLOTS:
         QCOMPARE(scene.moment().tubeDrawing, TubeDrawing::AsMeasured);
     }
 
+    /// And goes with the tube; that of a tube that is not seen is not drawn.
+    void cuffIsDrawnFullWhileItIsInflated()
+    {
+        if (!graphicsDriver())
+            QSKIP("no OpenGL 3.3");
+        FakeSessionNode node{FakeSessionNode::kTrainee};
+        const StationView view{node, FakeSessionNode::kStation, adult().lungs(), {}};
+        SceneView picture;
+        StationScene scene{picture, adult(), view};
+        std::vector<Vec3> p_E = adult().tube().p_E_centre;
+        scene.bendTubeBy([&](const StationMoment&, const TissueAround&) {
+            return TubeInAirway{p_E, TubeDrawing::InAirway};
+        });
+        StationMoment moment = view.at(*node.now(), 0);
+        moment.tube = PoseSample{.X_FO = adult().tube().X_AE};
+        QVERIFY(!sceneFrame(moment, ChestField{}).bodies.contains(kCuffBody));
+        moment.isCuffInflated = true;
+        SceneFrame frame = sceneFrame(moment, ChestField{});
+        QVERIFY(scene.bendTubeAtWork(frame, moment) == TubeDrawing::InAirway);
+        QVERIFY(frame.bodies.contains(kCuffBody));
+        QCOMPARE(frame.bentAlong.at(kCuffBody), frame.bentAlong.at(kTubeBody));
+        moment.tube.reset();
+        QVERIFY(!sceneFrame(moment, ChestField{}).bodies.contains(kCuffBody));
+        const auto parts = sceneParts(adult());
+        QCOMPARE(std::ranges::count(parts, std::string{kCuffBody}, &ScenePart::body), 1);
+    }
+
     /// As its owner has it, and not as this program's own would lie; also one of another length.
     void ofAnotherIsDrawnAsItWasSent()
     {

@@ -50,7 +50,8 @@ private Q_SLOTS:
     void everyPartOfThePatientIsOfAGroup()
     {
         for (const ScenePart& part : sceneParts(*m_patient))
-            QCOMPARE(groupFromName(part.liftedWith).has_value(), part.body != kTubeBody);
+            QCOMPARE(groupFromName(part.liftedWith).has_value(),
+                     part.body != kTubeBody && part.body != kCuffBody);
     }
 
     void leavesWhatWasOnlyLiftedWhereItWas()

@@ -26,6 +26,7 @@ private Q_SLOTS:
     void liesInTheAirwayWithItsTipAboveTheCarina();
     void connectorFrameLooksOutOfThePatient();
     void everyPieceIsClosedAndFacesOutward();
+    void tipIsCutToTheLeft();
     void wallHasTheOuterDiameter();
     void connectorHasFifteenMillimetres();
     void depthMarksStandAtWholeCentimetresFromTheTip();
@@ -173,11 +174,42 @@ void TestTube::connectorFrameLooksOutOfThePatient()
 void TestTube::everyPieceIsClosedAndFacesOutward()
 {
     const TubeShape tube = bentTube();
-    QCOMPARE(tube.pieces.size(), std::size_t{4});
+    QCOMPARE(tube.pieces.size(), std::size_t{5});
     for (const TubePiece& piece : tube.pieces) {
         QVERIFY2(test::edgesWithoutPartner(piece.mesh) == 0, piece.name.c_str());
         QVERIFY2(signedVolume(piece.mesh) > 0.0, piece.name.c_str());
         QVERIFY2(test::worstNormalLength(piece.mesh) < 1e-5, piece.name.c_str());
+    }
+}
+
+/// The wall on the right reaches the tip, and that on the left ends a diameter before it; its
+/// normals are those of the cut.
+void TestTube::tipIsCutToTheLeft()
+{
+    const TubeShape tube = bentTube();
+    const TriangleMesh wall = pieceOf(tube, "Tube");
+    const Vec3 along = (tube.p_E_tip - tube.p_E_centre.end()[-2]).normalized();
+    double right = -1.0;
+    double left = -1.0;
+    for (const Vec3f& vertex : wall.positions) {
+        const Vec3 p = vertex.cast<double>() - tube.p_E_tip;
+        if (p.norm() > 0.03)
+            continue;
+        if (p.x() > 0.7 * 0.5 * tube.outerDiameter.si)
+            left = std::max(left, p.dot(along));
+        if (p.x() < -0.7 * 0.5 * tube.outerDiameter.si)
+            right = std::max(right, p.dot(along));
+    }
+    // The rim is drawn in to 0.8 of the radius.
+    QVERIFY(std::abs(right + 0.1 * tube.outerDiameter.si) < 0.3 * kMillimetre);
+    QVERIFY(std::abs(left + 0.9 * tube.outerDiameter.si) < 0.3 * kMillimetre);
+    for (const auto& triangle : wall.triangles) {
+        const auto corner = [&](int k) -> Vec3 {
+            return wall.positions[triangle[k]].cast<double>();
+        };
+        const Vec3 face = (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
+        if ((corner(0) - tube.p_E_tip).norm() < 0.012)
+            QVERIFY(face.dot(wall.normals[triangle[0]].cast<double>()) > 0.9);
     }
 }
 
@@ -262,7 +294,7 @@ void TestTube::tubeAndCuffStayInsideTheTrachea()
                                .value();
     constexpr int kEach = 40; // of the vertices is looked at: each takes many windings
     const double top = dimensionsOf(which).tracheaLength.si - 3.0 * kMillimetre;
-    for (const char* name : {"Tube", "Cuff"}) {
+    for (const char* name : {"Tube", "Cuff", kInflatedCuff}) {
         int inside = 0;
         for (const Vec3f& p_E : pieceOf(tube, name).positions) {
             const Vec3 p_A = tube.X_AE * p_E.cast<double>();

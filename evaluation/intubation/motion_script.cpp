@@ -297,7 +297,8 @@ void write(MotionWriter& hands, MotionKind kind, const MotionParameters& paramet
     case MotionKind::NeckFlexed:
         lookAndIntubate(hands, TipTarget::Trachea, hands.usualDepth());
         hands.wait(kLook);
-        return hands.flexNeck();
+        hands.flexNeck();
+        return hands.wait(2.0 * kLook); // for the tube to rest
     case MotionKind::StuckAtArytenoid:
         hands.bladeIn();
         hands.look();

@@ -121,6 +121,13 @@ QString verdictWord(ItemVerdict verdict)
     return QString::fromLatin1(kVerdicts[static_cast<std::size_t>(verdict)]);
 }
 
+/// One without a name is called by its metric.
+QString nameOf(const Criterion& criterion)
+{
+    return criterion.name.empty() ? QString::fromLatin1(entryOf(criterion.metric).word)
+                                  : QString::fromStdString(criterion.name);
+}
+
 QJsonObject scoreObject(const TryMetrics& metrics)
 {
     const Rubric rubric = publishedRubric();
@@ -128,7 +135,7 @@ QJsonObject scoreObject(const TryMetrics& metrics)
     QJsonArray judgements;
     for (const Judgement& judged : score.judgements)
         judgements += QJsonObject{
-            {key::kCriterion, QString::fromStdString(judged.criterion.name)},
+            {key::kCriterion, nameOf(judged.criterion)},
             {key::kMetric, QString::fromLatin1(entryOf(judged.criterion.metric).word)},
             {key::kVerdict, verdictWord(judged.verdict)},
             {key::kValue, judged.value ? QJsonValue{*judged.value} : QJsonValue{}},

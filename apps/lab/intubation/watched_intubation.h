@@ -40,6 +40,7 @@ public:
                       ElasticTube::ConnectorAt connectorAt, WatchedIntubation& into)
         : m_watched{into}, m_airway{subject, blade, std::move(connectorAt)}
     {
+        m_watched.measured.check(TryCheck::MaskVentilated, true); // by patientOf
     }
 
     /// Of the poses, as IntubationMonitor.

@@ -16,6 +16,7 @@ namespace
 constexpr double kOutside = 0.05;      ///< metres of tube in front of the incisors
 constexpr double kStep = 0.004;        ///< between rings of the tube's wall, metres
 constexpr double kRounded = 0.003;     ///< of the tip, metres
+constexpr double kRim = 0.8;           ///< its radius, of the tube's
 constexpr double kBevel = 2.0;         ///< its length in radii of the tube: 45 degrees; of ours
 constexpr double kMarkRise = 0.00015;  ///< of a depth mark above the wall
 constexpr double kCuffFromTip = 0.015; ///< metres, to its lower end
@@ -36,7 +37,8 @@ double nearestAlong(const SweptLine& line, const Vec3& p)
 }
 
 /// The tip is cut obliquely and opens to the patient's left, as that of tubes that are sold: the
-/// wall there is drawn back, by nothing on the right and by kBevel on the left.
+/// wall there is drawn back, by nothing at the rim on the right and by kBevel across the tube on
+/// the left.
 void bevel(TriangleMesh& wall, const SweptLine& tube, double radius)
 {
     const double reach = 2.0 * kBevel * radius; // within which it is
@@ -47,7 +49,7 @@ void bevel(TriangleMesh& wall, const SweptLine& tube, double radius)
         const double share = 1.0 + p.dot(along) / reach; // 1 at the tip
         if (share <= 0.0 || p.norm() > 2.0 * reach)
             continue;
-        const double most = 0.5 * kBevel * radius * (1.0 + p.dot(left) / radius);
+        const double most = 0.5 * kBevel * radius * (kRim + p.dot(left) / radius);
         wall.positions[i] -= (share * most * along).cast<float>();
         const Vec3 slope = -0.5 * kBevel * share * left - most / reach * along;
         const Vec3 n = wall.normals[i].cast<double>();
@@ -63,7 +65,7 @@ TriangleMesh wall(const SweptLine& tube, double radius)
     for (double along = 0.0; along < length - kRounded; along += kStep)
         rings.push_back({along, radius});
     rings.push_back({length - kRounded, radius});
-    rings.push_back({length, 0.8 * radius});
+    rings.push_back({length, kRim * radius});
     TriangleMesh mesh = sweptSurface(tube, rings);
     bevel(mesh, tube, radius);
     return mesh;

@@ -84,6 +84,7 @@ public:
     {
         return m_noted.at(t).isWatched && m_override.at(t).tube.isSet();
     }
+    /// What a monitor has noted by then, whatever the console sets.
     [[nodiscard]] NotedTube notedAt(SessionTime t) const { return m_noted.at(t); }
     /// Whether a monitor has noted a tube by then.
     [[nodiscard]] bool isWatchedAt(SessionTime t) const { return m_noted.at(t).isWatched; }
